@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The few settings that are not a scene's. Each has a default, a range and a check; set one with
+// -D on batuta_config, or in a header named by BATUTA_USER_CONFIG ("my_config.hpp").
+
+#ifdef BATUTA_USER_CONFIG
+#include BATUTA_USER_CONFIG
+#endif
+
+/// Which caller mistakes end in batuta_trap().
+/// 0 none, 1 preconditions of public calls, 2 also invariants and Eigen's own checks, 3 also slow checks.
+#ifndef BATUTA_ASSERT_LEVEL
+#define BATUTA_ASSERT_LEVEL 2
+#endif
+
+static_assert(BATUTA_ASSERT_LEVEL >= 0 && BATUTA_ASSERT_LEVEL <= 3,
+              "BATUTA_ASSERT_LEVEL: choose 0, 1, 2 or 3");

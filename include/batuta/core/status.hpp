@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// How a call says that it could not do what was asked. A status is never conditional on a build setting.
+
+#include <cstdint>
+
+namespace batuta {
+
+enum class [[nodiscard]] Status : std::uint8_t {
+  kOk,
+  kInvalidArgument,  ///< outside the stated range, or not finite; nothing was changed
+  kPoolFull,         ///< the capacity is used up; nothing was changed
+  kStaleHandle,      ///< null, foreign, or of an object that is gone; nothing was changed
+  kDegenerate,       ///< the answer is defined but arbitrary in part; the docstring says which
+  kUnavailable,      ///< nothing new, or the device is gone
+};
+
+/// A value and whether it may be used. The value is always a valid object: default if the status is not kOk.
+template <class T>
+struct [[nodiscard]] Result {
+  Status status = Status::kInvalidArgument;
+  T value{};
+
+  constexpr bool ok() const { return status == Status::kOk; }
+};
+
+template <class T>
+constexpr Result<T> success(const T& value) {
+  return {Status::kOk, value};
+}
+
+template <class T>
+constexpr Result<T> failure(Status status) {
+  return {status, T{}};
+}
+
+}  // namespace batuta

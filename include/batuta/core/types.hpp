@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The only header that includes Eigen: it makes sure that library and user see the same Eigen, and names
+// the few fixed-size types in use. Scalar is float on targets; double is the oracle on the host.
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#include "batuta/core/assert.hpp"
+
+#if !defined(EIGEN_DONT_VECTORIZE) || !defined(EIGEN_NO_IO) || !defined(EIGEN_NO_MALLOC)
+#error "batuta: link batuta::config (or batuta::batuta): Eigen must be set up alike everywhere"
+#endif
+#if !defined(EIGEN_MAX_STATIC_ALIGN_BYTES) || EIGEN_MAX_STATIC_ALIGN_BYTES != 0
+#error "batuta: EIGEN_MAX_STATIC_ALIGN_BYTES must be 0: layouts are the same on host and target"
+#endif
+#ifdef eigen_assert
+#error "batuta: include batuta headers before Eigen's own, so that Eigen's checks reach batuta_trap()"
+#endif
+#ifdef __FAST_MATH__
+#error "batuta: -ffast-math changes results and removes the checks for NaN; compile without it"
+#endif
+
+#define eigen_assert(condition) BATUTA_INVARIANT(condition)
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace batuta {
+
+template <class Scalar>
+using Vec2 = Eigen::Matrix<Scalar, 2, 1>;
+template <class Scalar>
+using Vec3 = Eigen::Matrix<Scalar, 3, 1>;
+template <class Scalar>
+using Mat3 = Eigen::Matrix<Scalar, 3, 3>;
+template <class Scalar>
+using Quat = Eigen::Quaternion<Scalar>;
+
+/// Unit round-off u: half the spacing of Scalar at 1 (2^-24 for float, 2^-53 for double).
+template <class Scalar>
+inline constexpr Scalar kRoundOff = std::numeric_limits<Scalar>::epsilon() / 2;
+
+template <class Scalar>
+inline constexpr bool kIsScalar = std::is_same_v<Scalar, float> || std::is_same_v<Scalar, double>;
+
+/// Comparison forms with one meaning on every compiler, also for signed zeros and NaN: the first wins a tie.
+template <class Scalar>
+constexpr Scalar min_of(Scalar a, Scalar b) {
+  return b < a ? b : a;
+}
+template <class Scalar>
+constexpr Scalar max_of(Scalar a, Scalar b) {
+  return a < b ? b : a;
+}
+template <class Scalar>
+constexpr Scalar clamp(Scalar x, Scalar low, Scalar high) {
+  return x < low ? low : (high < x ? high : x);
+}
+
+/// False for NaN and for both infinities.
+template <class Scalar>
+constexpr bool is_finite(Scalar x) {
+  return x - x == Scalar(0);
+}
+template <class Derived>
+bool is_finite(const Eigen::DenseBase<Derived>& m) {
+  using Scalar = typename Derived::Scalar;
+  return m.unaryExpr([](Scalar x) { return is_finite(x) ? Scalar(0) : Scalar(1); }).sum() == Scalar(0);
+}
+template <class Scalar>
+bool is_finite(const Quat<Scalar>& q) {
+  return is_finite(q.coeffs());
+}
+
+}  // namespace batuta

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The paper's search [Kavan §3.2, eq. 16-18]: steps so small that a missed touch is shallower than epsilon, then
+// bisection. Easy to trust; the reference for every other search.
+
+#include "batuta/detection/bisection.hpp"
+#include "batuta/detection/moving_pair.hpp"
+
+namespace batuta {
+
+/// What epsilon is measured in.
+enum class EpsilonIn : std::uint8_t {
+  kThinnerRadius,  ///< times the smaller of the two radii
+  kMetres,
+};
+
+template <class Scalar>
+struct SteppingOptions {
+  Scalar epsilon = Scalar(0.5);  ///< deepest touch that may be missed, > 0
+  EpsilonIn unit = EpsilonIn::kThinnerRadius;
+  std::uint32_t max_steps = 4096;  ///< >= 1; where they do not suffice the answer is kBudget
+  int halvings = 24;               ///< 0 ... kMaxHalvings
+};
+
+/// First contact in [0, duration], up to touches shallower than epsilon.
+/// @returns SearchResult: kFree | kContact with t_hit - t_free <= step / 2^halvings | kTouching | kBudget | kInvalid
+///   (invalid pair or options). `t_free` is always an instant at which the gap was evaluated and positive, or 0.
+/// Bound: max_steps + halvings + 1 evaluations.
+template <class Scalar>
+SearchResult<Scalar> search_stepping(const MovingPair<Scalar>& pair, const SteppingOptions<Scalar>& options);
+
+}  // namespace batuta

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The one shape of batuta: all points within a radius of a segment [Kavan eq. 30]. A sphere is the capsule
+// whose segment has no length. Frame: any, the same for all arguments; unit m.
+
+#include "batuta/core/status.hpp"
+#include "batuta/geometry/segment.hpp"
+
+namespace batuta {
+
+template <class Scalar>
+struct Capsule {
+  Segment<Scalar> axis;
+  Scalar radius = 0;  ///< >= 0
+
+  static Capsule sphere(const Vec3<Scalar>& center, Scalar radius) { return {{center, center}, radius}; }
+};
+
+template <class Scalar>
+struct Sphere {
+  Vec3<Scalar> center = Vec3<Scalar>::Zero();
+  Scalar radius = 0;
+};
+
+/// How two capsules stand to each other; "I cannot tell" does not occur for finite input.
+enum class Proximity : std::uint8_t {
+  kSeparated,    ///< gap > 0
+  kTouching,     ///< gap == 0
+  kOverlapping,  ///< gap < 0
+  kInvalid,      ///< a coordinate is not finite, or a radius is negative or not finite
+};
+
+/// How far two capsules are apart, and where.
+template <class Scalar>
+struct CapsuleGap {
+  Proximity proximity = Proximity::kInvalid;
+  Scalar gap = 0;  ///< distance of the surfaces, m; negative: depth of the overlap along normal_AB
+  ClosestPoints<Scalar> axes;                           ///< closest points of the two axes, with normal_AB
+  Vec3<Scalar> surface_A = Vec3<Scalar>::Zero();        ///< point of A's surface furthest towards B
+  Vec3<Scalar> surface_B = Vec3<Scalar>::Zero();        ///< point of B's surface furthest towards A
+};
+
+/// Finite coordinates and a finite radius >= 0.
+template <class Scalar>
+bool is_valid(const Capsule<Scalar>& capsule);
+
+/// Signed distance of two capsules with the witnesses [Kavan eq. 31].
+/// @returns proximity kInvalid for invalid input, never anything else for it
+/// Bound: one closest_points(). Full depth is reported also where the axes cross.
+template <class Scalar>
+CapsuleGap<Scalar> capsule_gap(const Capsule<Scalar>& A, const Capsule<Scalar>& B);
+
+/// dist(axis A, axis B) <= r_A + r_B [Kavan eq. 31]. False for invalid input (ask is_valid() first).
+template <class Scalar>
+bool overlaps(const Capsule<Scalar>& A, const Capsule<Scalar>& B);
+
+/// max(0, -gap), m: how far to move A along -normal_AB until the surfaces touch.
+template <class Scalar>
+Scalar penetration_depth(const Capsule<Scalar>& A, const Capsule<Scalar>& B);
+
+/// Outward unit normal at the point of the surface nearest to `point` [Kavan §5]. On the axis: a fixed perpendicular
+/// of the axis (x for a sphere), status kDegenerate.
+template <class Scalar>
+Result<Vec3<Scalar>> surface_normal(const Capsule<Scalar>& capsule, const Vec3<Scalar>& point);
+
+/// max over the capsule of direction . x; `direction` need not be unit, and may be zero.
+template <class Scalar>
+Scalar support(const Capsule<Scalar>& capsule, const Vec3<Scalar>& direction);
+
+/// The smallest ball that holds the capsule.
+template <class Scalar>
+Sphere<Scalar> bounding_sphere(const Capsule<Scalar>& capsule);
+
+}  // namespace batuta

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Closest points of a point and a segment, and of two segments: the one kernel that all detection stands on.
+// Frame: any, the same for all arguments; unit m. Recipe and error bound: src/geometry/segment.md.
+
+#include "batuta/core/types.hpp"
+
+namespace batuta {
+
+/// The points a + s (b - a), s in [0, 1]. a == b is a point, and ordinary input.
+template <class Scalar>
+struct Segment {
+  Vec3<Scalar> a = Vec3<Scalar>::Zero();
+  Vec3<Scalar> b = Vec3<Scalar>::Zero();
+
+  Vec3<Scalar> direction() const { return b - a; }
+  Vec3<Scalar> at(Scalar s) const { return a + s * (b - a); }
+};
+
+/// A point of a segment that is closest to a given point.
+template <class Scalar>
+struct PointOnSegment {
+  Scalar s = 0;  ///< parameter in [0, 1]
+  Vec3<Scalar> point = Vec3<Scalar>::Zero();
+  Scalar distance = 0;
+};
+
+/// A closest pair of points of segments A and B.
+template <class Scalar>
+struct ClosestPoints {
+  Scalar s = 0;  ///< parameter on A in [0, 1]
+  Scalar u = 0;  ///< parameter on B in [0, 1]
+  Vec3<Scalar> p_A = Vec3<Scalar>::Zero();
+  Vec3<Scalar> p_B = Vec3<Scalar>::Zero();
+  /// Unit, from p_A to p_B. Where the points coincide: perpendicular to both segments if they are not parallel,
+  /// else a fixed perpendicular of the longer one, else (two points) the x axis; then `arbitrary` is set.
+  Vec3<Scalar> normal_AB = Vec3<Scalar>::UnitX();
+  Scalar distance = 0;
+  bool arbitrary = false;  ///< the sign or the whole direction of normal_AB is a convention, not geometry
+};
+
+/// The point of `segment` closest to `point`.
+/// @pre all inputs finite; any scale (a power of two is taken out first)
+/// Bound: no loop. Error of the distance <= 4 u S, S the largest length in the query.
+template <class Scalar>
+PointOnSegment<Scalar> closest_point(const Segment<Scalar>& segment, const Vec3<Scalar>& point);
+
+/// A closest pair of points of A and B [Kavan §5, the distance in eq. 31].
+/// Where a whole range of pairs is closest (parallel, overlapping), one of them that does not depend on the order of
+/// the arguments: swapping A and B, or the ends of either, gives the same points.
+/// @pre all inputs finite; any scale; zero length allowed
+/// Bound: no loop. Excess of the distance over the minimum <= 4 u S (src/geometry/segment.md).
+template <class Scalar>
+ClosestPoints<Scalar> closest_points(const Segment<Scalar>& A, const Segment<Scalar>& B);
+
+}  // namespace batuta

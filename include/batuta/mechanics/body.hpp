@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A rigid body [Kavan eq. 4-15]. State: pose and momenta, because they are what is conserved; velocities follow.
+// Only inverse mass and inverse inertia are kept: zero means "cannot be moved" [Kavan §4.1].
+// Frames: W world; B body: origin in the centre of mass, axes the principal axes of inertia. SI units.
+
+#include "batuta/core/status.hpp"
+#include "batuta/geometry/capsule.hpp"
+#include "batuta/mechanics/mass.hpp"
+#include "batuta/mechanics/rotation.hpp"
+
+namespace batuta {
+
+/// Where B is in W: x_W = p_W + R(q_WB) x_B [Kavan eq. 4].
+template <class Scalar>
+struct Pose {
+  Vec3<Scalar> p_W = Vec3<Scalar>::Zero();
+  Quat<Scalar> q_WB = Quat<Scalar>::Identity();  ///< unit
+};
+
+/// How a body moves: velocity of its centre of mass and angular velocity, components in W.
+template <class Scalar>
+struct Twist {
+  Vec3<Scalar> v_W = Vec3<Scalar>::Zero();  ///< m/s
+  Vec3<Scalar> w_W = Vec3<Scalar>::Zero();  ///< rad/s
+};
+
+/// Linear and angular momentum about the centre of mass, or a change of them (impulse and impulsive torque), in W.
+template <class Scalar>
+struct Momentum {
+  Vec3<Scalar> p_W = Vec3<Scalar>::Zero();  ///< kg m/s
+  Vec3<Scalar> b_W = Vec3<Scalar>::Zero();  ///< kg m^2/s
+};
+
+template <class Scalar>
+struct Body {
+  Pose<Scalar> X_WB;
+  Momentum<Scalar> momentum;
+  Scalar inverse_mass = 0;                                ///< 1/kg; 0: fixed in place
+  Vec3<Scalar> inverse_moments = Vec3<Scalar>::Zero();    ///< 1/(kg m^2), along the axes of B; 0: does not turn
+};
+
+/// A body at rest with the inverse of `mass` and `moments`; infinity gives zero, that is fixed.
+/// @returns kOk | kInvalidArgument (mass or a moment is not positive, or NaN; pose not finite)
+template <class Scalar>
+Result<Body<Scalar>> make_body(const Pose<Scalar>& X_WB, Scalar mass, const Vec3<Scalar>& moments);
+
+template <class Scalar>
+bool is_fixed(const Body<Scalar>& body) {
+  return body.inverse_mass == Scalar(0) && body.inverse_moments == Vec3<Scalar>::Zero();
+}
+
+/// x_W of a point given in B [Kavan eq. 4], and back.
+template <class Scalar>
+Vec3<Scalar> to_world(const Pose<Scalar>& X_WB, const Vec3<Scalar>& x_B);
+template <class Scalar>
+Vec3<Scalar> to_body(const Pose<Scalar>& X_WB, const Vec3<Scalar>& x_W);
+template <class Scalar>
+Capsule<Scalar> to_world(const Pose<Scalar>& X_WB, const Capsule<Scalar>& capsule_B);
+
+/// I^-1 in W: R J^-1 R^T [Kavan eq. 5, 29].
+template <class Scalar>
+Mat3<Scalar> inverse_inertia_W(const Body<Scalar>& body);
+
+/// v = p / m, w = I^-1 b [Kavan eq. 7, 8]. Computed in B, so that strongly unequal moments lose nothing.
+template <class Scalar>
+Twist<Scalar> twist_of(const Body<Scalar>& body);
+
+/// p = m v, b = I w; zero along what cannot be moved.
+template <class Scalar>
+Momentum<Scalar> momentum_of(const Body<Scalar>& body, const Twist<Scalar>& twist);
+
+/// Velocity of the body's point at x_W [Kavan eq. 6].
+template <class Scalar>
+Vec3<Scalar> velocity_at(const Pose<Scalar>& X_WB, const Twist<Scalar>& twist, const Vec3<Scalar>& x_W);
+
+/// Torque about the centre of mass of a force at x_W [Kavan eq. 10]; also the impulsive torque of an impulse
+/// of force [Kavan eq. 14].
+template <class Scalar>
+Vec3<Scalar> torque_of(const Pose<Scalar>& X_WB, const Vec3<Scalar>& force_W, const Vec3<Scalar>& x_W);
+
+/// Force and torque over dt [Kavan eq. 9, 11], or an impulse and impulsive torque with dt = 1 [Kavan eq. 12-15].
+/// A fixed body stays as it is. @returns kOk | kInvalidArgument (not finite, dt < 0); then nothing is changed
+template <class Scalar>
+Status apply(Body<Scalar>& body, const Vec3<Scalar>& force_W, const Vec3<Scalar>& torque_W, Scalar dt);
+
+/// Impulse J_F at the point x_W: p += J_F, b += (x - c) x J_F [Kavan eq. 12-15].
+/// @returns kOk | kInvalidArgument (not finite); then nothing is changed
+template <class Scalar>
+Status apply_impulse(Body<Scalar>& body, const Vec3<Scalar>& impulse_W, const Vec3<Scalar>& x_W);
+
+/// p.v/2 + b.w/2, J; 0 for a fixed body.
+template <class Scalar>
+Scalar kinetic_energy(const Body<Scalar>& body);
+
+}  // namespace batuta

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Where a body is during a step: what the paper's black box answers [Kavan §2.1]. Over one step every motion is a
+// constant twist; still, linear and turning motion are the special cases with zero terms.
+
+#include "batuta/mechanics/body.hpp"
+
+namespace batuta {
+
+/// Pose at t in [0, duration]: p_W + v_W t, exp(w_W t) q_WB.
+template <class Scalar>
+struct Motion {
+  Pose<Scalar> X_WB;       ///< at t = 0
+  Twist<Scalar> twist;
+  Scalar duration = 0;     ///< s, >= 0
+};
+
+template <class Scalar>
+Motion<Scalar> still(const Pose<Scalar>& X_WB, Scalar duration);
+template <class Scalar>
+Motion<Scalar> linear(const Pose<Scalar>& X_WB, const Vec3<Scalar>& v_W, Scalar duration);
+
+/// The constant twist that carries X0 into X1 in `duration` on the shortest way.
+/// @pre duration > 0
+template <class Scalar>
+Motion<Scalar> motion_between(const Pose<Scalar>& X0_WB, const Pose<Scalar>& X1_WB, Scalar duration);
+
+/// Torque-free flight from the body's momenta. Exact for the geometry of an axisymmetric body whose capsules lie
+/// on its axis: the axis turns steadily about the angular momentum at |b| / I_t (src/mechanics/motion.md); spin about
+/// the axis itself, which no capsule shows, is left out. Other bodies: the angular velocity is held over the step.
+template <class Scalar>
+Motion<Scalar> free_flight(const Body<Scalar>& body, Scalar duration);
+
+/// The pose at time t, the quaternion renewed; exactly X_WB at t = 0.
+/// @pre 0 <= t <= duration; |w| t <= kMaxAngle
+template <class Scalar>
+Pose<Scalar> pose_at(const Motion<Scalar>& motion, Scalar t);
+
+/// Finite, 0 <= duration, turn |w| duration <= kMaxAngle.
+template <class Scalar>
+bool is_valid(const Motion<Scalar>& motion);
+
+}  // namespace batuta
