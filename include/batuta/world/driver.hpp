@@ -91,7 +91,7 @@ class AnyDriver {
     }
   }
 
-  // std::visit would link the exception of a valueless variant; trivially copyable drivers never leave one.
+  // std::visit would link the exception of a valueless variant; drivers are plain data and never leave one.
   template <class Call>
   void for_current(const Call& call) {
     call_if<First>(call);
@@ -102,8 +102,8 @@ class AnyDriver {
     if (Driver* driver = std::get_if<Driver>(&driver_)) call(*driver);
   }
 
-  static_assert(std::is_trivially_copyable_v<First> && (std::is_trivially_copyable_v<Others> && ...),
-                "AnyDriver: a driver must be trivially copyable");
+  static_assert(std::is_trivially_destructible_v<First> && (std::is_trivially_destructible_v<Others> && ...),
+                "AnyDriver: a driver must be plain data");
   std::variant<First, Others...> driver_;
 };
 
