@@ -13,9 +13,9 @@ namespace batuta {
 /// What a driver answers.
 template <class Scalar>
 struct Course {
-  Motion<Scalar> motion;  ///< of the geometry, over the rest of the step
-  Twist<Scalar> twist;    ///< of the matter, at the start: what an impulse changes. Differs from motion.twist where
-                          ///< spin about a capsule's own axis is left out of the motion.
+  Motion<Scalar> motion;     ///< of the geometry, over the rest of the step
+  bool by_momentum = false;  ///< true: the body's momentum says how fast its matter moves (free flight);
+                             ///< false: motion.twist does, whatever momentum the body had
 };
 
 /// What a driver is told after a contact; the body's pose and momentum are already the new ones.
@@ -87,7 +87,7 @@ class AnyDriver {
     if constexpr (sizeof...(Rest) > 0) {
       return course_of<Rest...>(body, t, duration);
     } else {
-      return {still(body.X_WB, duration), {}};
+      return {still(body.X_WB, duration), false};
     }
   }
 
