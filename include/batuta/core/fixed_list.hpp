@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A list with room for N items and no more.
+
+#include <array>
+#include <cstddef>
+
+#include "batuta/core/assert.hpp"
+
+namespace batuta {
+
+/// Up to N items in the order of their coming; what does not fit is refused, and the caller counts it.
+template <class T, int N>
+class FixedList {
+ public:
+  static constexpr int kCapacity = N;
+
+  bool push(const T& item) {
+    if (size_ == N) return false;
+    items_[static_cast<std::size_t>(size_)] = item;
+    ++size_;
+    return true;
+  }
+  /// Puts the last item in the place of item i. @pre 0 <= i < size()
+  void remove_swapping(int i) {
+    BATUTA_ASSERT(i >= 0 && i < size_);
+    --size_;
+    items_[static_cast<std::size_t>(i)] = items_[static_cast<std::size_t>(size_)];
+  }
+  void clear() { size_ = 0; }
+  int size() const { return size_; }
+  T& operator[](int i) { return items_[static_cast<std::size_t>(i)]; }
+  const T& operator[](int i) const { return items_[static_cast<std::size_t>(i)]; }
+  const T* begin() const { return items_.data(); }
+  const T* end() const { return items_.data() + size_; }
+
+ private:
+  std::array<T, static_cast<std::size_t>(N)> items_{};
+  int size_ = 0;
+};
+
+}  // namespace batuta

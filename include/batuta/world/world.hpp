@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Many bodies, one step: everybody moves to the first contact, the contact is answered, and so on to the end of the
+// step [Kavan §2.1, §3, §4.2]. One object, placed by the caller; its size and the longest step are constants.
+// Frame W, SI units; times within a step run from 0 to dt.
+
+#include "batuta/core/pool.hpp"
+#include "batuta/world/broadphase.hpp"
+#include "batuta/world/encounter.hpp"
+#include "batuta/world/event.hpp"
+#include "batuta/world/scene.hpp"
+
+namespace batuta {
+
+/// A body in a world, as the caller describes it and may read or change it between steps.
+template <class SceneT>
+struct Actor {
+  using Scalar = typename SceneT::Scalar;
+
+  Body<Scalar> body;
+  Capsule<Scalar> capsule_B;         ///< its shape
+  typename SceneT::Driver driver{};  ///< who moves it
+  Scalar restitution = 0;            ///< C, in [0, 1]; a pair takes pair_restitution() of its two
+  std::uint16_t owner = 0;           ///< bodies of one owner other than 0 never meet
+};
+
+template <class SceneT>
+class World {
+ public:
+  using Scalar = typename SceneT::Scalar;
+  using ActorType = Actor<SceneT>;
+  using BodyId = Handle<ActorType>;
+  using EventList = FixedList<ContactEvent<Scalar>, SceneT::kMaxEvents>;
+
+  static_assert(kIsScalar<Scalar>, "Scene::Scalar: choose float or double");
+  static_assert(SceneT::kMaxBodies >= 2 && SceneT::kMaxBodies <= 1024, "Scene::kMaxBodies: choose 2 ... 1024");
+  static_assert(SceneT::kMaxPairs >= 1, "Scene::kMaxPairs: at least 1");
+  static_assert(SceneT::kMaxContacts >= 1, "Scene::kMaxContacts: at least 1");
+  static_assert(SceneT::kMaxEvents >= 1, "Scene::kMaxEvents: at least 1");
+
+  /// Rounds of one step: each ends with a contact (kMaxContacts), with the end of the hold that a contact caused
+  /// (kMaxContacts), with a body held for good (kMaxBodies), or with the step (1).
+  static constexpr int kMaxRounds = 2 * SceneT::kMaxContacts + SceneT::kMaxBodies + 1;
+
+  /// @param number  tells this world's ids from those of another world of the same scene
+  explicit World(std::uint16_t number = 0) : actors_(number) {}
+
+  /// @returns kOk | kInvalidArgument (an option out of range; the settings stay as they were)
+  Status configure(const WorldSettings<Scalar>& settings) {
+    const Status status = validate(settings);
+    if (status == Status::kOk) settings_ = settings;
+    return status;
+  }
+
+  /// @returns kOk with the id | kPoolFull | kInvalidArgument (not finite, negative radius, C outside [0, 1])
+  Result<BodyId> add(const ActorType& actor) {
+    if (!is_addable(actor)) return failure<BodyId>(Status::kInvalidArgument);
+    return actors_.make(actor);
+  }
+
+  /// Takes a body out; its contacts end without an event. @returns kOk | kStaleHandle
+  Status remove(BodyId id);
+
+  /// The body, or null for a stale, foreign or null id.
+  ActorType* get(BodyId id) { return actors_.get(id); }
+  const ActorType* get(BodyId id) const { return actors_.get(id); }
+  /// The id of the body in a slot, as events name it; null id if there is none.
+  BodyId id_at(std::uint16_t slot) const { return actors_.handle_at(slot); }
+  int size() const { return actors_.size(); }
+
+  /// Moves everything by dt. After it, report() and events() tell what happened.
+  /// @pre dt > 0 and finite
+  /// @returns kOk (also where report().complete() is false: nothing was missed, bodies were held) |
+  ///   kInvalidArgument (dt); then nothing has changed
+  /// Bound: kMaxRounds rounds of at most kMaxPairs searches.
+  Status step(Scalar dt);
+
+  const StepReport<Scalar>& report() const { return report_; }
+  const EventList& events() const { return events_; }
+
+ private:
+  static constexpr std::size_t kSlots = static_cast<std::size_t>(SceneT::kMaxBodies);
+
+  /// What the step knows of a body besides the actor.
+  struct Track {
+    Course<Scalar> course;
+    Scalar held_until = 0;  ///< in the step, s; the body stays where it is until then
+  };
+  /// The first thing that ends the round early.
+  struct Hit {
+    bool any = false;
+    BodyPair pair;
+    SearchResult<Scalar> search;
+    Vec3<Scalar> origin_W = Vec3<Scalar>::Zero();
+  };
+  /// A pair in contact, followed from its begin to its end event.
+  struct Touch {
+    BodyPair pair;
+    bool seen = false;  ///< answered in this step
+    ContactEvent<Scalar> last;
+  };
+
+  static bool is_addable(const ActorType& actor);
+  ActorType& actor_at(std::size_t slot) { return *actors_.at_index(slot); }
+  bool is_present(std::size_t slot) const { return actors_.at_index(slot) != nullptr; }
+  bool is_held(std::size_t slot) const { return tracks_[slot].held_until > now_; }
+  MovingCapsule<Scalar> moving(std::size_t slot) {
+    return {actor_at(slot).capsule_B, tracks_[slot].course.motion};
+  }
+
+  void begin_step(Scalar dt);
+  void run_round();
+  Scalar end_of_round() const;
+  void plan(Scalar until);
+  void plan_course(std::size_t slot, Scalar duration);
+  void find_pairs();
+  Hit first_hit();
+  Hit search(BodyPair pair);
+  void advance(Scalar duration);
+  void hold(std::size_t slot, Scalar until);
+  void hold_pair(BodyPair pair, Scalar until);
+  void answer(const Hit& hit);
+  void answer_contact_of(const Hit& hit);
+  Party<Scalar> party(std::size_t slot, std::size_t other);
+  Scalar room_of(std::size_t slot, std::size_t other);
+  void tell_driver(std::size_t slot, const EncounterAnswer<Scalar>& answer, const Vec3<Scalar>& shift_W);
+  void record(const Hit& hit, const Contact<Scalar>& contact, const EncounterAnswer<Scalar>& answer);
+  EventKind follow(const ContactEvent<Scalar>& event);
+  void push(const ContactEvent<Scalar>& event);
+  void end_step();
+  void end_touches();
+  Capsule<Scalar> shape_W(std::size_t slot) {
+    return to_world(actor_at(slot).body.X_WB, actor_at(slot).capsule_B);
+  }
+
+  WorldSettings<Scalar> settings_;
+  Pool<ActorType, SceneT::kMaxBodies> actors_;
+  std::array<Track, kSlots> tracks_{};
+  std::array<Proxy<Scalar>, kSlots> proxies_{};
+  FixedList<BodyPair, SceneT::kMaxPairs> pairs_;
+  FixedList<Touch, SceneT::kMaxPairs> touches_;
+  EventList events_;
+  StepReport<Scalar> report_;
+  Scalar now_ = 0;            ///< in the step, s
+  Scalar dt_ = 0;             ///< length of the step, s
+  int contacts_answered_ = 0;
+};
+
+}  // namespace batuta
+
+#include "batuta/world/world_step.hpp"
+#include "batuta/world/world_contact.hpp"

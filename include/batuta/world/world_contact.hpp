@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// World, second half: what happens at a contact, and the begin, persist and end of contacts. Included by world.hpp.
+
+#include "batuta/world/world.hpp"
+
+namespace batuta {
+
+template <class SceneT>
+Status World<SceneT>::remove(BodyId id) {
+  const auto slot = static_cast<std::uint16_t>(id.index1 - 1);
+  const Status status = actors_.remove(id);
+  if (status != Status::kOk) return status;
+  for (int i = touches_.size() - 1; i >= 0; --i) {  // Bound: kMaxPairs
+    if (touches_[i].pair.first == slot || touches_[i].pair.second == slot) touches_.remove_swapping(i);
+  }
+  return Status::kOk;
+}
+
+template <class SceneT>
+void World<SceneT>::answer(const Hit& hit) {
+  switch (hit.search.outcome) {
+    case Outcome::kContact:
+    case Outcome::kTouching:
+      if (contacts_answered_ < SceneT::kMaxContacts) return answer_contact_of(hit);
+      ++report_.contacts_dropped;
+      break;
+    case Outcome::kBudget:
+      ++report_.searches_cut;
+      break;
+    case Outcome::kFree:  // never a hit
+    case Outcome::kInvalid:
+      ++report_.searches_invalid;
+      break;
+  }
+  hold_pair(hit.pair, dt_);
+}
+
+template <class SceneT>
+void World<SceneT>::answer_contact_of(const Hit& hit) {
+  ++contacts_answered_;
+  const std::size_t a = hit.pair.first;
+  const std::size_t b = hit.pair.second;
+  const Contact<Scalar> contact = contact_from(hit.search.witness, hit.origin_W);
+
+  EncounterOptions<Scalar> options;
+  options.restitution = pair_restitution(actor_at(a).restitution, actor_at(b).restitution);
+  options.rest_speed = settings_.rest_speed;
+  options.separation = settings_.separation;
+  options.min_separation_time = settings_.min_separation_time;
+
+  const auto answer = answer_contact(party(a, b), party(b, a), contact, options);
+  if (!answer.ok()) {
+    ++report_.searches_invalid;
+    hold_pair(hit.pair, dt_);
+    return;
+  }
+  if (answer.value.separated) hold_pair(hit.pair, now_ + answer.value.separation.duration);
+  tell_driver(a, answer.value, answer.value.separation.shift_A_W);
+  tell_driver(b, answer.value, answer.value.separation.shift_B_W);
+  record(hit, contact, answer.value);
+}
+
+/// A body at a contact. One that its driver moves gets the momentum that goes with the driver's twist, so that the
+/// impulse is added to what the body really has.
+template <class SceneT>
+Party<typename World<SceneT>::Scalar> World<SceneT>::party(std::size_t slot, std::size_t other) {
+  Body<Scalar>& body = actor_at(slot).body;
+  const Course<Scalar>& course = tracks_[slot].course;
+  if (!course.by_momentum) body.momentum = momentum_of(body, course.motion.twist);
+  return {&body, course.by_momentum ? twist_of(body) : course.motion.twist, room_of(slot, other)};
+}
+
+/// Half the way to the nearest neighbour: both may be pushed towards each other in the same round.
+template <class SceneT>
+typename World<SceneT>::Scalar World<SceneT>::room_of(std::size_t slot, std::size_t other) {
+  Scalar room = std::numeric_limits<Scalar>::max();
+  for (std::size_t k = 0; k < kSlots; ++k) {  // Bound: kMaxBodies
+    const bool same_owner = actor_at(slot).owner != 0 && is_present(k) && actor_at(k).owner == actor_at(slot).owner;
+    if (k == slot || k == other || !is_present(k) || same_owner) continue;
+    room = min_of(room, capsule_gap(shape_W(slot), shape_W(k)).gap / Scalar(2));
+  }
+  return max_of(room, Scalar(0));
+}
+
+template <class SceneT>
+void World<SceneT>::tell_driver(std::size_t slot, const EncounterAnswer<Scalar>& answer,
+                                const Vec3<Scalar>& shift_W) {
+  ActorType& actor = actor_at(slot);
+  actor.driver.on_contact(actor.body, Feedback<Scalar>{now_, answer.impulse, shift_W});
+}
+
+template <class SceneT>
+void World<SceneT>::record(const Hit& hit, const Contact<Scalar>& contact,
+                           const EncounterAnswer<Scalar>& answer) {
+  if (answer.impulse > Scalar(0)) ++report_.collisions;
+  if (answer.separated) ++report_.separations;
+  if (hit.search.outcome == Outcome::kTouching) {
+    ++report_.overlaps_at_start;
+    report_.deepest_overlap = max_of(report_.deepest_overlap, -contact.gap);
+  }
+  ContactEvent<Scalar> event;
+  event.contact_kind = answer.kind;
+  event.body_A = hit.pair.first;
+  event.body_B = hit.pair.second;
+  event.time = now_;
+  event.contact = contact;
+  event.v_rel = answer.v_rel;
+  event.impulse = answer.impulse;
+  event.place_A = hit.search.witness.axes.s;
+  event.place_B = hit.search.witness.axes.u;
+  event.kind = follow(event);
+  push(event);
+}
+
+/// Notes that the pair is in contact; whether it was already.
+template <class SceneT>
+EventKind World<SceneT>::follow(const ContactEvent<Scalar>& event) {
+  for (int i = 0; i < touches_.size(); ++i) {  // Bound: kMaxPairs
+    Touch& touch = touches_[i];
+    if (touch.pair.first != event.body_A || touch.pair.second != event.body_B) continue;
+    touch.seen = true;
+    touch.last = event;
+    return EventKind::kPersist;
+  }
+  if (!touches_.push({{event.body_A, event.body_B}, true, event})) ++report_.contacts_untracked;
+  return EventKind::kBegin;
+}
+
+template <class SceneT>
+void World<SceneT>::push(const ContactEvent<Scalar>& event) {
+  if (!events_.push(event)) ++report_.events_dropped;
+}
+
+/// Contacts that were not answered in this step and have opened beyond 2 D end with it.
+template <class SceneT>
+void World<SceneT>::end_touches() {
+  for (int i = touches_.size() - 1; i >= 0; --i) {  // Bound: kMaxPairs
+    const Touch& touch = touches_[i];
+    if (touch.seen) continue;
+    const auto gap = capsule_gap(shape_W(touch.pair.first), shape_W(touch.pair.second));
+    if (gap.gap <= Scalar(2) * settings_.separation) continue;
+    ContactEvent<Scalar> event = touch.last;
+    event.kind = EventKind::kEnd;
+    event.time = dt_;
+    event.contact = contact_from(gap, Vec3<Scalar>::Zero().eval());
+    event.v_rel = 0;
+    event.impulse = 0;
+    event.place_A = gap.axes.s;
+    event.place_B = gap.axes.u;
+    push(event);
+    touches_.remove_swapping(i);
+  }
+}
+
+}  // namespace batuta

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "batuta/world/encounter.hpp"
+
+namespace batuta {
+namespace {
+
+template <class Scalar>
+Collider<Scalar> collider(const Party<Scalar>& party) {
+  return {party.body->X_WB, party.twist, party.body->inverse_mass, party.body->inverse_moments};
+}
+
+template <class Scalar>
+void add(Body<Scalar>& body, const Momentum<Scalar>& change) {
+  if (body.inverse_mass > Scalar(0)) body.momentum.p_W += change.p_W;
+  if (body.inverse_moments != Vec3<Scalar>::Zero()) body.momentum.b_W += change.b_W;
+}
+
+template <class Scalar>
+Result<Separation<Scalar>> separation_of(const Party<Scalar>& A, const Party<Scalar>& B,
+                                         const Contact<Scalar>& contact, Scalar v_rel,
+                                         const EncounterOptions<Scalar>& options) {
+  SeparationOptions<Scalar> how;
+  how.distance = options.separation;
+  how.rest_speed = options.rest_speed;
+  how.min_duration = options.min_separation_time;
+  how.limit_A = A.room;
+  how.limit_B = B.room;
+  return separate(contact, v_rel, A.body->inverse_mass, B.body->inverse_mass, how);
+}
+
+}  // namespace
+
+template <class Scalar>
+Result<EncounterAnswer<Scalar>> answer_contact(const Party<Scalar>& A, const Party<Scalar>& B,
+                                               const Contact<Scalar>& contact,
+                                               const EncounterOptions<Scalar>& options) {
+  const auto hit = collision_impulse(collider(A), collider(B), contact, options.restitution);
+  if (!hit.ok()) return failure<EncounterAnswer<Scalar>>(hit.status);
+
+  EncounterAnswer<Scalar> answer;
+  answer.v_rel = hit.value.v_rel;
+  answer.kind = classify(answer.v_rel, options.rest_speed);
+  const bool colliding = answer.kind == ContactKind::kColliding;
+  answer.separated = !colliding || contact.gap <= Scalar(0);
+  if (answer.separated) {
+    const auto apart = separation_of(A, B, contact, answer.v_rel, options);
+    if (!apart.ok()) return failure<EncounterAnswer<Scalar>>(apart.status);
+    answer.separation = apart.value;
+    A.body->X_WB.p_W += apart.value.shift_A_W;
+    B.body->X_WB.p_W += apart.value.shift_B_W;
+  }
+  if (colliding) {
+    answer.impulse = hit.value.magnitude;
+    add(*A.body, hit.value.on_A);
+    add(*B.body, hit.value.on_B);
+  }
+  return success(answer);
+}
+
+template Result<EncounterAnswer<float>> answer_contact(const Party<float>&, const Party<float>&,
+                                                       const Contact<float>&, const EncounterOptions<float>&);
+template Result<EncounterAnswer<double>> answer_contact(const Party<double>&, const Party<double>&,
+                                                        const Contact<double>&, const EncounterOptions<double>&);
+
+}  // namespace batuta

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+// What does not fit is counted, the bodies concerned stay where they are free, and nothing is lost silently.
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "scenes.hpp"
+
+namespace batuta {
+namespace {
+
+using test::ball;
+using test::post;
+using test::vec;
+
+struct TightScene : test::FlightScene<double> {
+  static constexpr int kMaxBodies = 4;
+  static constexpr int kMaxPairs = 1;
+  static constexpr int kMaxContacts = 1;
+  static constexpr int kMaxEvents = 1;
+};
+
+struct RoomyScene : test::FlightScene<double> {
+  static constexpr int kMaxContacts = 2;
+  static constexpr int kMaxEvents = 1;
+};
+
+double gap_between(const World<TightScene>& world, std::uint16_t a, std::uint16_t b) {
+  const auto& A = *world.get(world.id_at(a));
+  const auto& B = *world.get(world.id_at(b));
+  return capsule_gap(to_world(A.body.X_WB, A.capsule_B), to_world(B.body.X_WB, B.capsule_B)).gap;
+}
+
+TEST(WorldLimits, BadStep_ChangesNothing) {
+  World<TightScene> world;
+  const auto id = world.add(ball<TightScene>(0, 0.1, 1)).value;
+  for (const double dt : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::nan("")}) {
+    EXPECT_EQ(world.step(dt), Status::kInvalidArgument);
+  }
+  EXPECT_EQ(world.get(id)->body.X_WB.p_W, Vec3<double>::Zero());
+}
+
+TEST(WorldLimits, BadActors_AreRefused) {
+  World<TightScene> world;
+  const auto good = ball<TightScene>(0, 0.1, 1);
+  auto bad = good;
+  bad.capsule_B.radius = -1;
+  EXPECT_EQ(world.add(bad).status, Status::kInvalidArgument);
+  bad = good;
+  bad.body.X_WB.p_W.x() = std::nan("");
+  EXPECT_EQ(world.add(bad).status, Status::kInvalidArgument);
+  bad = good;
+  bad.body.X_WB.q_WB.w() = std::nan("");
+  EXPECT_EQ(world.add(bad).status, Status::kInvalidArgument);
+  bad = good;
+  bad.body.momentum.b_W.z() = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(world.add(bad).status, Status::kInvalidArgument);
+  bad = good;
+  bad.body.inverse_mass = -1;
+  EXPECT_EQ(world.add(bad).status, Status::kInvalidArgument);
+  bad = good;
+  bad.body.inverse_moments.x() = -1;
+  EXPECT_EQ(world.add(bad).status, Status::kInvalidArgument);
+  for (const double restitution : {-0.1, 1.1, std::nan("")}) {
+    bad = good;
+    bad.restitution = restitution;
+    EXPECT_EQ(world.add(bad).status, Status::kInvalidArgument);
+  }
+  EXPECT_EQ(world.size(), 0);
+}
+
+TEST(WorldLimits, FullWorld_SaysSo) {
+  World<TightScene> world;
+  for (int i = 0; i < TightScene::kMaxBodies; ++i) ASSERT_TRUE(world.add(ball<TightScene>(i, 0.1, 0)).ok());
+  EXPECT_EQ(world.add(ball<TightScene>(9, 0.1, 0)).status, Status::kPoolFull);
+}
+
+TEST(WorldLimits, StaleAndForeignIds_AreDetected) {
+  World<TightScene> world(1);
+  World<TightScene> other(2);
+  const auto id = world.add(ball<TightScene>(0, 0.1, 0)).value;
+  EXPECT_EQ(other.get(id), nullptr);
+  EXPECT_EQ(other.remove(id), Status::kStaleHandle);
+  EXPECT_EQ(world.remove(id), Status::kOk);
+  EXPECT_EQ(world.get(id), nullptr);
+  EXPECT_EQ(world.remove(id), Status::kStaleHandle);
+  EXPECT_EQ(world.remove({}), Status::kStaleHandle);
+}
+
+TEST(WorldLimits, TooManyPairs_HoldsTheSurplusBodies) {
+  World<TightScene> world;
+  for (int i = 0; i < 3; ++i) (void)world.add(ball<TightScene>(0.25 * i, 0.1, i == 2 ? -1 : 1));
+  ASSERT_EQ(world.step(1.0), Status::kOk);
+  EXPECT_GT(world.report().pairs_dropped, 0);
+  EXPECT_FALSE(world.report().complete());
+  EXPECT_GT(world.report().time_held, 0.5);
+  for (std::uint16_t a = 0; a < 3; ++a) {
+    for (std::uint16_t b = a + 1; b < 3; ++b) EXPECT_GT(gap_between(world, a, b), -1e-12);
+  }
+}
+
+TEST(WorldLimits, TooManyContacts_HoldsTheBodiesWhereTheyAreFree) {
+  World<TightScene> world;  // a ball between two posts bounces; only the first bounce is answered
+  (void)world.add(ball<TightScene>(0, 0.1, 10));
+  auto two = post<TightScene>(-0.3, 0.1);
+  (void)world.add(two);
+  ASSERT_EQ(world.step(0.01), Status::kOk);
+  auto* flying = world.get(world.id_at(0));
+  flying->body.momentum.p_W = vec<double>(-10, 0, 0);
+  (void)world.add(ball<TightScene>(5, 0.1, 0));
+  ASSERT_EQ(world.step(0.01), Status::kOk);
+  EXPECT_TRUE(world.report().complete());
+  flying->body.momentum.p_W = vec<double>(-10, 0, 0);
+  flying->driver = Hand<double>{{vec<double>(-1, 0, 0), Quat<double>::Identity()}, 0.1};
+  ASSERT_EQ(world.step(0.1), Status::kOk);
+  EXPECT_GT(world.report().contacts_dropped, 0);
+  EXPECT_GT(gap_between(world, 0, 1), -1e-12);
+}
+
+TEST(WorldLimits, TooManyEvents_AreCountedAndStillAnswered) {
+  World<RoomyScene> world;
+  (void)world.add(ball<RoomyScene>(0, 0.1, 1));
+  (void)world.add(ball<RoomyScene>(0.3, 0.1, 0));
+  (void)world.add(ball<RoomyScene>(0.6, 0.1, 0));
+  ASSERT_EQ(world.step(1.0), Status::kOk);
+  EXPECT_EQ(world.report().collisions, 2);
+  EXPECT_EQ(world.events().size(), 1);
+  EXPECT_EQ(world.report().events_dropped, 1);
+  EXPECT_FALSE(world.report().complete());
+}
+
+TEST(WorldLimits, SearchOutOfBudget_StopsThePairBeforeTheContact) {
+  World<TightScene> world;
+  WorldSettings<double> settings;
+  settings.search.max_steps = 3;
+  ASSERT_EQ(world.configure(settings), Status::kOk);
+  (void)world.add(ball<TightScene>(0, 0.1, 10));
+  (void)world.add(post<TightScene>(2, 0.1));
+  ASSERT_EQ(world.step(1.0), Status::kOk);
+  EXPECT_EQ(world.report().searches_cut, 1);
+  EXPECT_FALSE(world.report().complete());
+  EXPECT_GT(gap_between(world, 0, 1), 0);
+  EXPECT_GT(world.get(world.id_at(0))->body.X_WB.p_W.x(), 0) << "what is proven free is used";
+}
+
+TEST(WorldLimits, SpinBeyondTheLimit_HoldsTheBodyAndSaysSo) {
+  World<TightScene> world;
+  auto spinner = ball<TightScene>(0, 0.1, 1);
+  spinner.body.momentum.b_W = vec<double>(1e9, 0, 0);
+  const auto id = world.add(spinner).value;
+  ASSERT_EQ(world.step(1.0), Status::kOk);
+  EXPECT_EQ(world.report().courses_invalid, 1);
+  EXPECT_EQ(world.get(id)->body.X_WB.p_W, Vec3<double>::Zero());
+}
+
+TEST(WorldLimits, OverlapAtStart_IsAnsweredReportedAndUndone) {
+  World<TightScene> world;
+  (void)world.add(ball<TightScene>(0, 0.1, 1));
+  (void)world.add(ball<TightScene>(0.15, 0.1, 0));
+  ASSERT_EQ(world.step(0.001), Status::kOk);
+  EXPECT_EQ(world.report().overlaps_at_start, 1);
+  EXPECT_NEAR(world.report().deepest_overlap, 0.05, 1e-12);
+  EXPECT_EQ(world.report().collisions, 1);
+  EXPECT_GT(gap_between(world, 0, 1), 0);
+}
+
+// The push-out of a pair must not push a body into its neighbour.
+TEST(WorldLimits, SeparationStopsShortOfTheNeighbour) {
+  World<TightScene> world;
+  WorldSettings<double> settings;
+  settings.separation = 0.05;
+  ASSERT_EQ(world.configure(settings), Status::kOk);
+  (void)world.add(ball<TightScene>(0, 0.1, 0.005));
+  (void)world.add(ball<TightScene>(0.2 + 1e-7, 0.1, 0));
+  (void)world.add(post<TightScene>(0.4 + 0.01, 0.1));
+  for (int i = 0; i < 20; ++i) {
+    ASSERT_EQ(world.step(0.001), Status::kOk);
+    EXPECT_GT(gap_between(world, 1, 2), 0) << "step " << i;
+  }
+}
+
+TEST(WorldLimits, SameOwner_NeverMeets) {
+  World<TightScene> world;
+  auto A = ball<TightScene>(0, 0.1, 1);
+  auto B = ball<TightScene>(0.5, 0.1, -1);
+  A.owner = B.owner = 3;
+  (void)world.add(A);
+  (void)world.add(B);
+  ASSERT_EQ(world.step(1.0), Status::kOk);
+  EXPECT_EQ(world.report().pairs, 0);
+  EXPECT_EQ(world.events().size(), 0);
+}
+
+TEST(WorldLimits, RemovedBody_LeavesNoContactBehind) {
+  World<TightScene> world;
+  const auto id = world.add(ball<TightScene>(0, 0.1, 1)).value;
+  (void)world.add(post<TightScene>(0.25, 0.1));
+  ASSERT_EQ(world.step(0.06), Status::kOk);
+  ASSERT_EQ(world.events().size(), 1);
+  ASSERT_EQ(world.remove(id), Status::kOk);
+  for (int i = 0; i < 5; ++i) {
+    ASSERT_EQ(world.step(0.1), Status::kOk);
+    EXPECT_EQ(world.events().size(), 0);
+  }
+}
+
+TEST(WorldLimits, BadSettings_AreRefusedAndTheOldStay) {
+  World<TightScene> world;
+  WorldSettings<double> settings;
+  settings.rest_speed = 0;
+  EXPECT_EQ(world.configure(settings), Status::kInvalidArgument);
+  (void)world.add(ball<TightScene>(0, 0.1, 1));
+  EXPECT_EQ(world.step(0.1), Status::kOk);
+}
+
+}  // namespace
+}  // namespace batuta
