@@ -61,13 +61,11 @@ void QueryRow::fail(std::string_view column, std::string_view reason) {
 }
 
 std::string_view QueryRow::text(std::string_view column) {
-  if (!ok()) return {};
-  const auto found = columns_ == nullptr ? Columns::const_iterator() : columns_->find(column);
-  if (columns_ == nullptr || found == columns_->end()) {
-    fail(column, "the file has no such column");
-    return {};
-  }
-  return fields_[found->second];
+  if (!ok() || columns_ == nullptr) return {};
+  const auto found = columns_->find(column);
+  if (found != columns_->end()) return fields_[found->second];
+  fail(column, "the file has no such column");
+  return {};
 }
 
 float QueryRow::bits(std::string_view column) {

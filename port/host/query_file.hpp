@@ -30,6 +30,10 @@ using Columns = std::map<std::string, std::size_t, std::less<>>;
 /// so that a caller may read all fields and then ask ok() once.
 class QueryRow {
  public:
+  QueryRow() = default;
+  QueryRow(const QueryRow&) = delete;  // fields refer to the row's own text
+  QueryRow& operator=(const QueryRow&) = delete;
+
   /// 1-based number of the line, not counting the header.
   long line() const { return line_; }
   bool ok() const { return error_.empty(); }
@@ -63,6 +67,8 @@ class QueryFile {
 
   /// Reads the header. @pre `in` outlives the file
   explicit QueryFile(std::istream& in);
+  QueryFile(const QueryFile&) = delete;  // rows refer to the file's columns
+  QueryFile& operator=(const QueryFile&) = delete;
 
   bool ok() const { return error_.empty(); }
   /// Empty, or why the header cannot be used; then there are no rows.

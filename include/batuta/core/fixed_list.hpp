@@ -12,7 +12,12 @@ namespace batuta {
 /// Up to N items in the order of their coming; what does not fit is refused, and the caller counts it.
 template <class T, int N>
 class FixedList {
+  static_assert(N >= 1, "FixedList: room for at least one item");
+
  public:
+  using value_type = T;
+  using const_iterator = const T*;
+  using iterator = const_iterator;
   static constexpr int kCapacity = N;
 
   bool push(const T& item) {
@@ -29,8 +34,16 @@ class FixedList {
   }
   void clear() { size_ = 0; }
   int size() const { return size_; }
-  T& operator[](int i) { return items_[static_cast<std::size_t>(i)]; }
-  const T& operator[](int i) const { return items_[static_cast<std::size_t>(i)]; }
+  bool empty() const { return size_ == 0; }
+  /// @pre 0 <= i < size()
+  T& operator[](int i) {
+    BATUTA_ASSERT(i >= 0 && i < size_);
+    return items_[static_cast<std::size_t>(i)];
+  }
+  const T& operator[](int i) const {
+    BATUTA_ASSERT(i >= 0 && i < size_);
+    return items_[static_cast<std::size_t>(i)];
+  }
   const T* begin() const { return items_.data(); }
   const T* end() const { return items_.data() + size_; }
 

@@ -3,6 +3,7 @@
 // The only header that includes Eigen: it makes sure that library and user see the same Eigen, and names
 // the few fixed-size types in use. Scalar is float on targets; double is the oracle on the host.
 
+#include <cfloat>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -19,13 +20,28 @@
 #ifdef eigen_assert
 #error "batuta: include batuta headers before Eigen's own, so that Eigen's checks reach batuta_trap()"
 #endif
-#ifdef __FAST_MATH__
+#if defined(__FAST_MATH__) || __FINITE_MATH_ONLY__ || defined(__ASSOCIATIVE_MATH__) || \
+    defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
 #error "batuta: -ffast-math changes results and removes the checks for NaN; compile without it"
+#endif
+
+#if FLT_EVAL_METHOD != 0
+#error "batuta: arithmetic must round to the type (FLT_EVAL_METHOD 0); on 32-bit x86 use -msse2 -mfpmath=sse"
 #endif
 
 #define eigen_assert(condition) BATUTA_INVARIANT(condition)
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+
+#ifdef BATUTA_BUILDING_CORE
+// The core has no matrices whose size is known at run time only: their storage cannot be had there.
+namespace Eigen::internal {
+template <>
+float* conditional_aligned_new_auto<float, true>(std::size_t) = delete;
+template <>
+double* conditional_aligned_new_auto<double, true>(std::size_t) = delete;
+}  // namespace Eigen::internal
+#endif
 
 namespace batuta {
 
@@ -60,7 +76,7 @@ constexpr Scalar clamp(Scalar x, Scalar low, Scalar high) {
 }
 
 /// False for NaN and for both infinities.
-template <class Scalar>
+template <class Scalar, std::enable_if_t<std::is_floating_point_v<Scalar>, int> = 0>
 constexpr bool is_finite(Scalar x) {
   return x - x == Scalar(0);
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // What a search is asked and what it answers: two capsules, each on a body that moves with a constant twist.
-// The pair is seen from the centre of mass of A at t = 0, so that the distance from the world's origin costs no digits.
+// Frame P of a pair: axes of W, origin at origin_W + origin_v_W t, where A's centre of mass is at time t. Neither the
+// distance from the world's origin nor a velocity that both bodies share costs digits.
 
 #include <array>
 
@@ -17,49 +18,76 @@ struct MovingCapsule {
   Motion<Scalar> motion;
 };
 
-/// Path of one end of a moving axis: center + v t + cos(w t) arm + sin(w t) side, about the common local origin
-/// (src/detection/moving_pair.md).
+/// Path of one end of a moving axis: start + v t + (cos(w t) - 1) arm + sin(w t) side. At t = 0 it is `start` to the
+/// last bit, and what a slow turn adds is as small as the turn (src/detection/moving_pair.md).
 template <class Scalar>
 struct EndPath {
-  Vec3<Scalar> center = Vec3<Scalar>::Zero();  ///< on the axis of rotation at t = 0, m
-  Vec3<Scalar> arm = Vec3<Scalar>::Zero();     ///< from there to the end at t = 0, perpendicular to the axis
-  Vec3<Scalar> side = Vec3<Scalar>::Zero();    ///< axis x arm
+  Vec3<Scalar> start = Vec3<Scalar>::Zero();  ///< the end at t = 0, m
+  Vec3<Scalar> arm = Vec3<Scalar>::Zero();    ///< from the axis of rotation to `start`, perpendicular to that axis, m
+  Vec3<Scalar> side = Vec3<Scalar>::Zero();   ///< axis of rotation x arm, m
 };
 
 template <class Scalar>
 struct CapsulePath {
-  std::array<EndPath<Scalar>, 2> ends;
-  Vec3<Scalar> v = Vec3<Scalar>::Zero();
-  Scalar turn_rate = 0;  ///< |w|, rad/s
-  Scalar radius = 0;
+  std::array<EndPath<Scalar>, 2> ends;    ///< of axis.a and axis.b
+  Vec3<Scalar> v = Vec3<Scalar>::Zero();  ///< of the centre of mass, m/s
+  Scalar turn_rate = 0;                   ///< |w|, rad/s; 0: arms and sides are zero
+  Scalar radius = 0;                      ///< m
 };
 
-/// Two capsules over [0, duration], ready for evaluation at any instant.
+/// The path of a capsule seen from an origin that moves steadily, axes of W.
+/// @param origin_W    the origin at t = 0, m
+/// @param origin_v_W  its velocity, m/s
+/// @pre `moving` valid: finite, radius >= 0, unit quaternion
+/// Bound: two ends.
+template <class Scalar>
+CapsulePath<Scalar> capsule_path(const MovingCapsule<Scalar>& moving, const Vec3<Scalar>& origin_W,
+                                 const Vec3<Scalar>& origin_v_W);
+
+/// The capsule at time t in the frame of its path. One sine/cosine, none if it does not turn.
+/// @pre t >= 0, turn_rate t <= kMaxAngle
+template <class Scalar>
+Capsule<Scalar> capsule_at(const CapsulePath<Scalar>& path, Scalar t);
+
+/// Two capsules over [0, duration], ready for evaluation at any instant, in the pair's frame P.
 template <class Scalar>
 struct MovingPair {
-  CapsulePath<Scalar> A;
-  CapsulePath<Scalar> B;
-  Vec3<Scalar> origin_W = Vec3<Scalar>::Zero();  ///< what was subtracted from all positions
-  Scalar duration = 0;
+  CapsulePath<Scalar> A;                           ///< v = 0
+  CapsulePath<Scalar> B;                           ///< v = v_B - v_A
+  Vec3<Scalar> origin_W = Vec3<Scalar>::Zero();    ///< A's centre of mass at t = 0, m
+  Vec3<Scalar> origin_v_W = Vec3<Scalar>::Zero();  ///< and its velocity, m/s
+  Scalar duration = 0;                             ///< s
   Scalar scale = 0;  ///< S: distance of the centres + relative travel + reaches + radii, m (an upper bound)
 };
 
-/// @returns kOk | kInvalidArgument: not finite, negative radius or duration, unequal durations, turn beyond kMaxAngle
+/// Puts two moving capsules into their common frame.
+/// @pre unit quaternions
+/// @returns kOk | kInvalidArgument: not finite, negative radius or duration, unequal durations, turn beyond kMaxAngle,
+///   or S not finite
 template <class Scalar>
 Result<MovingPair<Scalar>> make_moving_pair(const MovingCapsule<Scalar>& A, const MovingCapsule<Scalar>& B);
 
-/// Both capsules at time t, relative to origin_W.
+/// Both capsules at time t.
 template <class Scalar>
 struct CapsulesAt {
   Capsule<Scalar> A;
   Capsule<Scalar> B;
 };
+
+/// Both capsules at time t, in the pair's frame P. @pre 0 <= t <= duration
 template <class Scalar>
 CapsulesAt<Scalar> capsules_at(const MovingPair<Scalar>& pair, Scalar t);
 
-/// One distance evaluation. @pre 0 <= t <= duration
+/// One distance evaluation. The points are relative to origin_W (the place of the frame's origin at t = 0), ready for
+/// contact_from(). Error of the gap: src/detection/moving_pair.md.
+/// @pre 0 <= t <= duration
 template <class Scalar>
 CapsuleGap<Scalar> gap_at(const MovingPair<Scalar>& pair, Scalar t);
+
+/// d gap / dt, m/s: how fast the material points at the closest parameters of `witness` part along its normal.
+/// @pre witness == gap_at(pair, t)
+template <class Scalar>
+Scalar gap_rate_at(const MovingPair<Scalar>& pair, const CapsuleGap<Scalar>& witness, Scalar t);
 
 enum class Outcome : std::uint8_t {
   kFree,      ///< no contact in [0, duration], as far as the method can see; t_free = duration
@@ -74,7 +102,7 @@ struct SearchResult {
   Outcome outcome = Outcome::kInvalid;
   Scalar t_free = 0;  ///< s, collision-free there
   Scalar t_hit = 0;   ///< s, >= t_free; duration for kFree and kBudget
-  /// At t_free (kContact, kBudget, kFree) or at 0 (kTouching); points relative to the pair's origin_W.
+  /// At t_free (kContact, kBudget, kFree) or at 0 (kTouching); points relative to the pair's origin_W, axes of W.
   CapsuleGap<Scalar> witness;
   /// d gap / dt of the witness, m/s; negative: approaching.
   Scalar gap_rate = 0;

@@ -27,7 +27,7 @@ enum class Proximity : std::uint8_t {
   kSeparated,    ///< gap > 0
   kTouching,     ///< gap == 0
   kOverlapping,  ///< gap < 0
-  kInvalid,      ///< a coordinate is not finite, or a radius is negative or not finite
+  kInvalid,      ///< is_valid() is false for one of the two
 };
 
 /// How far two capsules are apart, and where.
@@ -40,7 +40,7 @@ struct CapsuleGap {
   Vec3<Scalar> surface_B = Vec3<Scalar>::Zero();        ///< point of B's surface furthest towards A
 };
 
-/// Finite coordinates and a finite radius >= 0.
+/// Finite coordinates and a finite radius >= 0, none beyond kLargestCoordinate.
 template <class Scalar>
 bool is_valid(const Capsule<Scalar>& capsule);
 
@@ -59,7 +59,7 @@ template <class Scalar>
 Scalar penetration_depth(const Capsule<Scalar>& A, const Capsule<Scalar>& B);
 
 /// Outward unit normal at the point of the surface nearest to `point` [Kavan §5]. On the axis: a fixed perpendicular
-/// of the axis (x for a sphere), status kDegenerate.
+/// of the axis (x for a sphere), status kDegenerate. kInvalidArgument for an invalid capsule or point.
 template <class Scalar>
 Result<Vec3<Scalar>> surface_normal(const Capsule<Scalar>& capsule, const Vec3<Scalar>& point);
 
@@ -67,7 +67,7 @@ Result<Vec3<Scalar>> surface_normal(const Capsule<Scalar>& capsule, const Vec3<S
 template <class Scalar>
 Scalar support(const Capsule<Scalar>& capsule, const Vec3<Scalar>& direction);
 
-/// The smallest ball that holds the capsule.
+/// The smallest ball that holds the capsule, rounded outward so that it holds every point of it.
 template <class Scalar>
 Sphere<Scalar> bounding_sphere(const Capsule<Scalar>& capsule);
 

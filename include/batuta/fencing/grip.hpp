@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A hand that holds a blade, loses it to a blow and catches it again [Kavan §5, eq. 32]. A driver (world/driver.hpp).
+// Frames: W world, B the blade's body frame. Mathematics: src/fencing/grip.md.
+
+#include "batuta/world/driver.hpp"
+
+namespace batuta {
+
+/// How firmly a hand holds.
+template <class Scalar>
+struct GripSettings {
+  Scalar strength = Scalar(4);          ///< N, > 0: a blow of j N s is caught in j / strength seconds
+  Scalar min_regain = Scalar(0.02);     ///< s, > 0; shortest t_b - t_a after a blow
+  Scalar max_regain = Scalar(0.4);      ///< s, >= min_regain; longest
+  Scalar recover_speed = Scalar(2);     ///< m/s, > 0: a blade that a blow finds away from the hand is not fetched faster
+  Scalar recover_time = Scalar(0.05);   ///< s, > 0: time constant in which a blade that was pushed away returns
+};
+
+/// @returns kOk | kInvalidArgument: an option is not positive and finite, or max_regain < min_regain
+template <class Scalar>
+Status validate(const GripSettings<Scalar>& settings);
+
+/// t_b - t_a: clamp(max(impulse / strength, lag / recover_speed), min_regain, max_regain), s; 0 for no impulse.
+/// @param impulse  j, N s, >= 0
+/// @param lag      distance from the blade to where the hand wants it, m, >= 0
+template <class Scalar>
+Scalar regain_time(const GripSettings<Scalar>& settings, Scalar impulse, Scalar lag);
+
+/// [Kavan eq. 32]: between the free flight P and the hand H. fraction 0: P(t); 1: H, to the last bit.
+/// The turn is taken back along the way on which the flight made it, so that it does not jump however far a blade turns.
+/// @param flight  from t_a on; @param elapsed  t - t_a, s, >= 0
+/// @pre 0 <= fraction <= 1
+template <class Scalar>
+Pose<Scalar> caught(const Motion<Scalar>& flight, Scalar elapsed, const Pose<Scalar>& hand, Scalar fraction);
+
+enum class GripPhase : std::uint8_t {
+  kHeld,       ///< the blade follows the hand
+  kRegaining,  ///< between free flight and hand
+};
+
+/// The driver. Where the world kept the blade from going where the plan wants it (separation, holds), it follows the
+/// plan from where it is, and the difference fades with recover_time: it never snaps back.
+/// Allocates: never.
+template <class Scalar>
+class Grip {
+ public:
+  /// @returns kOk | kInvalidArgument (nothing changed)
+  Status configure(const GripSettings<Scalar>& settings);
+
+  /// Puts the hand somewhere, still, and closes it.
+  void place(const Pose<Scalar>& X_WB);
+
+  /// Where the hand wants B at the end of the coming step. @pre pose finite; step > 0, s
+  void command(const Pose<Scalar>& X_WB, Scalar step);
+
+  Course<Scalar> course(const Body<Scalar>& body, Scalar t, Scalar duration) const;
+  void on_contact(const Body<Scalar>& body, const Feedback<Scalar>& feedback);
+  void on_step_end(const Body<Scalar>& body, Scalar dt);
+
+  GripPhase phase() const { return phase_; }
+  /// t of [Kavan eq. 32] at the end of the last step: 0 free ... 1 held.
+  Scalar control() const;
+  /// The hand at the end of the last commanded step.
+  const Pose<Scalar>& hand() const { return target_; }
+
+ private:
+  Pose<Scalar> hand_at(Scalar t) const;
+  Pose<Scalar> planned_at(Scalar t) const;
+
+  GripSettings<Scalar> settings_;
+  Motion<Scalar> hand_;        ///< of the hand over the current step
+  Pose<Scalar> target_;        ///< at its end
+  Scalar step_ = 0;            ///< s; 0: nothing commanded
+  Motion<Scalar> flight_;      ///< P, from t_a
+  Scalar flight_start_ = 0;    ///< t_a on the clock of the current step, s: <= 0 after the step in which it happened
+  Scalar regain_ = 0;          ///< t_b - t_a, s
+  GripPhase phase_ = GripPhase::kHeld;
+};
+
+}  // namespace batuta

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// From time-stamped samples of a device, as irregular as they come, to the stick's position and velocity at every step
+// of the simulation: "the velocities are estimated using the elapsed time" [Kavan §5], one sample late and without the
+// spikes that a difference over one step would have. Stick coordinates: the square [-1, 1]^2. Times: src/fencing/stick.md.
+
+#include "batuta/core/types.hpp"
+#include "batuta/port/input.hpp"
+
+namespace batuta {
+
+struct StickSettings {
+  std::int32_t min_interval_us = 1000;   ///< shortest time in which the stick goes to a new sample, us, > 0
+  std::int32_t max_interval_us = 40000;  ///< longest, us, >= min_interval_us
+  std::int32_t stale_after_us = 250000;  ///< silence after which the stick counts as stale, us, >= max_interval_us
+  /// Fastest movement along each axis, 1/s, > 0. Whatever the device claims: it bounds the blade's speed.
+  float max_speed = 16;
+};
+
+/// @returns kOk | kInvalidArgument
+Status validate(const StickSettings& settings);
+
+/// What became of a sample.
+enum class SampleUse : std::uint8_t {
+  kUsed,      ///< the stick is on its way to it
+  kRestart,   ///< the same, but its time says nothing: it is the first one, or the first after a silence
+  kRepeated,  ///< refused: the time stamp of the last one
+  kBackward,  ///< refused: older than the last one
+  kInvalid,   ///< refused: a coordinate is not finite
+};
+
+struct StickReport {
+  std::uint32_t used = 0;      ///< with those of kRestart
+  std::uint32_t restarts = 0;
+  std::uint32_t repeated = 0;
+  std::uint32_t backward = 0;
+  std::uint32_t invalid = 0;
+  std::uint32_t lost = 0;      ///< gaps of the sequence numbers
+  std::uint32_t clamped = 0;   ///< used, but a coordinate was outside [-1, 1]
+  std::uint32_t slowed = 0;    ///< used, but faster than max_speed
+  std::uint32_t stale_steps = 0;  ///< steps without any sign of life for stale_after_us, or before the first sample
+};
+
+/// After a sample the stick goes from where it is to where the sample says, at constant velocity, in the time between
+/// the last two samples.
+/// Allocates: never. ISR-safe: from one context at a time.
+template <class Scalar>
+class StickTracker {
+ public:
+  /// Starts anew: at the centre, still, stale. @returns kOk | kInvalidArgument (nothing changed)
+  Status configure(const StickSettings& settings);
+
+  /// A sample of the device. A refused one changes nothing but a count.
+  SampleUse accept(const InputSample& sample);
+
+  /// Moves on by one step. @pre dt > 0 and finite, s
+  void advance(Scalar dt);
+
+  const Vec2<Scalar>& position() const { return position_; }
+  /// Mean velocity over the last step, 1/s; zero after the stick has arrived and while it is stale.
+  const Vec2<Scalar>& velocity() const { return velocity_; }
+  bool is_stale() const { return stale_; }
+  std::uint32_t buttons() const { return last_.buttons; }
+  const StickReport& report() const { return report_; }
+
+ private:
+  SampleUse judge(const InputSample& sample) const;
+  void aim(const InputSample& sample, std::int32_t interval_us);
+
+  StickSettings settings_;
+  StickReport report_;
+  InputSample last_;  ///< the last one used
+  Vec2<Scalar> position_ = Vec2<Scalar>::Zero();
+  Vec2<Scalar> goal_ = Vec2<Scalar>::Zero();
+  Vec2<Scalar> velocity_ = Vec2<Scalar>::Zero();
+  Scalar remaining_ = 0;  ///< time to the goal, s
+  Scalar silence_ = 0;    ///< since the last used sample, s; grows no further than the limit
+  bool stale_ = true;
+};
+
+}  // namespace batuta

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Where a fencer's motion comes from, by the words of the command line. A new kind of device is one more line here.
+
+#include <memory>
+#include <string>
+
+#include "batuta/port/input.hpp"
+
+namespace batuta::host {
+
+/// An input device of this port: what a program wants to know beside the samples.
+class Source : public InputDevice {
+ public:
+  Source() = default;
+  Source(const Source&) = delete;
+  Source& operator=(const Source&) = delete;
+  virtual ~Source() = default;
+
+  /// In a few words, for a log: "recording ps2_mouse.events (PS/2 Generic Mouse)".
+  virtual std::string description() const = 0;
+  /// How long it has something to tell, s; infinite for a device that never ends.
+  virtual double duration() const = 0;
+  /// Samples that could not be made because the device had lost events.
+  virtual std::uint32_t losses() const { return 0; }
+};
+
+struct OpenedSource {
+  std::unique_ptr<Source> source;  ///< null if it could not be opened
+  std::string error;               ///< why not, in one line
+  std::string note;                ///< what a user should know although it was opened; one line, or empty
+};
+
+/// SOURCE: "default", "script:guard|parry|attack", or the path of a recording.
+OpenedSource open_source(const std::string& words);
+
+}  // namespace batuta::host

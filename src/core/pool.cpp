@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "batuta/core/pool.hpp"
+
+#include <limits>
+
+namespace batuta {
+namespace {
+
+constexpr std::uint32_t kLastGeneration = std::numeric_limits<std::uint32_t>::max();
+
+/// Position of the lowest set bit. @pre word != 0
+std::size_t lowest_bit(std::uint32_t word) {
+  return static_cast<std::size_t>(__builtin_ctz(word));
+}
+
+}  // namespace
+
+int PoolBase::find(std::uint16_t index1, std::uint16_t pool, std::uint32_t generation) const {
+  if (index1 == 0 || pool != number_) return kNoIndex;
+  const std::size_t index = index1 - std::size_t{1};
+  if (!is_live(index) || generations_[index] != generation) return kNoIndex;
+  return static_cast<int>(index);
+}
+
+bool PoolBase::is_usable(std::size_t index) const {
+  return index < capacity_ && generations_[index] != kLastGeneration;
+}
+
+std::size_t PoolBase::lowest_free() const {
+  const std::size_t words = words_for(capacity_);
+  for (std::size_t word = 0; word < words; ++word) {                            // Bound: N / 32
+    for (std::uint32_t bits = ~live_[word]; bits != 0; bits &= bits - 1U) {  // Bound: 32
+      const std::size_t index = word * kBitsPerWord + lowest_bit(bits);
+      if (is_usable(index)) return index;
+    }
+  }
+  return capacity_;
+}
+
+int PoolBase::acquire() {
+  const std::size_t index = size_ < usable_capacity() ? lowest_free() : capacity_;
+  if (index == capacity_) return kNoIndex;
+  ++generations_[index];
+  live_[index / kBitsPerWord] |= bit_of(index);
+  ++size_;
+  return static_cast<int>(index);
+}
+
+void PoolBase::release(std::size_t index) {
+  live_[index / kBitsPerWord] &= ~bit_of(index);
+  --size_;
+  if (generations_[index] == kLastGeneration) ++retired_;
+}
+
+std::size_t PoolBase::next_live(std::size_t index) const {
+  if (index >= capacity_) return capacity_;
+  std::size_t word = index / kBitsPerWord;
+  std::uint32_t bits = live_[word] & ~(bit_of(index) - 1U);
+  const std::size_t words = words_for(capacity_);
+  while (bits == 0 && ++word < words) bits = live_[word];  // Bound: N / 32
+  return bits == 0 ? capacity_ : word * kBitsPerWord + lowest_bit(bits);
+}
+
+void PoolBase::clear() {
+  for (std::size_t i = next_live(0); i < capacity_; i = next_live(i + 1)) release(i);  // Bound: N
+}
+
+}  // namespace batuta

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "batuta/geometry/capsule.hpp"
+
+#include "batuta/geometry/direction.hpp"
+
+namespace batuta {
+namespace {
+
+/// The rounding errors of a radius computed by bounding_sphere(): 5 u of length(), a sum and a
+/// product.
+template <class Scalar>
+constexpr Scalar kSphereSlack = 8 * kRoundOff<Scalar>;
+
+template <class Scalar>
+bool is_usable(const Vec3<Scalar>& point) {
+  return is_finite(point) && largest_component(point) <= kLargestCoordinate<Scalar>;
+}
+
+}  // namespace
+
+template <class Scalar>
+bool is_valid(const Capsule<Scalar>& capsule) {
+  return is_usable(capsule.axis.a) && is_usable(capsule.axis.b) && capsule.radius >= 0 &&
+         capsule.radius <= kLargestCoordinate<Scalar>;
+}
+
+template <class Scalar>
+CapsuleGap<Scalar> capsule_gap(const Capsule<Scalar>& A, const Capsule<Scalar>& B) {
+  CapsuleGap<Scalar> result;
+  if (!is_valid(A) || !is_valid(B)) return result;
+  result.axes = closest_points(A.axis, B.axis);
+  result.gap = result.axes.distance - (A.radius + B.radius);
+  result.proximity = result.gap > 0   ? Proximity::kSeparated
+                     : result.gap < 0 ? Proximity::kOverlapping
+                                      : Proximity::kTouching;
+  result.surface_A = result.axes.p_A + A.radius * result.axes.normal_AB;
+  result.surface_B = result.axes.p_B - B.radius * result.axes.normal_AB;
+  return result;
+}
+
+template <class Scalar>
+bool overlaps(const Capsule<Scalar>& A, const Capsule<Scalar>& B) {
+  const Proximity proximity = capsule_gap(A, B).proximity;
+  return proximity == Proximity::kTouching || proximity == Proximity::kOverlapping;
+}
+
+template <class Scalar>
+Scalar penetration_depth(const Capsule<Scalar>& A, const Capsule<Scalar>& B) {
+  return max_of(Scalar(0), -capsule_gap(A, B).gap);
+}
+
+template <class Scalar>
+Result<Vec3<Scalar>> surface_normal(const Capsule<Scalar>& capsule, const Vec3<Scalar>& point) {
+  if (!is_valid(capsule) || !is_usable(point)) {
+    return failure<Vec3<Scalar>>(Status::kInvalidArgument);
+  }
+  const ClosestPoints<Scalar> nearest = closest_points<Scalar>(capsule.axis, {point, point});
+  return {nearest.arbitrary ? Status::kDegenerate : Status::kOk, nearest.normal_AB};
+}
+
+template <class Scalar>
+Scalar support(const Capsule<Scalar>& capsule, const Vec3<Scalar>& direction) {
+  return max_of(direction.dot(capsule.axis.a), direction.dot(capsule.axis.b)) +
+         capsule.radius * length(direction);
+}
+
+template <class Scalar>
+Sphere<Scalar> bounding_sphere(const Capsule<Scalar>& capsule) {
+  const Segment<Scalar>& axis = capsule.axis;
+  const Vec3<Scalar> center = axis.at(Scalar(0.5));
+  // Measured from the rounded centre: it need not be the middle, only known.
+  const Scalar reach =
+      max_of(length<Scalar>(axis.a - center), length<Scalar>(axis.b - center)) + capsule.radius;
+  return {center, reach * (1 + kSphereSlack<Scalar>)};
+}
+
+#define BATUTA_INSTANTIATE(Scalar)                                                           \
+  template bool is_valid(const Capsule<Scalar>&);                                            \
+  template CapsuleGap<Scalar> capsule_gap(const Capsule<Scalar>&, const Capsule<Scalar>&);   \
+  template bool overlaps(const Capsule<Scalar>&, const Capsule<Scalar>&);                    \
+  template Scalar penetration_depth(const Capsule<Scalar>&, const Capsule<Scalar>&);         \
+  template Result<Vec3<Scalar>> surface_normal(const Capsule<Scalar>&, const Vec3<Scalar>&); \
+  template Scalar support(const Capsule<Scalar>&, const Vec3<Scalar>&);                      \
+  template Sphere<Scalar> bounding_sphere(const Capsule<Scalar>&);
+
+BATUTA_INSTANTIATE(float)
+BATUTA_INSTANTIATE(double)
+#undef BATUTA_INSTANTIATE
+
+}  // namespace batuta

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "batuta/geometry/direction.hpp"
+
+namespace batuta {
+
+template <class Scalar>
+Scalar length(const Vec3<Scalar>& v) {
+  const Scalar largest = largest_component(v);
+  if (largest == 0) return 0;
+  return largest * std::sqrt(Vec3<Scalar>(v / largest).squaredNorm());
+}
+
+template <class Scalar>
+Vec3<Scalar> unit(const Vec3<Scalar>& v) {
+  BATUTA_ASSERT(largest_component(v) != 0);
+  const Vec3<Scalar> w = v / largest_component(v);
+  return w / std::sqrt(w.squaredNorm());
+}
+
+template <class Scalar>
+Vec3<Scalar> perpendicular(const Vec3<Scalar>& v) {
+  const Vec3<Scalar> size = v.cwiseAbs();
+  if (size.x() <= size.y() && size.x() <= size.z()) {
+    return unit<Scalar>({0, -v.z(), v.y()});
+  }
+  if (size.y() <= size.z()) return unit<Scalar>({v.z(), 0, -v.x()});
+  return unit<Scalar>({-v.y(), v.x(), 0});
+}
+
+template float length(const Vec3<float>&);
+template double length(const Vec3<double>&);
+template Vec3<float> unit(const Vec3<float>&);
+template Vec3<double> unit(const Vec3<double>&);
+template Vec3<float> perpendicular(const Vec3<float>&);
+template Vec3<double> perpendicular(const Vec3<double>&);
+
+}  // namespace batuta

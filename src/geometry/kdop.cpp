@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "batuta/geometry/kdop.hpp"
+
+namespace batuta {
+namespace {
+
+/// In units of u: what a computed extent may fall short of the true one, relative to the sum of the
+/// absolute values in it (kdop.md), and a little for the terms of second order.
+template <class Scalar>
+constexpr Scalar kOutward = Scalar(3.25) * kRoundOff<Scalar>;
+
+constexpr std::size_t kAxes = 3;
+constexpr std::size_t kCubeDiagonals = 4;
+constexpr std::size_t kEdgeDiagonals = 6;
+
+struct Direction {
+  std::int8_t x, y, z;
+};
+
+constexpr std::array<Direction, kAxes + kCubeDiagonals + kEdgeDiagonals> kDirectionTable = {{
+    {1, 0, 0},
+    {0, 1, 0},
+    {0, 0, 1},  // axes
+    {1, 1, 1},
+    {1, 1, -1},
+    {1, -1, 1},
+    {1, -1, -1},  // cube diagonals
+    {1, 1, 0},
+    {1, -1, 0},
+    {1, 0, 1},
+    {1, 0, -1},
+    {0, 1, 1},  // edge diagonals
+    {0, 1, -1},
+}};
+
+/// 14 takes the axes and the cube diagonals, 18 the axes and the edge diagonals.
+template <int K>
+constexpr std::size_t table_index(std::size_t i) {
+  return K == 18 && i >= kAxes ? i + kCubeDiagonals : i;
+}
+
+/// Length of the i-th direction, rounded up: 1, sqrt(2) or sqrt(3).
+template <class Scalar, int K>
+constexpr Scalar direction_length(std::size_t i) {
+  constexpr Scalar kRoundUp = 1 + 2 * kRoundOff<Scalar>;
+  const std::size_t j = table_index<K>(i);
+  if (j < kAxes) return 1;
+  if (j < kAxes + kCubeDiagonals) return Scalar(1.73205080756887729353) * kRoundUp;
+  return Scalar(1.41421356237309504880) * kRoundUp;
+}
+
+template <class Scalar, int K>
+Vec3<Scalar> direction(std::size_t i) {
+  const Direction d = kDirectionTable[table_index<K>(i)];
+  return {Scalar(d.x), Scalar(d.y), Scalar(d.z)};
+}
+
+}  // namespace
+
+template <class Scalar, int K>
+Vec3<Scalar> kdop_direction(int i) {
+  BATUTA_ASSERT(i >= 0 && i < K / 2);
+  return direction<Scalar, K>(static_cast<std::size_t>(i));
+}
+
+template <class Scalar, int K>
+Kdop<Scalar, K> kdop_of(const Capsule<Scalar>& capsule) {
+  Kdop<Scalar, K> result;
+  const Vec3<Scalar> size = capsule.axis.a.cwiseAbs().cwiseMax(capsule.axis.b.cwiseAbs());
+  for (std::size_t i = 0; i < result.low.size(); ++i) {  // Bound: K / 2
+    const Vec3<Scalar> d = direction<Scalar, K>(i);
+    const Scalar at_a = d.dot(capsule.axis.a);
+    const Scalar at_b = d.dot(capsule.axis.b);
+    const Scalar radius = capsule.radius * direction_length<Scalar, K>(i);
+    const Scalar reach = radius + kOutward<Scalar> * (radius + d.cwiseAbs().dot(size));
+    result.low[i] = min_of(at_a, at_b) - reach;
+    result.high[i] = max_of(at_a, at_b) + reach;
+  }
+  return result;
+}
+
+template <class Scalar, int K>
+Kdop<Scalar, K> merge(const Kdop<Scalar, K>& P, const Kdop<Scalar, K>& Q) {
+  Kdop<Scalar, K> result;
+  for (std::size_t i = 0; i < result.low.size(); ++i) {  // Bound: K / 2
+    result.low[i] = min_of(P.low[i], Q.low[i]);
+    result.high[i] = max_of(P.high[i], Q.high[i]);
+  }
+  return result;
+}
+
+template <class Scalar, int K>
+bool overlaps(const Kdop<Scalar, K>& P, const Kdop<Scalar, K>& Q) {
+  for (std::size_t i = 0; i < P.low.size(); ++i) {  // Bound: K / 2
+    if (P.high[i] < Q.low[i] || Q.high[i] < P.low[i]) return false;
+  }
+  return true;
+}
+
+template <class Scalar, int K>
+bool contains(const Kdop<Scalar, K>& P, const Vec3<Scalar>& point) {
+  for (std::size_t i = 0; i < P.low.size(); ++i) {  // Bound: K / 2
+    const Scalar x = direction<Scalar, K>(i).dot(point);
+    if (!(P.low[i] <= x && x <= P.high[i])) return false;
+  }
+  return true;
+}
+
+template <class Scalar, int K>
+Kdop<Scalar, K> inflated(const Kdop<Scalar, K>& P, Scalar margin) {
+  BATUTA_ASSERT(margin >= 0);
+  Kdop<Scalar, K> result = P;
+  for (std::size_t i = 0; i < P.low.size(); ++i) {  // Bound: K / 2
+    if (P.high[i] < P.low[i]) continue;             // empty stays empty
+    const Scalar move = margin * direction_length<Scalar, K>(i);
+    result.low[i] -= move + kOutward<Scalar> * (move + std::abs(P.low[i]));
+    result.high[i] += move + kOutward<Scalar> * (move + std::abs(P.high[i]));
+  }
+  return result;
+}
+
+#define BATUTA_INSTANTIATE(Scalar, K)                                             \
+  template Vec3<Scalar> kdop_direction<Scalar, K>(int);                           \
+  template Kdop<Scalar, K> kdop_of<Scalar, K>(const Capsule<Scalar>&);            \
+  template Kdop<Scalar, K> merge(const Kdop<Scalar, K>&, const Kdop<Scalar, K>&); \
+  template bool overlaps(const Kdop<Scalar, K>&, const Kdop<Scalar, K>&);         \
+  template bool contains(const Kdop<Scalar, K>&, const Vec3<Scalar>&);            \
+  template Kdop<Scalar, K> inflated(const Kdop<Scalar, K>&, Scalar);
+#define BATUTA_INSTANTIATE_ALL(Scalar) \
+  BATUTA_INSTANTIATE(Scalar, 6)        \
+  BATUTA_INSTANTIATE(Scalar, 14)       \
+  BATUTA_INSTANTIATE(Scalar, 18)       \
+  BATUTA_INSTANTIATE(Scalar, 26)
+
+BATUTA_INSTANTIATE_ALL(float)
+BATUTA_INSTANTIATE_ALL(double)
+#undef BATUTA_INSTANTIATE_ALL
+#undef BATUTA_INSTANTIATE
+
+}  // namespace batuta

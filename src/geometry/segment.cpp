@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: MIT
+#include "batuta/geometry/segment.hpp"
+
+#include <array>
+#include <utility>
+
+#include "batuta/geometry/direction.hpp"
+
+namespace batuta {
+namespace {
+
+/// Lengths in [kSmallest, kLargest] are worked on as they are; others are multiplied by kStep or 1
+/// / kStep until they are, so that the fourth powers in the kernel neither overflow nor lose bits
+/// (segment.md, "Scale").
+template <class Scalar>
+struct ScaleWindow;
+template <>
+struct ScaleWindow<float> {
+  static constexpr float kSmallest = 0x1p-20F;
+  static constexpr float kLargest = 0x1p27F;
+  static constexpr float kStep = 0x1p40F;
+};
+template <>
+struct ScaleWindow<double> {
+  static constexpr double kSmallest = 0x1p-200;
+  static constexpr double kLargest = 0x1p200;
+  static constexpr double kStep = 0x1p300;
+};
+constexpr int kMaxScaleSteps = 3;
+
+/// sin^2 of the angle above which a point found inside both segments is the answer without a look
+/// at the ends.
+template <class Scalar>
+constexpr Scalar kClearAngle2 = Scalar(1) / 256;
+
+/// A distance below this times the largest component is rounding error, its direction means nothing
+/// (segment.md).
+template <class Scalar>
+constexpr Scalar kNoise = 4 * kRoundOff<Scalar>;
+
+/// How much longer than the shortest one, over the largest component, the middle pair of a range
+/// may be.
+template <class Scalar>
+constexpr Scalar kMiddleSlack = kRoundOff<Scalar>;
+
+/// sin^2 of the angle below which the cross product is rounding error.
+template <class Scalar>
+constexpr Scalar kParallel2 = 64 * kRoundOff<Scalar>* kRoundOff<Scalar>;
+
+/// The power of two that brings `length` into the window; 1 for zero and for what is not finite.
+template <class Scalar>
+Scalar window_scale(Scalar length) {
+  using Window = ScaleWindow<Scalar>;
+  Scalar scale = 1;
+  if (!(length > 0)) return scale;
+  for (int i = 0; i < kMaxScaleSteps; ++i) {  // Bound: kMaxScaleSteps
+    if (length * scale < Window::kSmallest) scale *= Window::kStep;
+    if (length * scale > Window::kLargest) scale /= Window::kStep;
+  }
+  return scale;
+}
+
+template <class Scalar>
+bool comes_before(const Vec3<Scalar>& p, const Vec3<Scalar>& q) {
+  if (p.x() != q.x()) return p.x() < q.x();
+  if (p.y() != q.y()) return p.y() < q.y();
+  return p.z() < q.z();
+}
+
+/// @returns true if the ends had to change places
+template <class Scalar>
+bool order_ends(Segment<Scalar>& segment) {
+  const bool flipped = comes_before(segment.b, segment.a);
+  if (flipped) segment.a.swap(segment.b);
+  return flipped;
+}
+
+/// The two segments in an order that their caller cannot influence: what makes the answer
+/// symmetric.
+template <class Scalar>
+struct Ordered {
+  Segment<Scalar> A, B;
+  bool flipped_A, flipped_B, swapped;
+
+  Ordered(const Segment<Scalar>& A_in, const Segment<Scalar>& B_in)
+      : A(A_in), B(B_in), flipped_A(order_ends(A)), flipped_B(order_ends(B)) {
+    swapped = comes_before(B.a, A.a) || (B.a == A.a && comes_before(B.b, A.b));
+    if (swapped) std::swap(A, B);
+  }
+};
+
+/// What the kernel works on: differences of ends (so that the distance from the origin costs
+/// nothing), scaled.
+template <class Scalar>
+struct Query {
+  Vec3<Scalar> d_A, d_B;
+  std::array<Vec3<Scalar>, 4> corner;  ///< [2 i + j]: from end i of A to end j of B
+  Scalar length, scale;                ///< largest component (scaled), power of two
+  Scalar inv_AA, inv_BB;               ///< 1 / |d|^2; 0 for a point
+};
+
+template <class Scalar>
+Scalar inverse_square(const Vec3<Scalar>& d) {
+  const Scalar dd = d.squaredNorm();
+  return dd < std::numeric_limits<Scalar>::min() ? Scalar(0) : 1 / dd;
+}
+
+template <class Scalar>
+Query<Scalar> make_query(const Segment<Scalar>& A, const Segment<Scalar>& B) {
+  Query<Scalar> q;
+  q.d_A = A.direction();
+  q.d_B = B.direction();
+  q.corner = {B.a - A.a, B.b - A.a, B.a - A.b, B.b - A.b};
+  const Scalar length =
+      max_of(max_of(largest_component(q.d_A), largest_component(q.d_B)),
+             max_of(largest_component(q.corner[0]), largest_component(q.corner[3])));
+  q.scale = window_scale(length);
+  q.length = length * q.scale;
+  if (q.scale != 1) {
+    q.d_A *= q.scale;
+    q.d_B *= q.scale;
+    for (Vec3<Scalar>& c : q.corner) c *= q.scale;  // Bound: 4
+  }
+  q.inv_AA = inverse_square(q.d_A);
+  q.inv_BB = inverse_square(q.d_B);
+  return q;
+}
+
+/// A pair of points, and from the one on A to the one on B.
+template <class Scalar>
+struct Candidate {
+  Scalar s, u;
+  Vec3<Scalar> gap;
+  Scalar gap2;
+};
+
+/// Measured from the nearest ends: exact at an end, and half the rounding error elsewhere.
+template <class Scalar>
+Candidate<Scalar> candidate(const Query<Scalar>& q, Scalar s, Scalar u) {
+  const Scalar i = s > Scalar(0.5) ? 1 : 0;
+  const Scalar j = u > Scalar(0.5) ? 1 : 0;
+  const Vec3<Scalar>& corner = q.corner[(s > Scalar(0.5) ? 2U : 0U) + (u > Scalar(0.5) ? 1U : 0U)];
+  const Vec3<Scalar> gap = corner + ((u - j) * q.d_B - (s - i) * q.d_A);
+  return {s, u, gap, gap.squaredNorm()};
+}
+
+/// To [0, 1]; never -0, and 0 for NaN.
+template <class Scalar>
+Scalar unit_clamp(Scalar x) {
+  return x > 0 ? min_of(x, Scalar(1)) : Scalar(0);
+}
+
+template <class Scalar>
+void keep_shorter(Candidate<Scalar>& best, const Candidate<Scalar>& other) {
+  if (other.gap2 < best.gap2) best = other;
+}
+
+/// The point of A where the lines are closest, from the cross product n; not clamped.
+template <class Scalar>
+Scalar crossing(const Query<Scalar>& q, const Vec3<Scalar>& n, Scalar nn) {
+  return q.corner[0].cross(q.d_B).dot(n) / nn;
+}
+
+/// The pair around the crossing s0: clamped, projected onto B, and back onto A.
+template <class Scalar>
+struct Interior {
+  Candidate<Scalar> pair;
+  bool inside;  ///< of both segments, without clamping
+
+  Interior(const Query<Scalar>& q, Scalar s0) {
+    const Scalar s1 = unit_clamp(s0);
+    const Scalar u0 = -candidate(q, s1, Scalar(0)).gap.dot(q.d_B) * q.inv_BB;
+    const Scalar u1 = unit_clamp(u0);
+    const Scalar s2 = s1 + candidate(q, s1, u1).gap.dot(q.d_A) * q.inv_AA;
+    const Scalar s3 = unit_clamp(s2);
+    pair = candidate(q, s3, u1);
+    inside = s0 == s1 && u0 == u1 && s2 == s3;
+  }
+};
+
+/// The ends of each segment projected onto the other one.
+template <class Scalar>
+struct EndProjections {
+  Scalar s_a, s_b;  ///< on A, of the ends of B
+  Scalar u_a, u_b;  ///< on B, of the ends of A
+
+  explicit EndProjections(const Query<Scalar>& q)
+      : s_a(unit_clamp(q.corner[0].dot(q.d_A) * q.inv_AA)),
+        s_b(unit_clamp(q.corner[1].dot(q.d_A) * q.inv_AA)),
+        u_a(unit_clamp(-q.corner[0].dot(q.d_B) * q.inv_BB)),
+        u_b(unit_clamp(-q.corner[2].dot(q.d_B) * q.inv_BB)) {}
+
+  Candidate<Scalar> shortest(const Query<Scalar>& q) const {
+    Candidate<Scalar> best = candidate(q, s_a, Scalar(0));
+    keep_shorter(best, candidate(q, s_b, Scalar(1)));
+    keep_shorter(best, candidate(q, Scalar(0), u_a));
+    keep_shorter(best, candidate(q, Scalar(1), u_b));
+    return best;
+  }
+  /// Of parallel segments: the middle of the part where they run side by side.
+  Candidate<Scalar> middle(const Query<Scalar>& q) const {
+    return candidate(q, (s_a + s_b) / 2, (u_a + u_b) / 2);
+  }
+};
+
+/// Segments at a clear angle have one closest pair: inside both, or at an end.
+template <class Scalar>
+Candidate<Scalar> closest_at_angle(const Query<Scalar>& q, Scalar s0) {
+  if (s0 >= 0 && s0 <= 1) {
+    const Interior<Scalar> lines(q, s0);
+    if (lines.inside) return lines.pair;
+  }
+  return EndProjections<Scalar>(q).shortest(q);
+}
+
+/// Of nearly parallel segments: everything is tried, and the middle wins if it is as good as any.
+template <class Scalar>
+Candidate<Scalar> closest_near_parallel(const Query<Scalar>& q, Scalar s0) {
+  const EndProjections<Scalar> ends(q);
+  Candidate<Scalar> best = ends.shortest(q);
+  keep_shorter(best, Interior<Scalar>(q, s0).pair);
+  const Candidate<Scalar> middle = ends.middle(q);
+  const Scalar limit = std::sqrt(best.gap2) + kMiddleSlack<Scalar> * q.length;
+  return middle.gap2 <= limit * limit ? middle : best;
+}
+
+template <class Scalar>
+Candidate<Scalar> closest_pair(const Query<Scalar>& q) {
+  const Vec3<Scalar> n = q.d_A.cross(q.d_B);
+  const Scalar nn = n.squaredNorm();
+  const Scalar s0 = nn > 0 ? crossing(q, n, nn) : Scalar(0);
+  return nn * q.inv_AA * q.inv_BB > kClearAngle2<Scalar> ? closest_at_angle(q, s0)
+                                                         : closest_near_parallel(q, s0);
+}
+
+/// The normal of points that coincide, as the header promises.
+template <class Scalar>
+Vec3<Scalar> conventional_normal(const Query<Scalar>& q) {
+  const Vec3<Scalar> n = q.d_A.cross(q.d_B);
+  const Scalar AA = q.d_A.squaredNorm();
+  const Scalar BB = q.d_B.squaredNorm();
+  if (n.squaredNorm() > kParallel2<Scalar> * AA * BB) return unit(n);
+  if (AA == 0 && BB == 0) return Vec3<Scalar>::UnitX();
+  return perpendicular(AA < BB ? q.d_B : q.d_A);
+}
+
+template <class Scalar>
+ClosestPoints<Scalar> answer(const Ordered<Scalar>& in, const Query<Scalar>& q,
+                             const Candidate<Scalar>& pair) {
+  ClosestPoints<Scalar> out;
+  const Scalar distance = std::sqrt(pair.gap2);
+  out.s = pair.s;
+  out.u = pair.u;
+  out.p_A = in.A.at(pair.s);
+  out.p_B = in.B.at(pair.u);
+  out.distance = distance / q.scale;
+  out.arbitrary = !(distance > kNoise<Scalar> * q.length);
+  if (!out.arbitrary) {
+    out.normal_AB = pair.gap / distance;
+  } else {
+    out.normal_AB = conventional_normal(q);
+    if (out.normal_AB.dot(pair.gap) < 0) out.normal_AB = -out.normal_AB;
+  }
+  return out;
+}
+
+/// Back to the caller's order of segments and ends.
+template <class Scalar>
+void restore_order(const Ordered<Scalar>& in, ClosestPoints<Scalar>& out) {
+  if (in.swapped) {
+    std::swap(out.s, out.u);
+    out.p_A.swap(out.p_B);
+    out.normal_AB = -out.normal_AB;
+  }
+  if (in.flipped_A) out.s = 1 - out.s;
+  if (in.flipped_B) out.u = 1 - out.u;
+}
+
+}  // namespace
+
+template <class Scalar>
+PointOnSegment<Scalar> closest_point(const Segment<Scalar>& segment, const Vec3<Scalar>& point) {
+  Segment<Scalar> A = segment;
+  const bool flipped = order_ends(A);
+  const Query<Scalar> q = make_query(A, {point, point});
+  const Scalar s = unit_clamp(q.corner[0].dot(q.d_A) * q.inv_AA);
+  const Scalar distance = std::sqrt(candidate(q, s, Scalar(0)).gap2) / q.scale;
+  return {flipped ? 1 - s : s, A.at(s), distance};
+}
+
+template <class Scalar>
+ClosestPoints<Scalar> closest_points(const Segment<Scalar>& A, const Segment<Scalar>& B) {
+  const Ordered<Scalar> in(A, B);
+  const Query<Scalar> q = make_query(in.A, in.B);
+  ClosestPoints<Scalar> out = answer(in, q, closest_pair(q));
+  restore_order(in, out);
+  return out;
+}
+
+template PointOnSegment<float> closest_point(const Segment<float>&, const Vec3<float>&);
+template PointOnSegment<double> closest_point(const Segment<double>&, const Vec3<double>&);
+template ClosestPoints<float> closest_points(const Segment<float>&, const Segment<float>&);
+template ClosestPoints<double> closest_points(const Segment<double>&, const Segment<double>&);
+
+}  // namespace batuta

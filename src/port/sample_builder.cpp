@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+
+#include "batuta/port/sample_builder.hpp"
+
+namespace batuta {
+namespace {
+
+std::int32_t clamp_counts(std::int64_t counts, const AxisCalibration& axis) {
+  if (counts < axis.min) return axis.min;
+  if (counts > axis.max) return axis.max;
+  return static_cast<std::int32_t>(counts);
+}
+
+std::int32_t centre(const AxisCalibration& axis) {
+  return static_cast<std::int32_t>((std::int64_t{axis.min} + axis.max) / 2);
+}
+
+}  // namespace
+
+float deflection(const AxisCalibration& axis, std::int32_t counts) {
+  // Twice the counts, so that a centre between two counts is an integer too; 64 bits, so that nothing overflows.
+  const std::int64_t twice_off =
+      2 * std::int64_t{clamp_counts(counts, axis)} - axis.min - axis.max;
+  const std::int64_t twice_flat = 2 * std::int64_t{axis.flat};
+  const std::int64_t twice_half = std::int64_t{axis.max} - axis.min;
+  const std::int64_t size = twice_off < 0 ? -twice_off : twice_off;
+  if (size <= twice_flat) return 0.0F;
+  // size <= twice_half, and rounding is monotone: the quotient cannot exceed 1.
+  const float share =
+      static_cast<float>(size - twice_flat) / static_cast<float>(twice_half - twice_flat);
+  return (twice_off < 0) != axis.reversed ? -share : share;
+}
+
+Status SampleBuilder::configure(const AxisCalibration& x, const AxisCalibration& y) {
+  if (!is_valid(x) || !is_valid(y)) return Status::kInvalidArgument;
+  *this = SampleBuilder{};
+  x_ = x;
+  y_ = y;
+  synced_ = {centre(x), centre(y), 0};
+  pending_ = synced_;
+  return Status::kOk;
+}
+
+void SampleBuilder::axis(Axis which, std::int32_t counts) {
+  if (discarding_) return;
+  const AxisCalibration& calibration = which == Axis::kX ? x_ : y_;
+  std::int32_t& position = which == Axis::kX ? pending_.x : pending_.y;
+  const bool relative = calibration.kind == AxisKind::kRelative;
+  position = clamp_counts(relative ? std::int64_t{position} + counts : counts, calibration);
+}
+
+Status SampleBuilder::button(int index, bool pressed) {
+  if (index < 0 || index >= kMaxButtons) return Status::kInvalidArgument;
+  if (discarding_) return Status::kOk;
+  const std::uint32_t bit = std::uint32_t{1} << static_cast<unsigned>(index);
+  pending_.buttons = pressed ? pending_.buttons | bit : pending_.buttons & ~bit;
+  return Status::kOk;
+}
+
+void SampleBuilder::lost() {
+  pending_ = synced_;
+  discarding_ = true;
+  ++losses_;
+}
+
+Result<InputSample> SampleBuilder::sync(Microseconds time) {
+  if (discarding_) {
+    discarding_ = false;
+    return failure<InputSample>(Status::kUnavailable);
+  }
+  synced_ = pending_;
+  InputSample sample;
+  sample.time = time;
+  sample.x = deflection(x_, synced_.x);
+  sample.y = deflection(y_, synced_.y);
+  sample.buttons = synced_.buttons;
+  sample.sequence = sequence_;
+  ++sequence_;
+  return success(sample);
+}
+
+}  // namespace batuta

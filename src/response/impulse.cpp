@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "batuta/response/impulse.hpp"
+
+namespace batuta {
+
+namespace {
+
+/// How one body gives way to a unit impulse along a unit direction n at the contact point.
+template <class Scalar>
+struct Yield {
+  Vec3<Scalar> lever_W = Vec3<Scalar>::Zero();  ///< r, from the centre of mass to the point
+  Vec3<Scalar> v_W = Vec3<Scalar>::Zero();      ///< change of velocity
+  Vec3<Scalar> w_W = Vec3<Scalar>::Zero();      ///< change of angular velocity
+  Scalar along_n = 0;                           ///< change of the point's velocity along n; n . K n
+};
+
+/// The quadratic form is a sum of squares in the body's own axes: unequal moments cancel nothing
+/// [Kavan eq. 28, 29].
+template <class Scalar>
+Yield<Scalar> yield_of(const Collider<Scalar>& body, const Contact<Scalar>& contact) {
+  const Vec3<Scalar>& n = contact.normal_BA_W;
+  const Mat3<Scalar> R_WB = to_matrix(body.X_WB.q_WB);
+  const Vec3<Scalar> lever_W = contact.point_W - body.X_WB.p_W;
+  const Vec3<Scalar> moment_B = R_WB.transpose() * lever_W.cross(n);
+  const Vec3<Scalar> turn_B = body.inverse_moments.cwiseProduct(moment_B);
+  return {lever_W, body.inverse_mass * n, R_WB * turn_B, body.inverse_mass + turn_B.dot(moment_B)};
+}
+
+template <class Scalar>
+Momentum<Scalar> impulse_on(const Yield<Scalar>& yield, const Vec3<Scalar>& J_W) {
+  return {J_W, yield.lever_W.cross(J_W)};
+}
+
+template <class Scalar>
+Twist<Scalar> pushed(const Twist<Scalar>& twist, const Yield<Scalar>& yield, Scalar j) {
+  return {twist.v_W + j * yield.v_W, twist.w_W + j * yield.w_W};
+}
+
+template <class Scalar>
+bool is_valid(const Collider<Scalar>& body) {
+  const bool poses = is_finite(body.X_WB.p_W) && is_finite(body.X_WB.q_WB);
+  const bool twists = is_finite(body.twist.v_W) && is_finite(body.twist.w_W);
+  const bool masses = is_finite(body.inverse_mass) && is_finite(body.inverse_moments);
+  return poses && twists && masses && body.inverse_mass >= Scalar(0) &&
+         body.inverse_moments.minCoeff() >= Scalar(0);
+}
+
+template <class Scalar>
+bool is_valid(const Contact<Scalar>& contact, Scalar restitution) {
+  return is_finite(contact.point_W) && is_finite(contact.normal_BA_W) && restitution >= Scalar(0) &&
+         restitution <= Scalar(1);
+}
+
+}  // namespace
+
+template <class Scalar>
+Collider<Scalar> collider_of(const Body<Scalar>& body) {
+  return {body.X_WB, twist_of(body), body.inverse_mass, body.inverse_moments};
+}
+
+template <class Scalar>
+Result<Impulse<Scalar>> collision_impulse(const Collider<Scalar>& A, const Collider<Scalar>& B,
+                                          const Contact<Scalar>& contact, Scalar restitution) {
+  if (!is_valid(A) || !is_valid(B) || !is_valid(contact, restitution)) {
+    return failure<Impulse<Scalar>>(Status::kInvalidArgument);
+  }
+  Impulse<Scalar> impulse;
+  impulse.v_rel = relative_velocity(contact, A.X_WB, A.twist, B.X_WB, B.twist);
+  impulse.twist_A = A.twist;
+  impulse.twist_B = B.twist;
+  const Yield<Scalar> yield_A = yield_of(A, contact);
+  const Yield<Scalar> yield_B = yield_of(B, contact);
+  const Scalar give = yield_A.along_n + yield_B.along_n;
+  if (!(impulse.v_rel < Scalar(0)) || !(give > Scalar(0))) return success(impulse);
+  const Scalar j = -(Scalar(1) + restitution) * impulse.v_rel / give;
+  if (!is_finite(j)) return failure<Impulse<Scalar>>(Status::kInvalidArgument);
+  const Vec3<Scalar> J_W = j * contact.normal_BA_W;
+  impulse.magnitude = j;
+  impulse.on_A = impulse_on<Scalar>(yield_A, J_W);
+  impulse.on_B = impulse_on<Scalar>(yield_B, -J_W);
+  impulse.twist_A = pushed(A.twist, yield_A, j);
+  impulse.twist_B = pushed(B.twist, yield_B, -j);
+  return success(impulse);
+}
+
+#define BATUTA_INSTANTIATE(Scalar)                            \
+  template Collider<Scalar> collider_of(const Body<Scalar>&); \
+  template Result<Impulse<Scalar>> collision_impulse(         \
+      const Collider<Scalar>&, const Collider<Scalar>&, const Contact<Scalar>&, Scalar);
+BATUTA_INSTANTIATE(float)
+BATUTA_INSTANTIATE(double)
+#undef BATUTA_INSTANTIATE
+
+}  // namespace batuta

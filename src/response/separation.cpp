@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "batuta/response/separation.hpp"
+
+namespace batuta {
+
+namespace {
+
+template <class Scalar>
+bool is_positive(Scalar x) {
+  return x > Scalar(0) && is_finite(x);
+}
+
+template <class Scalar>
+bool is_valid(const SeparationOptions<Scalar>& options) {
+  return is_positive(options.distance) && is_positive(options.rest_speed) &&
+         is_positive(options.min_duration) && options.limit_A >= Scalar(0) &&
+         options.limit_B >= Scalar(0);
+}
+
+/// share / (share + other), also where the sum would overflow; 0 where neither can move.
+template <class Scalar>
+Scalar part(Scalar share, Scalar other) {
+  const Scalar larger = max_of(share, other);
+  if (larger == Scalar(0)) return Scalar(0);
+  const Scalar a = share / larger;
+  const Scalar b = other / larger;
+  return a / (a + b);
+}
+
+}  // namespace
+
+template <class Scalar>
+Result<Separation<Scalar>> separate(const Contact<Scalar>& contact, Scalar v_rel,
+                                    Scalar inverse_mass_A, Scalar inverse_mass_B,
+                                    const SeparationOptions<Scalar>& options) {
+  const bool masses = is_finite(inverse_mass_A) && is_finite(inverse_mass_B) &&
+                      inverse_mass_A >= Scalar(0) && inverse_mass_B >= Scalar(0);
+  const bool finite = is_finite(v_rel) && is_finite(contact.gap) && is_finite(contact.normal_BA_W);
+  if (!masses || !finite || !is_valid(options)) {
+    return failure<Separation<Scalar>>(Status::kInvalidArgument);
+  }
+  const Scalar speed = max_of(v_rel < Scalar(0) ? -v_rel : v_rel, options.rest_speed);
+  const Scalar missing = max_of(Scalar(0), options.distance - contact.gap);
+  const Scalar shift_A = min_of(options.limit_A, missing * part(inverse_mass_A, inverse_mass_B));
+  const Scalar shift_B = min_of(options.limit_B, missing * part(inverse_mass_B, inverse_mass_A));
+  Separation<Scalar> separation;
+  separation.shift_A_W = shift_A * contact.normal_BA_W;
+  separation.shift_B_W = -shift_B * contact.normal_BA_W;
+  separation.duration = max_of(options.min_duration, options.distance / speed / 2);
+  return success(separation);
+}
+
+template Result<Separation<float>> separate(const Contact<float>&, float, float, float,
+                                            const SeparationOptions<float>&);
+template Result<Separation<double>> separate(const Contact<double>&, double, double, double,
+                                             const SeparationOptions<double>&);
+
+}  // namespace batuta

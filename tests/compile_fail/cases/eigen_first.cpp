@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: MIT
+#include <Eigen/Core>
+
+#include "batuta/core/types.hpp"

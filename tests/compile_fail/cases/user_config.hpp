@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#define BATUTA_ASSERT_LEVEL 1

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "host/devices/source.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace batuta::host {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(OpenSource, Default_IsTheEmbeddedRecording_AndSaysThatItIsSynthetic) {
+  const OpenedSource opened = open_source("default");
+  ASSERT_TRUE(opened.source) << opened.error;
+  EXPECT_EQ(opened.note, "");
+  EXPECT_THAT(opened.source->description(), HasSubstr("synthetic"));
+  EXPECT_GE(opened.source->duration(), 10.0);
+  EXPECT_LE(opened.source->duration(), 20.0);
+}
+
+TEST(OpenSource, Scripts) {
+  for (const char* words : {"script:guard", "script:parry", "script:attack"}) {
+    EXPECT_TRUE(open_source(words).source) << words;
+  }
+}
+
+TEST(OpenSource, Refusals_AreOneLineThatNamesTheSource) {
+  for (const char* words : {"script:", "script:riposte", "banana", "none.events", "device:/dev/input/event0",
+                            "serial:/dev/ttyUSB0", "", "/", "carrier:pigeon"}) {
+    const OpenedSource opened = open_source(words);
+    EXPECT_FALSE(opened.source) << words;
+    EXPECT_THAT(opened.error, HasSubstr(words));
+    EXPECT_THAT(opened.error, Not(HasSubstr("\n")));
+    EXPECT_FALSE(opened.error.empty());
+  }
+  EXPECT_THAT(open_source("banana").error, HasSubstr("unknown source"));
+  EXPECT_THAT(open_source("none.events").error, HasSubstr("no such file"));
+  EXPECT_THAT(open_source("device:/dev/input/event0").error, HasSubstr("live devices are not"));
+}
+
+TEST(OpenSource, GuessedCalibration_IsNoted) {
+  const auto path = std::filesystem::temp_directory_path() / "batuta_source_test.evemu";
+  std::ofstream(path) << "E: 0.000000 0003 0000 1\nE: 0.000000 0000 0000 0\n"
+                         "E: 0.100000 0003 0000 9\nE: 0.100000 0000 0000 0\n";
+  const OpenedSource opened = open_source(path.string());
+  ASSERT_TRUE(opened.source) << opened.error;
+  EXPECT_THAT(opened.note, HasSubstr("batuta_source_test.evemu: "));
+  EXPECT_EQ(opened.source->losses(), 0U);
+  std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace batuta::host
