@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""clang-format, cppcheck and clang-tidy over the project's own files. Ends with 1 on any finding, and also where a
+tool does not report what was planted in tests/static/canary: a tool that finds nothing may be one that looks at nothing."""
+
+import argparse
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+FORMATTED = ("include", "src", "port", "tests")
+ANALYZED = ("src", "port", "tests/support")
+CANARIES = ("tests/static/canary",)
+CPPCHECK = ["cppcheck", "--enable=warning,style,performance,portability", "--inline-suppr", "--error-exitcode=1",
+            "--std=c++17", "--quiet", "--template={file}:{line}: {severity}: {message} [{id}]"]
+
+
+def say(text):
+    print(f"-- {text}", flush=True)
+
+
+def files_in(source, folders, suffixes):
+    return sorted(p for folder in folders for p in (source / folder).rglob("*") if p.suffix in suffixes)
+
+
+def run(command):
+    """(exit code, output) of a command whose output the user sees."""
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+    return done.returncode, done.stdout
+
+
+class Analysis:
+    def __init__(self, source, build):
+        self.source = source
+        self.build = build
+        self.failed = []
+        self.units = [entry for entry in json.loads((build / "compile_commands.json").read_text())]
+
+    def fail(self, what, output=""):
+        print(output, end="" if output.endswith("\n") else "\n")
+        say(f"FAILED: {what}")
+        self.failed.append(what)
+
+    def units_in(self, folders):
+        """Files of the compile database in these folders, each once."""
+        roots = [str(self.source / folder) + os.sep for folder in folders]
+        return sorted({unit["file"] for unit in self.units if unit["file"].startswith(tuple(roots))})
+
+    def check_format(self):
+        files = [p for p in files_in(self.source, FORMATTED, (".hpp", ".cpp"))]
+        say(f"clang-format: {len(files)} files")
+        code, output = run(["clang-format", "--dry-run", "-Werror", *map(str, files)])
+        if code != 0:
+            wrong = sorted(set(re.findall(r"^(\S+?):\d+:\d+: error", output, re.M)))
+            self.fail("clang-format", "\n".join(f"{name}: not as clang-format writes it" for name in wrong))
+
+    def check_database(self):
+        """With Eigen as a plain include folder cppcheck 2.10 gives up silently on every file that includes it."""
+        say("compile database: Eigen is a system include")
+        plain = [unit["file"] for unit in self.units if re.search(r"-I\s*\S*eigen3", unit["command"])]
+        system = [unit for unit in self.units if re.search(r"-isystem\s+\S*eigen3", unit["command"])]
+        if plain or not system:
+            self.fail("compile database", "\n".join(plain) or "no unit has Eigen")
+
+    def check_canaries(self):
+        for canary in files_in(self.source, CANARIES, (".cpp",)):
+            say(f"canary {canary.name}")
+            expected = set(re.findall(r"// expect: (\S+)", canary.read_text()))
+            command = self.cppcheck([canary]) if "cppcheck" in canary.name else self.tidy([canary])
+            code, output = run(command)
+            missing = {name for name in expected if f"[{name}" not in output}
+            if code == 0 or missing or not expected:
+                self.fail(f"{canary.name}: not reported: {', '.join(sorted(missing)) or 'by exit code'}", output)
+
+    def cppcheck(self, files):
+        filters = [f"--file-filter={name}" for name in files]
+        return [*CPPCHECK, f"-j{os.cpu_count() or 1}", f"--project={self.build / 'compile_commands.json'}", *filters]
+
+    def tidy(self, files):
+        tool = shutil.which("run-clang-tidy") or shutil.which("run-clang-tidy-14") or "run-clang-tidy"
+        return [tool, "-quiet", f"-j{os.cpu_count() or 1}", f"-p={self.build}",
+                *(f"^{re.escape(str(name))}$" for name in files)]
+
+    def check_cppcheck(self):
+        units = self.units_in(ANALYZED)
+        say(f"cppcheck: {len(units)} units")
+        code, output = run(self.cppcheck(units))
+        if code != 0 or not units:
+            self.fail("cppcheck", output)
+
+    def check_tidy(self):
+        units = self.units_in(ANALYZED)
+        say(f"clang-tidy: {len(units)} units")
+        code, output = run(self.tidy(units))
+        findings = sorted(set(re.findall(r"^/\S+:\d+:\d+: (?:error|warning): .*$", output, re.M)))
+        if code != 0 or not units:
+            self.fail("clang-tidy", "\n".join(findings) or output)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--source", type=pathlib.Path, required=True)
+    parser.add_argument("--build", type=pathlib.Path, required=True)
+    parser.add_argument("--only", choices=["format", "database", "canaries", "cppcheck", "tidy"])
+    options = parser.parse_args()
+    for tool in ("clang-format", "cppcheck", "clang-tidy"):
+        if shutil.which(tool) is None:
+            print(f"analyze: {tool} is missing: run toolchains/setup.sh host", file=sys.stderr)
+            return 2
+
+    analysis = Analysis(options.source.resolve(), options.build.resolve())
+    for step in ("format", "database", "canaries", "cppcheck", "tidy"):
+        if options.only in (None, step):
+            getattr(analysis, f"check_{step}")()
+    say(f"analyze: failed: {', '.join(analysis.failed)}" if analysis.failed else "analyze: no findings")
+    return 1 if analysis.failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

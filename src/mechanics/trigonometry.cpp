@@ -105,7 +105,7 @@ template <class Scalar>
 Scalar sine_near_zero(const TwoPart<Scalar>& x) {
   const Scalar z = x.hi * x.hi;
   const Scalar cubic = x.hi * (z * polynomial(Table<Scalar>::kSine, z));
-  return x.hi + (cubic + x.lo * (Scalar(1) - z / Scalar(2)));
+  return x.hi + (cubic + x.lo);
 }
 
 /// @pre |x| <= pi / 4
@@ -169,9 +169,8 @@ Scalar arc_tangent(Scalar y, Scalar x) {
   const TwoPart<Scalar> base = Table<Scalar>::kEighthTurns[at.eighths];
   const Scalar z = at.slope * at.slope;
   const Scalar cubic = at.slope * (z * polynomial(Table<Scalar>::kArcTangent, z));
-  // The larger of base and slope comes last, so that only one rounding counts.
-  const Scalar angle =
-      at.eighths == 0 ? at.slope + cubic : base.hi + (at.slope + (cubic + base.lo));
+  // The largest part comes last, so that only one rounding counts.
+  const Scalar angle = base.hi + (at.slope + (cubic + base.lo));
   return y < Scalar(0) ? -angle : angle;
 }
 

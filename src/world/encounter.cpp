@@ -15,17 +15,22 @@ void add(Body<Scalar>& body, const Momentum<Scalar>& change) {
   if (body.inverse_moments != Vec3<Scalar>::Zero()) body.momentum.b_W += change.b_W;
 }
 
+/// To D if the contact is to be separated, else just clear of rounding, for which no time is
+/// charged.
 template <class Scalar>
-Result<Separation<Scalar>> separation_of(const Party<Scalar>& A, const Party<Scalar>& B,
-                                         const Contact<Scalar>& contact, Scalar v_rel,
-                                         const EncounterOptions<Scalar>& options) {
+Result<Separation<Scalar>> shifts_for(const Party<Scalar>& A, const Party<Scalar>& B,
+                                      const Contact<Scalar>& contact,
+                                      const EncounterAnswer<Scalar>& answer,
+                                      const EncounterOptions<Scalar>& options) {
   SeparationOptions<Scalar> how;
-  how.distance = options.separation;
+  how.distance = answer.separated ? max_of(options.separation, options.margin) : options.margin;
   how.rest_speed = options.rest_speed;
   how.min_duration = options.min_separation_time;
   how.limit_A = A.room;
   how.limit_B = B.room;
-  return separate(contact, v_rel, A.body->inverse_mass, B.body->inverse_mass, how);
+  auto shifts = separate(contact, answer.v_rel, A.body->inverse_mass, B.body->inverse_mass, how);
+  if (!answer.separated) shifts.value.duration = 0;
+  return shifts;
 }
 
 }  // namespace
@@ -34,6 +39,8 @@ template <class Scalar>
 Result<EncounterAnswer<Scalar>> answer_contact(const Party<Scalar>& A, const Party<Scalar>& B,
                                                const Contact<Scalar>& contact,
                                                const EncounterOptions<Scalar>& options) {
+  if (!(options.separation > Scalar(0)))
+    return failure<EncounterAnswer<Scalar>>(Status::kInvalidArgument);
   const auto hit = collision_impulse(collider(A), collider(B), contact, options.restitution);
   if (!hit.ok()) return failure<EncounterAnswer<Scalar>>(hit.status);
 
@@ -42,13 +49,11 @@ Result<EncounterAnswer<Scalar>> answer_contact(const Party<Scalar>& A, const Par
   answer.kind = classify(answer.v_rel, options.rest_speed);
   const bool colliding = answer.kind == ContactKind::kColliding;
   answer.separated = !colliding || contact.gap <= Scalar(0);
-  if (answer.separated) {
-    const auto apart = separation_of(A, B, contact, answer.v_rel, options);
-    if (!apart.ok()) return failure<EncounterAnswer<Scalar>>(apart.status);
-    answer.separation = apart.value;
-    A.body->X_WB.p_W += apart.value.shift_A_W;
-    B.body->X_WB.p_W += apart.value.shift_B_W;
-  }
+  const auto shifts = shifts_for(A, B, contact, answer, options);
+  if (!shifts.ok()) return failure<EncounterAnswer<Scalar>>(shifts.status);
+  answer.separation = shifts.value;
+  A.body->X_WB.p_W += shifts.value.shift_A_W;
+  B.body->X_WB.p_W += shifts.value.shift_B_W;
   if (colliding) {
     answer.impulse = hit.value.magnitude;
     add(*A.body, hit.value.on_A);
@@ -58,8 +63,10 @@ Result<EncounterAnswer<Scalar>> answer_contact(const Party<Scalar>& A, const Par
 }
 
 template Result<EncounterAnswer<float>> answer_contact(const Party<float>&, const Party<float>&,
-                                                       const Contact<float>&, const EncounterOptions<float>&);
+                                                       const Contact<float>&,
+                                                       const EncounterOptions<float>&);
 template Result<EncounterAnswer<double>> answer_contact(const Party<double>&, const Party<double>&,
-                                                        const Contact<double>&, const EncounterOptions<double>&);
+                                                        const Contact<double>&,
+                                                        const EncounterOptions<double>&);
 
 }  // namespace batuta

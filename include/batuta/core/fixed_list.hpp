@@ -9,7 +9,8 @@
 
 namespace batuta {
 
-/// Up to N items in the order of their coming; what does not fit is refused, and the caller counts it.
+/// Up to N items in the order of their coming; what does not fit is refused, and the caller counts
+/// it.
 template <class T, int N>
 class FixedList {
   static_assert(N >= 1, "FixedList: room for at least one item");

@@ -151,7 +151,7 @@ class Pool : public PoolBase {
     const int index = acquire();
     if (index == kNoIndex) return failure<Handle<T>>(Status::kPoolFull);
     const auto i = static_cast<std::size_t>(index);
-    ::new (storage_ + i * sizeof(T)) T(args...);  // BATUTA-DEVIATION placement-new
+    ::new (storage_ + i * sizeof(T)) T(args...);  // deviation: placement-new
     return success(handle_of(i));
   }
 

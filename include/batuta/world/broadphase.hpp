@@ -26,7 +26,8 @@ struct Proxy {
 template <class Scalar>
 bool may_meet(const Proxy<Scalar>& P, const Proxy<Scalar>& Q) {
   const bool same_owner = P.owner != 0 && P.owner == Q.owner;
-  return P.present && Q.present && !same_owner && !(P.immovable && Q.immovable) && overlaps(P.swept_W, Q.swept_W);
+  return P.present && Q.present && !same_owner && !(P.immovable && Q.immovable) &&
+         overlaps(P.swept_W, Q.swept_W);
 }
 
 /// Calls `found` with every pair that may meet, in ascending order of (first, second).

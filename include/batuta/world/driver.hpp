@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Drivers: the paper's black box [Kavan §2.1]. A driver says where its body goes during the rest of a step, and is told
-// what a contact did to it. A scene names one type, Scene::Driver, with the members of FreeFlight below; a scene
-// with several kinds names AnyDriver<...>. No virtual calls: the compiler sees the whole step.
+// Drivers: the paper's black box [Kavan §2.1]. A driver says where its body goes during the rest of
+// a step, and is told what a contact did to it. A scene names one type, Scene::Driver, with the
+// members of FreeFlight below; a scene with several kinds names AnyDriver<...>. No virtual calls:
+// the compiler sees the whole step.
 
 #include <variant>
 
@@ -14,15 +15,15 @@ namespace batuta {
 template <class Scalar>
 struct Course {
   Motion<Scalar> motion;     ///< of the geometry, over the rest of the step
-  bool by_momentum = false;  ///< true: the body's momentum says how fast its matter moves (free flight);
-                             ///< false: motion.twist does, whatever momentum the body had
+  bool by_momentum = false;  ///< true: the body's momentum says how fast its matter moves (free
+                             ///< flight); false: motion.twist does, whatever momentum the body had
 };
 
 /// What a driver is told after a contact; the body's pose and momentum are already the new ones.
 template <class Scalar>
 struct Feedback {
-  Scalar time = 0;           ///< in the step, s
-  Scalar impulse = 0;        ///< j, N s; 0 after a pure separation
+  Scalar time = 0;                              ///< in the step, s
+  Scalar impulse = 0;                           ///< j, N s; 0 after a pure separation
   Vec3<Scalar> shift_W = Vec3<Scalar>::Zero();  ///< by separation, m
 };
 
@@ -45,12 +46,12 @@ struct FreeFlight {
   void on_step_end(const Body<Scalar>& body, Scalar dt);
 };
 
-/// A body that a hand carries to `target_W` by the end of the step, whatever it weighs; after a contact it starts again
-/// from where it was put.
+/// A body that a hand carries to `target_W` by the end of the step, whatever it weighs; after a
+/// contact it starts again from where it was put.
 template <class Scalar>
 struct Hand {
-  Pose<Scalar> target_W;     ///< of the body's frame at the end of the coming step
-  Scalar step = 0;           ///< length of that step, s, > 0
+  Pose<Scalar> target_W;  ///< of the body's frame at the end of the coming step
+  Scalar step = 0;        ///< length of that step, s, > 0
 
   Course<Scalar> course(const Body<Scalar>& body, Scalar t, Scalar duration) const;
   void on_contact(const Body<Scalar>& body, const Feedback<Scalar>& feedback);
@@ -64,11 +65,14 @@ class AnyDriver {
  public:
   AnyDriver() = default;
   template <class Driver>
-  AnyDriver(const Driver& driver) : driver_(driver) {}  // NOLINT(google-explicit-constructor): a driver is one of these
+  AnyDriver(const Driver& driver)
+      : driver_(driver) {}  // NOLINT(google-explicit-constructor): a driver is one of these
 
   /// The driver if it is a `Driver` at present, else null.
   template <class Driver>
-  Driver* as() { return std::get_if<Driver>(&driver_); }
+  Driver* as() {
+    return std::get_if<Driver>(&driver_);
+  }
 
   Course<Scalar> course(const Body<Scalar>& body, Scalar t, Scalar duration) const {
     return course_of<First, Others...>(body, t, duration);
@@ -83,7 +87,8 @@ class AnyDriver {
  private:
   template <class Driver, class... Rest>
   Course<Scalar> course_of(const Body<Scalar>& body, Scalar t, Scalar duration) const {
-    if (const Driver* driver = std::get_if<Driver>(&driver_)) return driver->course(body, t, duration);
+    if (const Driver* driver = std::get_if<Driver>(&driver_))
+      return driver->course(body, t, duration);
     if constexpr (sizeof...(Rest) > 0) {
       return course_of<Rest...>(body, t, duration);
     } else {
@@ -91,7 +96,8 @@ class AnyDriver {
     }
   }
 
-  // std::visit would link the exception of a valueless variant; drivers are plain data and never leave one.
+  // std::visit would link the exception of a valueless variant; drivers are plain data and never
+  // leave one.
   template <class Call>
   void for_current(const Call& call) {
     call_if<First>(call);
@@ -102,7 +108,8 @@ class AnyDriver {
     if (Driver* driver = std::get_if<Driver>(&driver_)) call(*driver);
   }
 
-  static_assert(std::is_trivially_destructible_v<First> && (std::is_trivially_destructible_v<Others> && ...),
+  static_assert(std::is_trivially_destructible_v<First> &&
+                    (std::is_trivially_destructible_v<Others> && ...),
                 "AnyDriver: a driver must be plain data");
   std::variant<First, Others...> driver_;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What one contact does to its two bodies: which kind it is, and the paper's answer to that kind [Kavan §4].
+// What one contact does to its two bodies: which kind it is, and the paper's answer to that kind
+// [Kavan §4].
 
 #include "batuta/response/impulse.hpp"
 #include "batuta/response/separation.hpp"
@@ -10,31 +11,35 @@ namespace batuta {
 /// One side of a contact.
 template <class Scalar>
 struct Party {
-  Body<Scalar>* body = nullptr;      ///< changed by the answer; never null
-  Twist<Scalar> twist;               ///< of its matter, at the contact
-  Scalar room = 0;                   ///< how far it may be shifted without reaching a neighbour, m
+  Body<Scalar>* body = nullptr;  ///< changed by the answer; never null
+  Twist<Scalar> twist;           ///< of its matter, at the contact
+  Scalar room = 0;               ///< how far it may be shifted without reaching a neighbour, m
 };
 
 /// How contacts are answered.
 template <class Scalar>
 struct EncounterOptions {
-  Scalar restitution = 0;  ///< C of the pair [Kavan eq. 25], in [0, 1]
-  Scalar rest_speed = 0;   ///< eps_r, m/s, > 0
-  Scalar separation = 0;   ///< D, m, > 0
+  Scalar restitution = 0;          ///< C of the pair [Kavan eq. 25], in [0, 1]
+  Scalar rest_speed = 0;           ///< eps_r, m/s, > 0
+  Scalar separation = 0;           ///< D, m, > 0
   Scalar min_separation_time = 0;  ///< least f(D), s, > 0
+  /// Gap below which rounding decides whether the pair touches, m, > 0 (src/world/encounter.md).
+  Scalar margin = 0;
 };
 
 template <class Scalar>
 struct EncounterAnswer {
   ContactKind kind = ContactKind::kResting;
-  Scalar v_rel = 0;                  ///< before, m/s
-  Scalar impulse = 0;                ///< j, N s
-  bool separated = false;
-  Separation<Scalar> separation;     ///< shifts done and time charged; zero if not separated
+  Scalar v_rel = 0;               ///< before, m/s
+  Scalar impulse = 0;             ///< j, N s
+  bool separated = false;         ///< to D, and time is charged for it
+  Separation<Scalar> separation;  ///< shifts done; duration 0 if not separated
 };
 
-/// Colliding: both momenta get the impulse [Kavan §4.1]. Resting, and everything that is not colliding but in contact:
-/// both positions are separated to D [Kavan §4.2]. Colliding while overlapping: both.
+/// Colliding: both momenta get the impulse [Kavan §4.1], and the gap is opened to `margin` so that
+/// rounding does not take the parting bodies for touching ones. Resting, and everything that is not
+/// colliding but in contact: both positions are separated to D [Kavan §4.2]. Colliding while
+/// overlapping: both.
 /// @returns kOk | kInvalidArgument (options or contact out of range); then the bodies are unchanged
 /// Bound: no loop.
 template <class Scalar>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What a step tells: contact events that begin, persist and end, and a report in which everything is counted that did
-// not fit. A user who reads only the report still learns that something was left out.
+// What a step tells: contact events that begin, persist and end, and a report in which everything
+// is counted that did not fit. A user who reads only the report still learns that something was
+// left out.
 
 #include "batuta/response/contact.hpp"
 
@@ -19,37 +20,41 @@ struct ContactEvent {
   EventKind kind = EventKind::kBegin;
   ContactKind contact_kind = ContactKind::kResting;
   std::uint16_t body_A = 0;
-  std::uint16_t body_B = 0;    ///< body_A < body_B
-  Scalar time = 0;             ///< in the step, s
-  Contact<Scalar> contact;     ///< point, normal (out of B, towards A), gap
-  Scalar v_rel = 0;            ///< before, m/s; negative: approaching
-  Scalar impulse = 0;          ///< j, N s; 0 for resting contact
-  Scalar place_A = 0;          ///< on A's axis: 0 at axis.a ... 1 at axis.b (on a blade: guard ... tip)
+  std::uint16_t body_B = 0;  ///< body_A < body_B
+  Scalar time = 0;           ///< in the step, s
+  Contact<Scalar> contact;   ///< point, normal (out of B, towards A), gap
+  Scalar v_rel = 0;          ///< before, m/s; negative: approaching
+  Scalar impulse = 0;        ///< j, N s; 0 for resting contact
+  Scalar place_A = 0;  ///< on A's axis: 0 at axis.a ... 1 at axis.b (on a blade: guard ... tip)
   Scalar place_B = 0;
 };
 
 /// What a step did. Every count that should be zero in a healthy scene says so.
 template <class Scalar>
 struct StepReport {
-  std::uint32_t evaluations = 0;       ///< distance evaluations of all searches
-  std::uint16_t pairs = 0;             ///< pairs searched, summed over the rounds of the step
-  std::uint16_t collisions = 0;        ///< colliding contacts, answered by an impulse
-  std::uint16_t separations = 0;       ///< resting and touching contacts, answered by separation
-  std::uint16_t overlaps_at_start = 0; ///< of these, pairs that overlapped when a search began; 0 but for rounding
-  Scalar deepest_overlap = 0;          ///< of these, m
-  // What did not fit; the bodies concerned were held where they were proven free. All zero in a healthy scene.
-  std::uint16_t pairs_dropped = 0;       ///< beyond kMaxPairs
-  std::uint16_t contacts_dropped = 0;    ///< beyond kMaxContacts
-  std::uint16_t searches_cut = 0;        ///< the search ran out of its budget
-  std::uint16_t searches_invalid = 0;    ///< the search could not be asked (see Outcome::kInvalid)
-  std::uint16_t courses_invalid = 0;     ///< a driver's course was not finite or turned too far
-  std::uint16_t events_dropped = 0;      ///< beyond kMaxEvents: not recorded, but answered
-  std::uint16_t contacts_untracked = 0;  ///< beyond the pairs that can be followed: no persist and end events
-  Scalar time_held = 0;                  ///< longest time for which a body was held in the step, s
+  std::uint32_t evaluations = 0;  ///< distance evaluations of all searches
+  std::uint16_t pairs = 0;        ///< pairs searched, summed over the rounds of the step
+  std::uint16_t collisions = 0;   ///< colliding contacts, answered by an impulse
+  std::uint16_t separations = 0;  ///< resting and touching contacts, answered by separation
+  std::uint16_t overlaps_at_start =
+      0;  ///< of these, pairs that overlapped when a search began; 0 but for rounding
+  Scalar deepest_overlap = 0;  ///< of these, m
+  // What did not fit; the bodies concerned were held where they were proven free. All zero in a
+  // healthy scene.
+  std::uint16_t pairs_dropped = 0;     ///< beyond kMaxPairs
+  std::uint16_t contacts_dropped = 0;  ///< beyond kMaxContacts
+  std::uint16_t searches_cut = 0;      ///< the search ran out of its budget
+  std::uint16_t searches_invalid = 0;  ///< the search could not be asked (see Outcome::kInvalid)
+  std::uint16_t courses_invalid = 0;   ///< a driver's course was not finite or turned too far
+  std::uint16_t events_dropped = 0;    ///< beyond kMaxEvents: not recorded, but answered
+  std::uint16_t contacts_untracked =
+      0;                 ///< beyond the pairs that can be followed: no persist and end events
+  Scalar time_held = 0;  ///< longest time for which a body was held in the step, s
 
   bool complete() const {
-    return pairs_dropped == 0 && contacts_dropped == 0 && searches_cut == 0 && searches_invalid == 0 &&
-           courses_invalid == 0 && events_dropped == 0 && contacts_untracked == 0;
+    return pairs_dropped == 0 && contacts_dropped == 0 && searches_cut == 0 &&
+           searches_invalid == 0 && courses_invalid == 0 && events_dropped == 0 &&
+           contacts_untracked == 0;
   }
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Many bodies, one step: everybody moves to the first contact, the contact is answered, and so on to the end of the
-// step [Kavan §2.1, §3, §4.2]. One object, placed by the caller; its size and the longest step are constants.
-// Frame W, SI units; times within a step run from 0 to dt.
+// Many bodies, one step: everybody moves to the first contact, the contact is answered, and so on
+// to the end of the step [Kavan §2.1, §3, §4.2]. One object, placed by the caller; its size and the
+// longest step are constants. Frame W, SI units; times within a step run from 0 to dt.
 
 #include "batuta/core/pool.hpp"
 #include "batuta/world/broadphase.hpp"
@@ -33,13 +33,14 @@ class World {
   using EventList = FixedList<ContactEvent<Scalar>, SceneT::kMaxEvents>;
 
   static_assert(kIsScalar<Scalar>, "Scene::Scalar: choose float or double");
-  static_assert(SceneT::kMaxBodies >= 2 && SceneT::kMaxBodies <= 1024, "Scene::kMaxBodies: choose 2 ... 1024");
+  static_assert(SceneT::kMaxBodies >= 2 && SceneT::kMaxBodies <= 1024,
+                "Scene::kMaxBodies: choose 2 ... 1024");
   static_assert(SceneT::kMaxPairs >= 1, "Scene::kMaxPairs: at least 1");
   static_assert(SceneT::kMaxContacts >= 1, "Scene::kMaxContacts: at least 1");
   static_assert(SceneT::kMaxEvents >= 1, "Scene::kMaxEvents: at least 1");
 
-  /// Rounds of one step: each ends with a contact (kMaxContacts), with the end of the hold that a contact caused
-  /// (kMaxContacts), with a body held for good (kMaxBodies), or with the step (1).
+  /// Rounds of one step: each ends with a contact (kMaxContacts), with the end of the hold that a
+  /// contact caused (kMaxContacts), with a body held for good (kMaxBodies), or with the step (1).
   static constexpr int kMaxRounds = 2 * SceneT::kMaxContacts + SceneT::kMaxBodies + 1;
 
   /// @param number  tells this world's ids from those of another world of the same scene
@@ -52,7 +53,8 @@ class World {
     return status;
   }
 
-  /// @returns kOk with the id | kPoolFull | kInvalidArgument (not finite, negative radius, C outside [0, 1])
+  /// @returns kOk with the id | kPoolFull | kInvalidArgument (not finite, negative radius, C
+  /// outside [0, 1])
   Result<BodyId> add(const ActorType& actor) {
     if (!is_addable(actor)) return failure<BodyId>(Status::kInvalidArgument);
     return actors_.make(actor);
@@ -92,6 +94,7 @@ class World {
     BodyPair pair;
     SearchResult<Scalar> search;
     Vec3<Scalar> origin_W = Vec3<Scalar>::Zero();
+    Scalar scale = 0;  ///< S of the pair, m
   };
   /// A pair in contact, followed from its begin to its end event.
   struct Touch {
@@ -121,10 +124,13 @@ class World {
   void hold_pair(BodyPair pair, Scalar until);
   void answer(const Hit& hit);
   void answer_contact_of(const Hit& hit);
+  EncounterOptions<Scalar> options_for(const Hit& hit);
   Party<Scalar> party(std::size_t slot, std::size_t other);
   Scalar room_of(std::size_t slot, std::size_t other);
-  void tell_driver(std::size_t slot, const EncounterAnswer<Scalar>& answer, const Vec3<Scalar>& shift_W);
-  void record(const Hit& hit, const Contact<Scalar>& contact, const EncounterAnswer<Scalar>& answer);
+  void tell_driver(std::size_t slot, const EncounterAnswer<Scalar>& answer,
+                   const Vec3<Scalar>& shift_W);
+  void record(const Hit& hit, const Contact<Scalar>& contact,
+              const EncounterAnswer<Scalar>& answer);
   EventKind follow(const ContactEvent<Scalar>& event);
   void push(const ContactEvent<Scalar>& event);
   void end_step();
@@ -141,12 +147,12 @@ class World {
   FixedList<Touch, SceneT::kMaxPairs> touches_;
   EventList events_;
   StepReport<Scalar> report_;
-  Scalar now_ = 0;            ///< in the step, s
-  Scalar dt_ = 0;             ///< length of the step, s
+  Scalar now_ = 0;  ///< in the step, s
+  Scalar dt_ = 0;   ///< length of the step, s
   int contacts_answered_ = 0;
 };
 
 }  // namespace batuta
 
-#include "batuta/world/world_step.hpp"
 #include "batuta/world/world_contact.hpp"
+#include "batuta/world/world_step.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// World, second half: what happens at a contact, and the begin, persist and end of contacts. Included by world.hpp.
+// World, second half: what happens at a contact, and the begin, persist and end of contacts.
+// Included by world.hpp.
 
 #include "batuta/world/world.hpp"
 
@@ -12,7 +13,8 @@ Status World<SceneT>::remove(BodyId id) {
   const Status status = actors_.remove(id);
   if (status != Status::kOk) return status;
   for (int i = touches_.size() - 1; i >= 0; --i) {  // Bound: kMaxPairs
-    if (touches_[i].pair.first == slot || touches_[i].pair.second == slot) touches_.remove_swapping(i);
+    if (touches_[i].pair.first == slot || touches_[i].pair.second == slot)
+      touches_.remove_swapping(i);
   }
   return Status::kOk;
 }
@@ -43,13 +45,7 @@ void World<SceneT>::answer_contact_of(const Hit& hit) {
   const std::size_t b = hit.pair.second;
   const Contact<Scalar> contact = contact_from(hit.search.witness, hit.origin_W);
 
-  EncounterOptions<Scalar> options;
-  options.restitution = pair_restitution(actor_at(a).restitution, actor_at(b).restitution);
-  options.rest_speed = settings_.rest_speed;
-  options.separation = settings_.separation;
-  options.min_separation_time = settings_.min_separation_time;
-
-  const auto answer = answer_contact(party(a, b), party(b, a), contact, options);
+  const auto answer = answer_contact(party(a, b), party(b, a), contact, options_for(hit));
   if (!answer.ok()) {
     ++report_.searches_invalid;
     hold_pair(hit.pair, dt_);
@@ -61,8 +57,23 @@ void World<SceneT>::answer_contact_of(const Hit& hit) {
   record(hit, contact, answer.value);
 }
 
-/// A body at a contact. One that its driver moves gets the momentum that goes with the driver's twist, so that the
-/// impulse is added to what the body really has.
+template <class SceneT>
+EncounterOptions<typename World<SceneT>::Scalar> World<SceneT>::options_for(const Hit& hit) {
+  constexpr Scalar kMarginInUlps = 64;  // src/world/encounter.md
+  const ActorType& A = actor_at(hit.pair.first);
+  const ActorType& B = actor_at(hit.pair.second);
+  const Scalar size = A.body.X_WB.p_W.norm() + B.body.X_WB.p_W.norm() + hit.scale;
+  EncounterOptions<Scalar> options;
+  options.restitution = pair_restitution(A.restitution, B.restitution);
+  options.rest_speed = settings_.rest_speed;
+  options.separation = settings_.separation;
+  options.min_separation_time = settings_.min_separation_time;
+  options.margin = kMarginInUlps * kRoundOff<Scalar> * size;
+  return options;
+}
+
+/// A body at a contact. One that its driver moves gets the momentum that goes with the driver's
+/// twist, so that the impulse is added to what the body really has.
 template <class SceneT>
 Party<typename World<SceneT>::Scalar> World<SceneT>::party(std::size_t slot, std::size_t other) {
   Body<Scalar>& body = actor_at(slot).body;
@@ -76,7 +87,8 @@ template <class SceneT>
 typename World<SceneT>::Scalar World<SceneT>::room_of(std::size_t slot, std::size_t other) {
   Scalar room = std::numeric_limits<Scalar>::max();
   for (std::size_t k = 0; k < kSlots; ++k) {  // Bound: kMaxBodies
-    const bool same_owner = actor_at(slot).owner != 0 && is_present(k) && actor_at(k).owner == actor_at(slot).owner;
+    const bool same_owner =
+        actor_at(slot).owner != 0 && is_present(k) && actor_at(k).owner == actor_at(slot).owner;
     if (k == slot || k == other || !is_present(k) || same_owner) continue;
     room = min_of(room, capsule_gap(shape_W(slot), shape_W(k)).gap / Scalar(2));
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// World, first half: the rounds of a step, in the order in which they happen. Included by world.hpp.
+// World, first half: the rounds of a step, in the order in which they happen. Included by
+// world.hpp.
 
 #include "batuta/world/world.hpp"
 
@@ -8,11 +9,12 @@ namespace batuta {
 
 template <class SceneT>
 bool World<SceneT>::is_addable(const ActorType& actor) {
-  return is_valid(actor.capsule_B) && is_finite(actor.body.X_WB.p_W) && is_finite(actor.body.X_WB.q_WB) &&
-         is_finite(actor.body.momentum.p_W) && is_finite(actor.body.momentum.b_W) &&
-         is_finite(actor.body.inverse_mass) && actor.body.inverse_mass >= Scalar(0) &&
-         is_finite(actor.body.inverse_moments) && actor.body.inverse_moments.minCoeff() >= Scalar(0) &&
-         actor.restitution >= Scalar(0) && actor.restitution <= Scalar(1);
+  return is_valid(actor.capsule_B) && is_finite(actor.body.X_WB.p_W) &&
+         is_finite(actor.body.X_WB.q_WB) && is_finite(actor.body.momentum.p_W) &&
+         is_finite(actor.body.momentum.b_W) && is_finite(actor.body.inverse_mass) &&
+         actor.body.inverse_mass >= Scalar(0) && is_finite(actor.body.inverse_moments) &&
+         actor.body.inverse_moments.minCoeff() >= Scalar(0) && actor.restitution >= Scalar(0) &&
+         actor.restitution <= Scalar(1);
 }
 
 template <class SceneT>
@@ -32,7 +34,7 @@ void World<SceneT>::begin_step(Scalar dt) {
   now_ = 0;
   dt_ = dt;
   contacts_answered_ = 0;
-  for (Track& track : tracks_) track.held_until = 0;           // Bound: kMaxBodies
+  for (Track& track : tracks_) track.held_until = 0;                   // Bound: kMaxBodies
   for (int i = 0; i < touches_.size(); ++i) touches_[i].seen = false;  // Bound: kMaxPairs
 }
 
@@ -118,6 +120,7 @@ typename World<SceneT>::Hit World<SceneT>::search(BodyPair pair) {
   const auto moving_pair = make_moving_pair(moving(pair.first), moving(pair.second));
   if (moving_pair.ok()) {
     hit.origin_W = moving_pair.value.origin_W;
+    hit.scale = moving_pair.value.scale;
     hit.search = search_stepping(moving_pair.value, settings_.search);
     report_.evaluations += hit.search.evaluations;
   }

@@ -2,6 +2,7 @@
 #pragma once
 // Events of the Linux input stack, one after the other, into samples. Serves a replay; a live device speaks the same.
 
+#include "batuta/core/assert.hpp"
 #include "host/devices/motion_axes.hpp"
 
 namespace batuta::host {

@@ -42,6 +42,12 @@ bool gap_too_long(const Lines& lines, const DeviceEvent& next) {
   return gap_us > kLongestGap_us || gap_us < -kLongestGap_us;
 }
 
+/// A comment with a meaning: it tells how many fields the description's lines have.
+bool is_version(std::string_view line) {
+  constexpr std::string_view kBeginning = "# EVEMU ";
+  return line.substr(0, kBeginning.size()) == kBeginning;
+}
+
 /// What one line adds, or what is wrong with it.
 std::string take_line(std::string_view line, Lines& lines) {
   DeviceEvent event;
@@ -49,7 +55,9 @@ std::string take_line(std::string_view line, Lines& lines) {
   if (kind == LineKind::kMalformed) {
     return "neither an event, nor a description, nor a comment: " + quoted(line);
   }
-  if (kind == LineKind::kDescription) lines.description.append(line).append("\n");
+  if (kind == LineKind::kDescription || is_version(line)) {
+    lines.description.append(line).append("\n");
+  }
   if (kind != LineKind::kEvent) return {};
   if (gap_too_long(lines, event)) return "the time stamp leaps by more than 30 minutes";
   lines.latest_us = lines.events.empty() ? event.time_us : std::max(lines.latest_us, event.time_us);
@@ -118,7 +126,8 @@ LoadedRecording parse_recording(std::string_view text, const std::string& name,
   const Lines lines = read_lines(text, name);
   if (!lines.error.empty()) return refuse(lines.error);
   if (lines.events.empty()) return refuse(name + ": holds no events");
-  const std::string& words = lines.description.empty() ? description : lines.description;
+  const bool inline_description = lines.description.find("N:") != std::string::npos;
+  const std::string& words = inline_description ? lines.description : description;
   const std::optional<Description> device = Description::parse(words);
   if (!words.empty() && !device) return refuse(name + ": its device description is not readable");
   const std::optional<MotionAxes> axes = find_motion_axes(lines.events, device);

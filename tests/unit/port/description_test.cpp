@@ -27,8 +27,9 @@ TEST(Description, KnowsTheAxes) {
   EXPECT_FALSE(stick->range(ABS_RX)) << "there is no such axis";
 }
 
-TEST(Description, CommentsAreAllowed) {
-  EXPECT_TRUE(Description::parse("# EVEMU 1.3\n# Supported events:\n" + kStick));
+TEST(Description, TheVersionSaysHowManyFieldsThereAre) {
+  EXPECT_TRUE(Description::parse("# EVEMU 1.1\n# Supported events:\n" + kStick));
+  EXPECT_FALSE(Description::parse("# EVEMU 1.3\n" + kStick)) << "the resolution is missing";
 }
 
 TEST(Description, Unreadable_IsNothing_AndQuiet) {

@@ -14,7 +14,7 @@ namespace {
 using testing::HasSubstr;
 
 const std::string kStick =
-    "N: a stick\nI: 0003 0001 0002 0003\nP: 00 00 00 00 00 00 00 00\n"
+    "# EVEMU 1.3\nN: a stick\nI: 0003 0001 0002 0003\nP: 00 00 00 00 00 00 00 00\n"
     "B: 00 0b 00 00 00 00 00 00 00\nB: 03 03 00 00 00 00 00 00 00\n"
     "A: 00 -100 100 0 0 0\nA: 01 -100 100 0 20 0\n";
 
@@ -72,8 +72,12 @@ void expect_stick(const Recording& recording) {
 }
 
 TEST(Recording, Absolute_CalibratedByTheDescription_InlineOrBeside) {
-  expect_stick(good("# EVEMU 1.3\n" + kStick + "# waiting\n" + kStickEvents));
+  expect_stick(good(kStick + "# waiting\n" + kStickEvents));
   expect_stick(good(kStickEvents, kStick));
+}
+
+TEST(Recording, AVersionWithoutADescription_IsNotOne) {
+  expect_stick(good("# EVEMU 1.3\n" + kStickEvents, kStick));
 }
 
 TEST(Recording, CarriageReturns_MakeNoDifference) {
@@ -110,7 +114,7 @@ TEST(Recording, RelativeWins_WhereAMouseHasFingersToo) {
 }
 
 const std::string kPad =
-    "N: a pad\nI: 0003 0001 0002 0003\nP: 00 00 00 00 00 00 00 00\n"
+    "# EVEMU 1.3\nN: a pad\nI: 0003 0001 0002 0003\nP: 00 00 00 00 00 00 00 00\n"
     "B: 03 00 00 00 00 00 80 60 02\n"
     "A: 2f 0 9 0 0 0\nA: 35 0 1000 0 0 0\nA: 36 0 1000 0 0 0\nA: 39 0 65535 0 0 0\n";
 

@@ -59,7 +59,7 @@ TEST_P(Scripts, NeverEnd_AcrossTheWrapOfTheClock) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Scripts, testing::Values("guard", "parry", "attack"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& script) { return std::string(script.param); });
 
 TEST(Scripts, OtherNamesAreUnknown) {
   EXPECT_FALSE(script_named("riposte"));

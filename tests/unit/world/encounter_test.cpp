@@ -12,10 +12,14 @@ struct Pair {
   Body<double> A = make_body<double>({}, 2.0, {1, 1, 1}).value;
   Body<double> B = make_body<double>({{-1, 0, 0}, Quat<double>::Identity()}, 3.0, {1, 1, 1}).value;
   Contact<double> contact{{-0.5, 0, 0}, {1, 0, 0}, 1e-6};  // A on the right of B
-  EncounterOptions<double> options{0.5, 0.01, 1e-3, 1e-4};
+  EncounterOptions<double> options{0.5, 0.01, 1e-3, 1e-4, 1e-9};
 
-  Party<double> party_of(Body<double>& body) { return {&body, twist_of(body), std::numeric_limits<double>::max()}; }
-  Result<EncounterAnswer<double>> answer() { return answer_contact(party_of(A), party_of(B), contact, options); }
+  Party<double> party_of(Body<double>& body) {
+    return {&body, twist_of(body), std::numeric_limits<double>::max()};
+  }
+  Result<EncounterAnswer<double>> answer() {
+    return answer_contact(party_of(A), party_of(B), contact, options);
+  }
 };
 
 TEST(Encounter, Colliding_GetsTheImpulseAndIsNotMoved) {
@@ -28,7 +32,26 @@ TEST(Encounter, Colliding_GetsTheImpulseAndIsNotMoved) {
   EXPECT_FALSE(answer.value.separated);
   EXPECT_NEAR(pair.A.momentum.p_W.x(), -0.2, 1e-14);
   EXPECT_NEAR(pair.B.momentum.p_W.x(), -1.8, 1e-14);
-  EXPECT_EQ(pair.A.X_WB.p_W.x(), 0);
+  EXPECT_EQ(pair.A.X_WB.p_W.x(), 0) << "a gap beyond the margin is left alone";
+}
+
+TEST(Encounter, CollidingWithinRounding_IsOpenedToTheMarginAndNoTimeIsCharged) {
+  Pair pair;
+  pair.A.momentum.p_W = {-2, 0, 0};
+  pair.contact.gap = 1e-12;
+  const auto answer = pair.answer();
+  ASSERT_TRUE(answer.ok());
+  EXPECT_FALSE(answer.value.separated);
+  EXPECT_EQ(answer.value.separation.duration, 0);
+  EXPECT_NEAR(pair.A.X_WB.p_W.x() - pair.B.X_WB.p_W.x() - 1, 1e-9 - 1e-12, 1e-15);
+}
+
+TEST(Encounter, SeparationBelowRounding_IsRaisedToTheMargin) {
+  Pair pair;
+  pair.options.separation = 1e-15;
+  pair.contact.gap = 0;
+  ASSERT_TRUE(pair.answer().ok());
+  EXPECT_NEAR(pair.A.X_WB.p_W.x() - pair.B.X_WB.p_W.x() - 1, 1e-9, 1e-15);
 }
 
 TEST(Encounter, Resting_IsSeparatedByInverseMassShares) {

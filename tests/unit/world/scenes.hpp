@@ -25,7 +25,8 @@ Actor<SceneT> ball(double x, double radius, double vx) {
   using S = typename SceneT::Scalar;
   Actor<SceneT> actor;
   const S inertia = static_cast<S>(0.4 * radius * radius);
-  actor.body = make_body<S>({vec<S>(x, 0, 0), Quat<S>::Identity()}, S(1), {inertia, inertia, inertia}).value;
+  actor.body =
+      make_body<S>({vec<S>(x, 0, 0), Quat<S>::Identity()}, S(1), {inertia, inertia, inertia}).value;
   actor.body.momentum.p_W = vec<S>(vx, 0, 0);
   actor.capsule_B = Capsule<S>::sphere(Vec3<S>::Zero(), static_cast<S>(radius));
   actor.restitution = 1;
@@ -62,7 +63,8 @@ template <class SceneT>
 double total_energy(World<SceneT>& world) {
   double sum = 0;
   for (std::uint16_t slot = 0; slot < SceneT::kMaxBodies; ++slot) {
-    if (auto* actor = world.get(world.id_at(slot))) sum += static_cast<double>(kinetic_energy(actor->body));
+    if (auto* actor = world.get(world.id_at(slot)))
+      sum += static_cast<double>(kinetic_energy(actor->body));
   }
   return sum;
 }

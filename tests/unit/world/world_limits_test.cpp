@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What does not fit is counted, the bodies concerned stay where they are free, and nothing is lost silently.
+// What does not fit is counted, the bodies concerned stay where they are free, and nothing is lost
+// silently.
 
 #include <gtest/gtest.h>
 
@@ -72,7 +73,8 @@ TEST(WorldLimits, BadActors_AreRefused) {
 
 TEST(WorldLimits, FullWorld_SaysSo) {
   World<TightScene> world;
-  for (int i = 0; i < TightScene::kMaxBodies; ++i) ASSERT_TRUE(world.add(ball<TightScene>(i, 0.1, 0)).ok());
+  for (int i = 0; i < TightScene::kMaxBodies; ++i)
+    ASSERT_TRUE(world.add(ball<TightScene>(i, 0.1, 0)).ok());
   EXPECT_EQ(world.add(ball<TightScene>(9, 0.1, 0)).status, Status::kPoolFull);
 }
 

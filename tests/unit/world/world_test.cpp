@@ -110,7 +110,9 @@ TYPED_TEST(WorldOf, ChainOfBalls_PassesTheMomentumOnWithinOneStep) {
   using S = TypeParam;
   std::array<typename TestFixture::WorldT::BodyId, 4> ids;
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    ids[i] = this->world.add(ball<FlightScene<S>>(0.25 * static_cast<double>(i), 0.1, i == 0 ? 1 : 0)).value;
+    ids[i] =
+        this->world.add(ball<FlightScene<S>>(0.25 * static_cast<double>(i), 0.1, i == 0 ? 1 : 0))
+            .value;
   }
   ASSERT_EQ(this->world.step(S(0.5)), Status::kOk);
   EXPECT_TRUE(this->world.report().complete());
@@ -152,7 +154,8 @@ TYPED_TEST(WorldOf, RandomBalls_ConserveMomentumAndEnergyAndNeverOverlap) {
   EXPECT_NEAR(test::total_energy(this->world), energy, 1e-5);
 }
 
-// C = 0 against a wall that is pressed on by a velocity below eps_r: separation, not a thousand impulses.
+// C = 0 against a wall that is pressed on by a velocity below eps_r: separation, not a thousand
+// impulses.
 TYPED_TEST(WorldOf, SlowApproach_IsSeparatedToD) {
   using S = TypeParam;
   WorldSettings<S> settings;
@@ -185,10 +188,11 @@ TYPED_TEST(WorldOf, PressedTogetherByHands_NeverOverlaps) {
     const S gap = this->at(b).body.X_WB.p_W.x() - this->at(a).body.X_WB.p_W.x() - S(0.2);
     ASSERT_GT(gap, S(-1e-6)) << "step " << i;
   }
-  EXPECT_TRUE(dropped) << "hands that do not give way use up the contacts of a step, and the report says so";
+  EXPECT_TRUE(dropped)
+      << "hands that do not give way use up the contacts of a step, and the report says so";
 }
 
-// One float step of a driven blade against one in flight equals the double oracle to the bracket of the search.
+// Two rods, a hit near an end: float follows the double oracle through the contact and after it.
 TEST(World, FloatAgreesWithDouble) {
   World<FlightScene<float>> single;
   World<FlightScene<double>> oracle;
@@ -198,7 +202,7 @@ TEST(World, FloatAgreesWithDouble) {
     auto A = test::rod<SceneT>(0, 0.5, 0.01);
     auto B = test::rod<SceneT>(0.3, 0.5, 0.01);
     A.restitution = S(0.5);
-    A.body.momentum.p_W = vec<S>(3, 0.2, 0);
+    A.body.momentum.p_W = vec<S>(3, 0.02, 0);
     A.body.momentum.b_W = vec<S>(0, 0.05, 0);
     (void)world.add(A);
     (void)world.add(B);

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// What a blade wants to hit: a moving body under a hierarchy of k-DOPs that is refitted each step [Kavan §5, refs 10 and
+// 16], and the search for the first touch. Frame W, SI units; times run from 0 to the step's length.
+
+#include "batuta/detection/stepping.hpp"
+#include "batuta/fencing/skeleton.hpp"
+#include "batuta/geometry/kdop.hpp"
+#include "batuta/response/contact.hpp"
+
+namespace batuta {
+
+/// k of the target's hierarchy: box and cube corners, the cheapest that follows slanting limbs.
+inline constexpr int kTargetK = 14;
+
+/// Which parts a search may leave out.
+using PartMask = std::uint32_t;
+inline constexpr PartMask kAllParts = (PartMask{1} << kBodyParts) - 1;
+
+/// The first touch of a blade, and how far the answer reaches.
+template <class Scalar>
+struct TouchSearch {
+  bool found = false;
+  BodyPart part = BodyPart::kPelvis;  ///< the lower one of several at the same time
+  Scalar t_free = 0;                  ///< blade and part are apart here, s
+  Scalar t_hit = 0;                   ///< and touch here
+  Contact<Scalar> contact;            ///< at t_free; the normal points out of the body
+  Scalar place = 0;                   ///< on the blade's axis: 0 at axis.a ... 1 at axis.b
+  /// Every part has been searched up to here; the end of the motion if all searches were finished. A touch found
+  /// later than this may not have been the first; none found means none *up to here*.
+  Scalar known_until = 0;
+  std::uint16_t searches = 0;         ///< parts that the hierarchy could not rule out
+  std::uint32_t evaluations = 0;
+
+  bool certain() const { return found ? known_until >= t_free : complete; }
+  bool complete = false;              ///< known_until is the end of the motion
+};
+
+/// One fencer's body over one step.
+/// Allocates: never. RAM in float: about 2.4 kB.
+template <class Scalar>
+class Target {
+ public:
+  /// The body stands still as given.
+  void place(const BodyShape<Scalar>& shape_W);
+
+  /// The body goes to `shape_W` in `dt`: every bone with the constant twist of the shortest turn. Refits the hierarchy.
+  /// @pre dt > 0; finite
+  /// Bound: one forward and one backward pass over kBodyParts bones.
+  void move_to(const BodyShape<Scalar>& shape_W, Scalar dt);
+
+  /// The first touch of a blade that moves over [from, from + blade.motion.duration] of the step.
+  /// Bound: kBodyParts searches; no recursion, no stack.
+  TouchSearch<Scalar> find_touch(const MovingCapsule<Scalar>& blade, Scalar from, const SteppingOptions<Scalar>& options,
+                                 PartMask parts = kAllParts) const;
+
+  /// Where the body is at the end of the step.
+  const BodyShape<Scalar>& shape() const { return shape_W_; }
+  const MovingCapsule<Scalar>& part(BodyPart part) const { return moving_[static_cast<std::size_t>(part)]; }
+  /// Holds the part and all that it carries during the whole step.
+  const Kdop<Scalar, kTargetK>& hull(BodyPart part) const { return hulls_[static_cast<std::size_t>(part)]; }
+
+ private:
+  static constexpr auto kParts = static_cast<std::size_t>(kBodyParts);
+
+  void refit();
+
+  BodyShape<Scalar> shape_W_{};
+  std::array<MovingCapsule<Scalar>, kParts> moving_{};
+  std::array<Kdop<Scalar, kTargetK>, kParts> own_{};    ///< of each part alone
+  std::array<Kdop<Scalar, kTargetK>, kParts> hulls_{};  ///< with all that it carries
+};
+
+}  // namespace batuta

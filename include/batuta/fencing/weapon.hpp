@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A weapon as the sum of its parts. Frame H: the hand, origin in the middle of the grip, x along the blade to the tip.
+
+#include <array>
+
+#include "batuta/mechanics/body.hpp"
+
+namespace batuta {
+
+template <class Scalar>
+struct WeaponPart {
+  Capsule<Scalar> capsule_H;  ///< a sphere of radius 0 is a point mass
+  Scalar mass = 0;            ///< kg, > 0, evenly spread over the capsule
+};
+
+/// Blade, guard, grip, pommel. Only the blade collides.
+template <class Scalar>
+struct Weapon {
+  static constexpr int kParts = 4;
+  std::array<WeaponPart<Scalar>, static_cast<std::size_t>(kParts)> parts;  ///< the blade first
+  Scalar restitution = 0;  ///< C of the blade, in [0, 1]
+};
+
+/// What the world needs of a weapon. B: its centre of mass and principal axes.
+template <class Scalar>
+struct WeaponBody {
+  Scalar mass = 0;
+  Vec3<Scalar> moments = Vec3<Scalar>::Zero();
+  Pose<Scalar> X_HB;         ///< fixed
+  Capsule<Scalar> blade_B;
+};
+
+/// @returns kOk | kInvalidArgument (a part's mass or shape is out of range)
+/// Bound: kParts parts.
+template <class Scalar>
+Result<WeaponBody<Scalar>> weapon_body(const Weapon<Scalar>& weapon);
+
+/// X_AC = X_AB X_BC, the quaternion renewed.
+template <class Scalar>
+Pose<Scalar> chained(const Pose<Scalar>& X_AB, const Pose<Scalar>& X_BC);
+
+}  // namespace batuta

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+
+namespace batuta::answer {
+
+namespace {
+
+std::string require_positive(const std::string& text) {
+  const std::optional<double> number = host::double_of_decimal(text);
+  const bool good = number && *number > 0 && std::isfinite(*number);
+  return good ? std::string() : text + " is not a number above 0";
+}
+
+std::string one_line(const CLI::App* app, const CLI::Error& error) {
+  return app->get_name() + ": " + error.what() + " (--help shows the usage)\n";
+}
+
+/// Every kind takes the same options, so that one script can ask all of them.
+void add_options(CLI::App& app, Command& command, std::string& scalar, std::string& method) {
+  app.add_option("--in", command.in, "query file (CSV); - reads standard input")->required();
+  app.add_option("--out", command.out, "answer file (CSV); - writes standard output")->required();
+  app.add_option("--scalar", scalar, "precision of the library")
+      ->check(CLI::IsMember({"float", "double"}))
+      ->capture_default_str();
+  app.add_option("--method", method, "search for the time of contact (toc)")
+      ->check(CLI::IsMember({"stepping"}))
+      ->capture_default_str();
+  app.add_option("--budget", command.search.budget,
+                 "most steps of a search (toc); where they do not suffice the answer is BUDGET")
+      ->check(CLI::Range(std::uint32_t{1}, std::numeric_limits<std::uint32_t>::max()))
+      ->capture_default_str();
+  app.add_option("--tolerance", command.search.tolerance,
+                 "deepest touch that may be missed, times the thinner radius (toc)")
+      ->check(require_positive, "NUMBER > 0")
+      ->capture_default_str();
+}
+
+}  // namespace
+
+std::variant<Command, Exit> read_command_line(int argc, char** argv) {
+  Command command;
+  std::string scalar = "double";
+  std::string method = "stepping";
+  CLI::App app(
+      "Answers query files: when moving capsules touch, how far segments are apart, what a "
+      "collision does.\nExit status: 0; 1 if a line was invalid; 2 on wrong usage.",
+      "batuta-answer");
+  app.failure_message(one_line);
+  app.require_subcommand(1);
+  const CLI::App* toc = app.add_subcommand("toc", "time of contact of two moving capsules");
+  const CLI::App* distance = app.add_subcommand("distance", "distance of two segments");
+  app.add_subcommand("impulse", "collision of two bodies without friction");
+  for (CLI::App* kind : app.get_subcommands({})) {  // Bound: three kinds
+    add_options(*kind, command, scalar, method);
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return Exit{app.exit(error) == 0 ? 0 : kExitUsage};
+  }
+  command.kind = toc->parsed()        ? Kind::kTimeOfContact
+                 : distance->parsed() ? Kind::kDistance
+                                      : Kind::kImpulse;
+  command.in_float = scalar == "float";
+  return command;
+}
+
+}  // namespace batuta::answer

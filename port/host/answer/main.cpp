@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// batuta-answer: answers query files, so that anyone can hold the library against their own truth.
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+
+#include "answer_file.hpp"
+#include "command_line.hpp"
+
+namespace {
+
+using namespace batuta::answer;
+
+constexpr const char* kStandardStream = "-";
+
+QueryKind kind_of(Kind kind) {
+  if (kind == Kind::kTimeOfContact) return time_of_contact_kind();
+  return kind == Kind::kDistance ? distance_kind() : impulse_kind();
+}
+
+int fail(const std::string& what) {
+  std::cerr << "batuta-answer: " << what << '\n';
+  return kExitUsage;
+}
+
+std::string last_system_error() {
+  return errno == 0 ? std::string("failed") : std::string(std::strerror(errno));
+}
+
+int run(const Command& command) {
+  std::ifstream in_file;
+  errno = 0;
+  if (command.in != kStandardStream) in_file.open(command.in, std::ios::binary);
+  if (!in_file) return fail("cannot read " + command.in + ": " + last_system_error());
+  batuta::host::QueryFile queries(command.in == kStandardStream ? std::cin : in_file);
+  if (!queries.ok()) return fail(command.in + ": " + queries.error());
+
+  const QueryKind kind = kind_of(command.kind);
+  const std::string missing = kind.missing_column(queries);
+  if (!missing.empty()) return fail(command.in + ": header: there is no column " + missing);
+
+  std::ofstream out_file;
+  errno = 0;
+  if (command.out != kStandardStream) out_file.open(command.out, std::ios::binary);
+  if (!out_file) return fail("cannot write " + command.out + ": " + last_system_error());
+  std::ostream& out = command.out == kStandardStream ? std::cout : out_file;
+
+  const RowAnswer answer = command.in_float ? kind.in_float : kind.in_double;
+  const long invalid = answer_file(queries, kind.columns, answer, command.search, out, std::cerr);
+  out.flush();
+  if (!out) return fail("cannot write " + command.out + ": " + last_system_error());
+  return invalid == 0 ? 0 : kExitInvalidLines;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto asked = read_command_line(argc, argv);
+  if (const auto* exit = std::get_if<Exit>(&asked)) return exit->status;
+  return run(std::get<Command>(asked));
+}

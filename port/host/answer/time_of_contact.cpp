@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// toc: when two moving capsules first touch.
+#include "batuta/detection/stepping.hpp"
+#include "fields.hpp"
+#include "query_kind.hpp"
+
+namespace batuta::answer {
+
+namespace {
+
+template <class Scalar>
+struct Query {
+  MovingCapsule<Scalar> A;
+  MovingCapsule<Scalar> B;
+};
+
+template <class Scalar, class Source>
+MovingCapsule<Scalar> read_body(Source& source, const std::string& body, Scalar duration) {
+  MovingCapsule<Scalar> moving;
+  moving.motion.duration = duration;
+  moving.motion.X_WB = {vector<Scalar>(source, body + 'c'), rotation<Scalar>(source, body + 'q')};
+  moving.motion.twist.v_W = vector<Scalar>(source, body + 'v');
+  moving.motion.twist.w_W = vector<Scalar>(source, body + 'w');
+  moving.capsule_B.axis.a = vector<Scalar>(source, body + "e0");
+  moving.capsule_B.axis.b = vector<Scalar>(source, body + "e1");
+  moving.capsule_B.radius = number<Scalar>(source, body + 'r');
+  return moving;
+}
+
+template <class Scalar, class Source>
+Query<Scalar> read(Source& source) {
+  const Scalar duration = number<Scalar>(source, "T");
+  return {read_body(source, "A", duration), read_body(source, "B", duration)};
+}
+
+const char* word_for(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::kFree:
+      return "FREE";
+    case Outcome::kContact:
+      return "CONTACT";
+    case Outcome::kTouching:
+      return "TOUCHING";
+    case Outcome::kBudget:
+      return "BUDGET";
+    case Outcome::kInvalid:
+      break;
+  }
+  return "INVALID";
+}
+
+template <class Scalar>
+Answer answer(host::QueryRow& row, const SearchSettings& settings) {
+  const auto query = read<Scalar>(row);
+  const auto pair = make_moving_pair(query.A, query.B);
+  if (!pair.ok()) return {{}, {}, "not finite, or a negative radius or time, or too many turns"};
+  SteppingOptions<Scalar> options;
+  options.epsilon = static_cast<Scalar>(settings.tolerance);
+  options.max_steps = settings.budget;
+  options.halvings = kMaxHalvings;
+  const SearchResult<Scalar> found = search_stepping(pair.value, options);
+  if (found.outcome == Outcome::kInvalid) {
+    return {{}, {}, "the tolerance is relative to the thinner radius, which is 0"};
+  }
+  const auto steps = static_cast<double>(found.evaluations);
+  const auto t_free = static_cast<double>(found.t_free);
+  const auto t_hit = static_cast<double>(found.t_hit);
+  return {word_for(found.outcome), {t_free, t_hit, steps}, {}};
+}
+
+std::string missing_column(const host::QueryFile& file) {
+  return missing_column_of(file, [](auto& source) { return read<float>(source); });
+}
+
+}  // namespace
+
+QueryKind time_of_contact_kind() {
+  return {"line,outcome,t_free,t_hit,steps", missing_column, answer<float>, answer<double>};
+}
+
+}  // namespace batuta::answer

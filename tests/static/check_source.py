@@ -1,0 +1,167 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Rules of the source text that no compiler checks: arrows between rooms, words that the core does
+without, and the list of deviations. Usage: check_source.py arrows|words|deviations FOLDER; prints one line a finding."""
+
+import pathlib
+import re
+import sys
+
+ROOMS = ["core", "port", "geometry", "mechanics", "detection", "response", "world", "fencing", "haptics"]
+MAX_LINES = 400
+PREPROCESSOR_FILES = {"core/config.hpp", "core/assert.hpp", "core/types.hpp"}
+
+# What, and the words that give it away; matched in code, not in comments or strings.
+FORBIDDEN = [
+    ("heap", r"(?<!<)\bnew\b|(?<!= )\bdelete\b|\b(?:m|c|re)alloc\b|\bfree\s*\("),
+    ("heap", r"\bstd::(?:vector|string|map|set|list|deque|function|any|unordered_\w+|\w+_ptr)\b"),
+    ("heap", r"\b(?:Matrix|Vector|RowVector|Array)X+[a-z]*\b|\bEigen::Dynamic\b"),
+    ("exception", r"\b(?:throw|try|catch)\b"),
+    ("run-time type", r"\b(?:dynamic_cast|typeid)\b"),
+    ("printing", r"\b(?:iostream|sstream|fstream|cstdio|stdio\.h|s?n?printf|puts|std::cout|std::cerr)\b"),
+    ("clock or thread", r"<(?:chrono|ctime|time\.h|thread|mutex|random)>"),
+    ("libm", r"\bstd::(?:a?(?:sin|cos|tan)h?|atan2|exp2?|log(?:2|10|1p)?|pow|hypot|cbrt|fma|fmod|remainder)\b"),
+    ("jump", r"\bgoto\b|\bsetjmp\b"),
+]
+FLOAT_LITERAL = re.compile(r"(?<![\w.])(?:\d+\.\d*|\.\d+|\d+(?=[eE]))(?:[eE][+-]?\d+)?(?![\w.])")
+DEVIATION = re.compile(r"\bdeviation: ([\w-]+)")
+SUPPRESSION = re.compile(r"NOLINT|cppcheck-suppress")
+
+
+def code_only(text):
+    """The text without comments and string contents, with its lines kept."""
+    token = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|(?<![\w])\'(?:\\.|[^\'\\\n])+\'', re.S)
+
+    def blank(match):
+        found = match.group(0)
+        if found.startswith(("//", "/*")):
+            return re.sub(r"[^\n]", " ", found)
+        return found
+
+    kept_strings = token.sub(blank, text)
+    # Included files are not strings in this sense.
+    return re.sub(r'^(?!\s*#\s*include)(.*)$', lambda m: re.sub(r'"[^"]*"', '""', m.group(0)), kept_strings,
+                  flags=re.M)
+
+
+def sources(folder):
+    return sorted(p for p in folder.rglob("*") if p.suffix in (".hpp", ".cpp")) if folder.is_dir() else []
+
+
+def room_of(path, base):
+    return path.relative_to(base).parts[0]
+
+
+def check_include(room, path, where, target):
+    """A finding for one #include "target" in a file of a room of the library, or None."""
+    if "/" not in target and path.suffix == ".cpp" and (path.parent / target).is_file():
+        return None  # a header of the room's own, not for users
+    if not target.startswith("batuta/"):
+        return f"{where}: includes \"{target}\"; the library includes \"batuta/...\" only"
+    other = target.split("/")[1]
+    if other not in ROOMS:
+        return f"{where}: includes \"{target}\": there is no such room"
+    if ROOMS.index(other) > ROOMS.index(room):
+        return f"{where}: room {room} includes \"{target}\" from a later room"
+    return None
+
+
+def check_arrows(root):
+    include = re.compile(r'^\s*#\s*include\s*"([^"]+)"')
+    findings = []
+    for base in (root / "include" / "batuta", root / "src"):
+        for path in sources(base):
+            room = room_of(path, base)
+            if room not in ROOMS:
+                findings.append(f"{path.relative_to(root)}: folder {room} is not a room")
+                continue
+            for number, line in enumerate(path.read_text().splitlines(), 1):
+                match = include.match(line)
+                finding = match and check_include(room, path, f"{path.relative_to(root)}:{number}",
+                                                  match.group(1))
+                if finding:
+                    findings.append(finding)
+    return findings + check_port_arrows(root)
+
+
+def check_port_arrows(root):
+    """No port reads another port, or the library's insides."""
+    include = re.compile(r'^\s*#\s*include\s*["<]([^">]+)[">]')
+    findings = []
+    ports = [p.name for p in (root / "port").iterdir() if p.is_dir()] if (root / "port").is_dir() else []
+    for path in sources(root / "port"):
+        own = room_of(path, root / "port")
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            match = include.match(line)
+            first = match.group(1).split("/")[0] if match else ""
+            if first in ("src", "..") or (first in ports and first != own):
+                findings.append(f"{path.relative_to(root)}:{number}: port {own} includes \"{match.group(1)}\"")
+    return findings
+
+
+def unscaled_literals(line):
+    """Literals of type double: those outside Scalar(...) and without suffix, where no double is meant."""
+    if re.search(r"\bdouble\b", line):
+        return []
+    bare = re.sub(r"\bScalar\([^()]*\)", "", line)
+    return FLOAT_LITERAL.findall(bare)
+
+
+def check_words(root):
+    findings = []
+    for path in sources(root / "include") + sources(root / "src"):
+        text = path.read_text()
+        lines = text.splitlines()
+        where = path.relative_to(root)
+        if len(lines) > MAX_LINES:
+            findings.append(f"{where}: {len(lines)} lines; at most {MAX_LINES}")
+        if not text.startswith("// SPDX-License-Identifier: MIT\n"):
+            findings.append(f"{where}:1: does not begin with the licence line")
+        if path.suffix == ".hpp" and "#pragma once" not in lines[1:2]:
+            findings.append(f"{where}:2: is not #pragma once")
+        conditional = "/".join(path.parts[-2:]) in PREPROCESSOR_FILES
+        for number, line in enumerate(code_only(text).splitlines(), 1):
+            if DEVIATION.search(lines[number - 1]):
+                continue
+            for what, pattern in FORBIDDEN:
+                for word in re.findall(pattern, line):
+                    findings.append(f"{where}:{number}: {what}: {word.strip()}")
+            for literal in unscaled_literals(line):
+                findings.append(f"{where}:{number}: double literal: {literal}")
+            if not conditional and re.match(r"\s*#\s*(?:if|ifdef|ifndef)\b", line):
+                findings.append(f"{where}:{number}: preprocessor condition")
+    return findings
+
+
+def check_deviations(root):
+    listed_in = root / "tests" / "static" / "DEVIATIONS.md"
+    listed = set(re.findall(r"^\| `([\w-]+)` \|", listed_in.read_text(), re.M)) if listed_in.is_file() else set()
+    used = {}
+    findings = []
+    for folder in ("include", "src", "port"):
+        for path in sources(root / folder):
+            for number, line in enumerate(path.read_text().splitlines(), 1):
+                where = f"{path.relative_to(root)}:{number}"
+                for name in DEVIATION.findall(line):
+                    used.setdefault(name, where)
+                if SUPPRESSION.search(line) and not DEVIATION.search(line):
+                    findings.append(f"{where}: a suppression without \"deviation: <id>\"")
+    findings += [f"{used[name]}: deviation {name} is not in DEVIATIONS.md" for name in sorted(set(used) - listed)]
+    findings += [f"DEVIATIONS.md: {name} is not in the code any more" for name in sorted(listed - set(used))]
+    return findings
+
+
+CHECKS = {"arrows": check_arrows, "words": check_words, "deviations": check_deviations}
+
+
+def main(arguments):
+    if len(arguments) != 2 or arguments[0] not in CHECKS or not pathlib.Path(arguments[1]).is_dir():
+        print(f"usage: check_source.py {'|'.join(CHECKS)} FOLDER", file=sys.stderr)
+        return 2
+    findings = CHECKS[arguments[0]](pathlib.Path(arguments[1]).resolve())
+    print("\n".join(findings))
+    return 1 if findings else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: MIT
+"""The checks of check_source.py against small trees with planted faults."""
+
+import pathlib
+import tempfile
+import unittest
+
+import check_source
+
+HEAD = "// SPDX-License-Identifier: MIT\n"
+
+
+class Tree(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name)
+
+    def put(self, path, text):
+        target = self.root / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(HEAD + text)
+
+    def assert_found(self, findings, *parts):
+        self.assertEqual(len(findings), len(parts), findings)
+        for finding, part in zip(findings, parts):
+            self.assertIn(part, finding)
+
+
+class Arrows(Tree):
+    def check(self):
+        return check_source.check_arrows(self.root)
+
+    def test_upwards_is_allowed(self):
+        self.put("include/batuta/world/w.hpp", '#include "batuta/core/a.hpp"\n#include "batuta/world/b.hpp"\n')
+        self.put("src/world/w.cpp", '#include "batuta/world/w.hpp"\n#include <cmath>\n')
+        self.put("port/host/h.cpp", '#include "batuta/world/w.hpp"\n#include "host/h.hpp"\n')
+        self.assert_found(self.check())
+
+    def test_downwards_is_found(self):
+        self.put("include/batuta/core/a.hpp", '#include "batuta/world/w.hpp"\n')
+        self.put("src/geometry/g.cpp", '\n  # include "batuta/mechanics/m.hpp"\n')
+        self.assert_found(self.check(), "a.hpp:2: room core", "g.cpp:3: room geometry")
+
+    def test_port_and_relative_paths_are_found(self):
+        self.put("src/core/a.cpp", '#include "host/trap.hpp"\n#include "../port/host/trap.hpp"\n#include "pool.hpp"\n')
+        self.assert_found(self.check(), "host/trap.hpp", "../port", "pool.hpp")
+
+    def test_private_header_of_the_room_is_allowed(self):
+        self.put("src/core/a.cpp", '#include "helper.hpp"\n')
+        self.put("src/core/helper.hpp", '#pragma once\n')
+        self.assert_found(self.check())
+
+    def test_unknown_room_is_found(self):
+        self.put("include/batuta/attic/a.hpp", "")
+        self.put("src/core/a.cpp", '#include "batuta/attic/a.hpp"\n')
+        self.assert_found(self.check(), "attic is not a room", "no such room")
+
+    def test_port_of_another_port_is_found(self):
+        self.put("port/host/h.cpp", '#include "mps2/m.hpp"\n#include "../src/core/a.hpp"\n')
+        self.put("port/mps2/m.hpp", "")
+        self.assert_found(self.check(), "port host", "port host")
+
+
+class Words(Tree):
+    def check(self):
+        return check_source.check_words(self.root)
+
+    def test_clean_code_has_no_findings(self):
+        self.put("include/batuta/core/a.hpp", '#pragma once\n'
+                 '#include <new>\n// A new idea: throw nothing, 0.5 of it.\n/* malloc\n 1.5 */\n'
+                 'struct A { A(const A&) = delete; };\nconstexpr float kHalf = 0.5F;\n'
+                 'static_assert(true, "a new 1.5");\nconst Scalar half = Scalar(0.5) * Scalar(-1e-3);\n'
+                 'constexpr double kThird = 0.25;\nint big = 1\'000;\nfloat x = a1.x + v3.y;\n')
+        self.assert_found(self.check())
+
+    def test_forbidden_words_are_found(self):
+        lines = ["auto* a = new int;", "delete a;", "void* b = malloc(3);", "std::vector<int> c;", "throw 1;",
+                 "try {", "#include <iostream>", "printf(0);", "x = std::sin(x);", "Eigen::MatrixXf m;",
+                 "dynamic_cast<A*>(b);", "#include <chrono>", "goto end;"]
+        self.put("src/core/a.cpp", "\n".join(lines) + "\n")
+        findings = self.check()
+        found_lines = {finding.split(":")[1] for finding in findings}
+        self.assertEqual(found_lines, {str(i + 2) for i in range(len(lines))}, findings)
+
+    def test_double_literals_are_found(self):
+        self.put("src/core/a.cpp", "x = 0.5 * y;\nx = 1e-3;\nx = Scalar(2) * .5;\nx = 3.;\nx = Scalar(0.5) + 0.25;\n")
+        self.assert_found(self.check(), ": 0.5", ": 1e-3", ": .5", ": 3.", ": 0.25")
+
+    def test_deviation_is_passed_over(self):
+        self.put("src/core/a.cpp", "::new (p) T(1);  // deviation: placement-new\n")
+        self.assert_found(self.check())
+
+    def test_condition_is_found_but_for_three_files(self):
+        self.put("src/core/a.cpp", "#ifdef X\n#endif\n")
+        self.put("include/batuta/core/config.hpp", "#pragma once\n#if 1\n#endif\n")
+        self.assert_found(self.check(), "a.cpp:2: preprocessor condition")
+
+    def test_long_file_licence_and_guard_are_found(self):
+        self.put("include/batuta/core/a.hpp", "#pragma once\n" + "\n" * 400)
+        (self.root / "include/batuta/core/b.hpp").write_text("#ifndef B\n")
+        self.assert_found(self.check(), "402 lines", "licence", "#pragma once", "preprocessor")
+
+
+class Deviations(Tree):
+    def check(self):
+        return check_source.check_deviations(self.root)
+
+    def test_same_sets_are_fine(self):
+        self.put("tests/static/DEVIATIONS.md", "| `one` | why |\n")
+        self.put("src/core/a.cpp", "x;  // NOLINT(check) deviation: one\n")
+        self.assert_found(self.check())
+
+    def test_difference_is_found_both_ways(self):
+        self.put("tests/static/DEVIATIONS.md", "| `one` | why |\n")
+        self.put("src/core/a.cpp", "x;  // deviation: two\n")
+        self.assert_found(self.check(), "two is not in DEVIATIONS.md", "one is not in the code")
+
+    def test_suppression_without_id_is_found(self):
+        self.put("src/core/a.cpp", "x;  // NOLINT\n// cppcheck-suppress unusedFunction\n")
+        self.assert_found(self.check(), "a.cpp:2", "a.cpp:3")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// Closest points of segments against 20,000 exact answers, for both scalars.
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <fstream>
+#include <string>
+
+#include "batuta/geometry/segment.hpp"
+#include "exact_distance.hpp"
+#include "host/query_file.hpp"
+
+namespace batuta {
+namespace {
+
+constexpr double kBound = 4;  // in u S, for the excess and for the error of the distance
+
+template <class Scalar>
+Vec3<Scalar> read_point(host::QueryRow& row, const std::string& name) {
+  return {Scalar(row.bits(name + "x")), Scalar(row.bits(name + "y")), Scalar(row.bits(name + "z"))};
+}
+
+struct Worst {
+  double figure = 0;
+  long line = 0;
+
+  void see(double value, long at_line) {
+    if (value > figure) *this = {value, at_line};
+  }
+};
+
+template <class Scalar>
+void expect_same(const ClosestPoints<Scalar>& x, const ClosestPoints<Scalar>& y, long line) {
+  EXPECT_EQ(x.distance, y.distance) << "line " << line;
+  EXPECT_EQ(x.p_A, y.p_A) << "line " << line;
+  EXPECT_EQ(x.p_B, y.p_B) << "line " << line;
+}
+
+template <class Scalar>
+void expect_symmetric(const Segment<Scalar>& A, const Segment<Scalar>& B,
+                      const ClosestPoints<Scalar>& answer, long line) {
+  const Segment<Scalar> A_turned{A.b, A.a};
+  const Segment<Scalar> B_turned{B.b, B.a};
+  expect_same(closest_points(A_turned, B), answer, line);
+  expect_same(closest_points(A, B_turned), answer, line);
+  ClosestPoints<Scalar> swapped = closest_points(B_turned, A);
+  swapped.p_A.swap(swapped.p_B);
+  expect_same(swapped, answer, line);
+}
+
+template <class Scalar>
+class DistanceVectors : public testing::Test {};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(DistanceVectors, Scalars);
+
+TYPED_TEST(DistanceVectors, EveryLine_WithinFourRoundOffs) {
+  using Scalar = TypeParam;
+  std::ifstream in(BATUTA_SHARED_DIR "/vectors/dist.csv");
+  if (!in) GTEST_SKIP() << "there is no " BATUTA_SHARED_DIR "/vectors/dist.csv";
+  host::QueryFile file(in);
+  ASSERT_TRUE(file.ok()) << file.error();
+
+  Worst excess;
+  Worst error;
+  long queries = 0;
+  host::QueryRow row;
+  while (file.next(row)) {  // Bound: the length of the file
+    ++queries;
+    const Segment<Scalar> A{read_point<Scalar>(row, "A0"), read_point<Scalar>(row, "A1")};
+    const Segment<Scalar> B{read_point<Scalar>(row, "B0"), read_point<Scalar>(row, "B1")};
+    const exact::Real truth = row.decimal("d");
+    ASSERT_TRUE(row.ok()) << row.error();
+
+    const ClosestPoints<Scalar> answer = closest_points(A, B);
+    ASSERT_TRUE(answer.s >= 0 && answer.s <= 1 && answer.u >= 0 && answer.u <= 1) << row.line();
+    EXPECT_NEAR(answer.normal_AB.template cast<double>().norm(), 1, 4 * kRoundOff<Scalar>);
+    const exact::Real unit = kRoundOff<Scalar> * exact::visible_length(A, B);
+    const exact::Real found = exact::distance_at(A, B, answer.s, answer.u);
+    if (unit > 0) {
+      excess.see(static_cast<double>((found - truth) / unit), row.line());
+      error.see(static_cast<double>(std::abs(answer.distance - truth) / unit), row.line());
+    } else {
+      EXPECT_EQ(answer.distance, 0);
+    }
+    expect_symmetric(A, B, answer, row.line());
+  }
+
+  EXPECT_GE(queries, 20000);
+  EXPECT_LE(excess.figure, kBound) << "line " << excess.line;
+  EXPECT_LE(error.figure, kBound) << "line " << error.line;
+  this->RecordProperty("worst_excess_uS", std::to_string(excess.figure));
+  this->RecordProperty("worst_error_uS", std::to_string(error.figure));
+  std::printf("distance, %s: worst excess %.2f u S (line %ld), worst error %.2f u S (line %ld)\n",
+              sizeof(Scalar) == 4 ? "float" : "double", excess.figure, excess.line, error.figure,
+              error.line);
+}
+
+}  // namespace
+}  // namespace batuta
