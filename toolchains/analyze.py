@@ -17,6 +17,7 @@ ANALYZED = ("src", "port", "tests/support")
 CANARIES = ("tests/static/canary",)
 CPPCHECK = ["cppcheck", "--enable=warning,style,performance,portability", "--inline-suppr", "--error-exitcode=1",
             "--std=c++17", "--quiet", "--template={file}:{line}: {severity}: {message} [{id}]"]
+COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 
 
 def say(text):
@@ -28,9 +29,9 @@ def files_in(source, folders, suffixes):
 
 
 def run(command):
-    """(exit code, output) of a command whose output the user sees."""
+    """(exit code, output without colours) of a command."""
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
-    return done.returncode, done.stdout
+    return done.returncode, COLOUR.sub("", done.stdout)
 
 
 class Analysis:
@@ -38,7 +39,7 @@ class Analysis:
         self.source = source
         self.build = build
         self.failed = []
-        self.units = [entry for entry in json.loads((build / "compile_commands.json").read_text())]
+        self.units = json.loads((build / "compile_commands.json").read_text())
 
     def fail(self, what, output=""):
         print(output, end="" if output.endswith("\n") else "\n")
@@ -51,7 +52,7 @@ class Analysis:
         return sorted({unit["file"] for unit in self.units if unit["file"].startswith(tuple(roots))})
 
     def check_format(self):
-        files = [p for p in files_in(self.source, FORMATTED, (".hpp", ".cpp"))]
+        files = files_in(self.source, FORMATTED, (".hpp", ".cpp"))
         say(f"clang-format: {len(files)} files")
         code, output = run(["clang-format", "--dry-run", "-Werror", *map(str, files)])
         if code != 0:

@@ -99,12 +99,16 @@ def check_port_arrows(root):
     return findings
 
 
-def unscaled_literals(line):
-    """Literals of type double: those outside Scalar(...) and without suffix, where no double is meant."""
-    if re.search(r"\bdouble\b", line):
-        return []
-    bare = re.sub(r"\bScalar\([^()]*\)", "", line)
-    return FLOAT_LITERAL.findall(bare)
+def double_literals(code):
+    """(line, literal) of literals of type double: without suffix, outside Scalar(...), in statements that do not
+    speak of double."""
+    line = 1
+    for statement in re.split(r"(;|\)\s*(?:const\s*)?\{)", code):
+        if not re.search(r"\bdouble\b", statement):
+            bare = re.sub(r"\bScalar\([^()]*\)", lambda m: "\n" * m.group(0).count("\n"), statement)
+            for match in FLOAT_LITERAL.finditer(bare):
+                yield line + bare[:match.start()].count("\n"), match.group(0)
+        line += statement.count("\n")
 
 
 def check_words(root):
@@ -120,14 +124,14 @@ def check_words(root):
         if path.suffix == ".hpp" and "#pragma once" not in lines[1:2]:
             findings.append(f"{where}:2: is not #pragma once")
         conditional = "/".join(path.parts[-2:]) in PREPROCESSOR_FILES
-        for number, line in enumerate(code_only(text).splitlines(), 1):
+        code = code_only(text)
+        findings += [f"{where}:{number}: double literal: {literal}" for number, literal in double_literals(code)]
+        for number, line in enumerate(code.splitlines(), 1):
             if DEVIATION.search(lines[number - 1]):
                 continue
             for what, pattern in FORBIDDEN:
                 for word in re.findall(pattern, line):
                     findings.append(f"{where}:{number}: {what}: {word.strip()}")
-            for literal in unscaled_literals(line):
-                findings.append(f"{where}:{number}: double literal: {literal}")
             if not conditional and re.match(r"\s*#\s*(?:if|ifdef|ifndef)\b", line):
                 findings.append(f"{where}:{number}: preprocessor condition")
     return findings

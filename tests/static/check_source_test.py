@@ -71,7 +71,7 @@ class Words(Tree):
                  '#include <new>\n// A new idea: throw nothing, 0.5 of it.\n/* malloc\n 1.5 */\n'
                  'struct A { A(const A&) = delete; };\nconstexpr float kHalf = 0.5F;\n'
                  'static_assert(true, "a new 1.5");\nconst Scalar half = Scalar(0.5) * Scalar(-1e-3);\n'
-                 'constexpr double kThird = 0.25;\nint big = 1\'000;\nfloat x = a1.x + v3.y;\n')
+                 'constexpr double kThird = 0.25;\nstd::array<double, 2> kTable = {0.5,\n  0.25};\nint big = 1\'000;\nfloat x = a1.x + v3.y;\n')
         self.assert_found(self.check())
 
     def test_forbidden_words_are_found(self):

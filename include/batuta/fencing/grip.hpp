@@ -15,6 +15,7 @@ struct GripSettings {
   Scalar max_regain = Scalar(0.4);      ///< s, >= min_regain; longest
   Scalar recover_speed = Scalar(2);     ///< m/s, > 0: a blade that a blow finds away from the hand is not fetched faster
   Scalar recover_time = Scalar(0.05);   ///< s, > 0: time constant in which a blade that was pushed away returns
+  Scalar lever = Scalar(0.5);           ///< m, > 0: a turn of 1 rad counts as a lag of this length
 };
 
 /// @returns kOk | kInvalidArgument: an option is not positive and finite, or max_regain < min_regain
@@ -27,12 +28,13 @@ Status validate(const GripSettings<Scalar>& settings);
 template <class Scalar>
 Scalar regain_time(const GripSettings<Scalar>& settings, Scalar impulse, Scalar lag);
 
-/// [Kavan eq. 32]: between the free flight P and the hand H. fraction 0: P(t); 1: H, to the last bit.
-/// The turn is taken back along the way on which the flight made it, so that it does not jump however far a blade turns.
+/// [Kavan eq. 32]: between the free flight P and the hand H. Parameter 0: P; 1: H, to the last bit. The weight of H is
+/// s^2 (3 - 2 s), so that also the velocity is that of P at t_a and that of H at t_b. The turn is taken back along the
+/// way on which the flight made it: it does not jump however far a blade turns.
 /// @param flight  from t_a on; @param elapsed  t - t_a, s, >= 0
-/// @pre 0 <= fraction <= 1
+/// @param parameter  s = (t - t_a) / (t_b - t_a), in [0, 1]
 template <class Scalar>
-Pose<Scalar> caught(const Motion<Scalar>& flight, Scalar elapsed, const Pose<Scalar>& hand, Scalar fraction);
+Pose<Scalar> caught(const Motion<Scalar>& flight, Scalar elapsed, const Pose<Scalar>& hand, Scalar parameter);
 
 enum class GripPhase : std::uint8_t {
   kHeld,       ///< the blade follows the hand

@@ -30,12 +30,9 @@ struct KeyedPose {
 template <class Scalar>
 Twist<Scalar> hand_twist(const StickJacobian<Scalar>& jacobian, const Vec2<Scalar>& stick_rate);
 
-/// A key as the surface wants it.
+/// A key as the surface wants it: rows 0-2 the place in W, m; rows 3-5 the turn log(q_ref^-1 q), rad.
 template <class Scalar>
-struct KeyPoint {
-  Vec3<Scalar> p_W = Vec3<Scalar>::Zero();
-  Vec3<Scalar> turn = Vec3<Scalar>::Zero();  ///< log(q_ref^-1 q), rad
-};
+using KeyPoint = Eigen::Matrix<Scalar, 6, 1>;
 
 /// A grid of any size: what the kernels work on. Keys row by row: index = column + columns * row; column 0 is x = -1 (left),
 /// row 0 is y = -1 (back).
@@ -74,7 +71,7 @@ class KeyframeGrid {
   /// @returns kOk | kInvalidArgument (see relate_keys(); the grid stays as it was)
   Status set_keys(const Keys& keys_WH) {
     const Quat<Scalar> q_ref = renewed(keys_WH[kCentre].q_WB);
-    std::array<KeyPoint<Scalar>, kKeys> points;
+    std::array<KeyPoint<Scalar>, kKeys> points{};
     const Status status = relate_keys(keys_WH.data(), q_ref, points.data(), static_cast<int>(kKeys));
     if (status != Status::kOk) return status;
     points_ = points;

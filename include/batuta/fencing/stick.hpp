@@ -17,14 +17,14 @@ struct StickSettings {
   float max_speed = 16;
 };
 
-/// @returns kOk | kInvalidArgument
+/// @returns kOk | kInvalidArgument: out of range, or a full movement at max_speed would last beyond stale_after_us
 Status validate(const StickSettings& settings);
 
 /// What became of a sample.
 enum class SampleUse : std::uint8_t {
   kUsed,      ///< the stick is on its way to it
   kRestart,   ///< the same, but its time says nothing: it is the first one, or the first after a silence
-  kRepeated,  ///< refused: the time stamp of the last one
+  kRepeated,  ///< the time stamp of the last one: the goal is corrected, the timing stays
   kBackward,  ///< refused: older than the last one
   kInvalid,   ///< refused: a coordinate is not finite
 };
@@ -65,7 +65,8 @@ class StickTracker {
 
  private:
   SampleUse judge(const InputSample& sample) const;
-  void aim(const InputSample& sample, std::int32_t interval_us);
+  std::uint32_t gap_before(const InputSample& sample) const;
+  void aim(const InputSample& sample, Scalar duration);
 
   StickSettings settings_;
   StickReport report_;
@@ -76,6 +77,7 @@ class StickTracker {
   Scalar remaining_ = 0;  ///< time to the goal, s
   Scalar silence_ = 0;    ///< since the last used sample, s; grows no further than the limit
   bool stale_ = true;
+  bool started_ = false;  ///< there is a last one
 };
 
 }  // namespace batuta

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "batuta/fencing/keyframes.hpp"
+
+namespace batuta {
+namespace {
+
+constexpr int kTaps = 4;  ///< keys that a cubic sees along one coordinate
+
+/// How much each of four neighbouring keys counts along one coordinate, and how fast that changes with the stick.
+template <class Scalar>
+struct Taps {
+  std::array<int, kTaps> index{};
+  std::array<Scalar, kTaps> weight{};
+  std::array<Scalar, kTaps> rate{};
+};
+
+/// The cubic on [0, 1] by its values f0, f1 and slopes m0, m1; factored so that both ends are exact.
+template <class Scalar>
+struct Hermite {
+  Scalar f0;
+  Scalar m0;
+  Scalar f1;
+  Scalar m1;
+};
+
+template <class Scalar>
+Hermite<Scalar> hermite_value(Scalar u) {
+  const Scalar v = Scalar(1) - u;
+  return {(Scalar(1) + Scalar(2) * u) * v * v, u * v * v, u * u * (Scalar(3) - Scalar(2) * u),
+          -(u * u * v)};
+}
+
+template <class Scalar>
+Hermite<Scalar> hermite_rate(Scalar u) {
+  const Scalar v = Scalar(1) - u;
+  return {Scalar(-6) * u * v, v * (Scalar(1) - Scalar(3) * u), Scalar(6) * u * v,
+          u * (Scalar(3) * u - Scalar(2))};
+}
+
+/// The slopes of a cell in terms of its keys and their neighbours: central inside, that of the parabola through three
+/// keys at the rim, the chord where there are only two.
+template <class Scalar>
+struct Slopes {
+  std::array<Scalar, kTaps> m0;
+  std::array<Scalar, kTaps> m1;
+};
+
+template <class Scalar>
+Slopes<Scalar> slopes_of(int cell, int count) {
+  const Scalar half = Scalar(0.5);
+  const Scalar three_halves = Scalar(1.5);
+  if (count == 2) return {{0, -1, 1, 0}, {0, -1, 1, 0}};
+  Slopes<Scalar> slopes{{-half, 0, half, 0}, {0, -half, 0, half}};
+  if (cell == 0) slopes.m0 = {0, -three_halves, 2, -half};
+  if (cell == count - 2) slopes.m1 = {half, -2, three_halves, 0};
+  return slopes;
+}
+
+template <class Scalar>
+std::array<Scalar, kTaps> taps_for(const Hermite<Scalar>& h, const Slopes<Scalar>& slopes,
+                                   Scalar scale) {
+  std::array<Scalar, kTaps> taps{};
+  for (std::size_t k = 0; k < taps.size(); ++k) {  // Bound: kTaps
+    taps[k] = scale * (h.m0 * slopes.m0[k] + h.m1 * slopes.m1[k]);
+  }
+  taps[1] += scale * h.f0;
+  taps[2] += scale * h.f1;
+  return taps;
+}
+
+template <class Scalar>
+Taps<Scalar> taps_at(Scalar stick, int count) {
+  const Scalar cells_per_unit = static_cast<Scalar>(count - 1) / Scalar(2);
+  const Scalar inside = clamp(stick, Scalar(-1), Scalar(1));
+  const Scalar place = (inside + Scalar(1)) * cells_per_unit;
+  const int cell = min_of(static_cast<int>(place), count - 2);
+  const Scalar u = min_of(place - static_cast<Scalar>(cell), Scalar(1));
+
+  Taps<Scalar> taps;
+  const Slopes<Scalar> slopes = slopes_of<Scalar>(cell, count);
+  taps.weight = taps_for(hermite_value(u), slopes, Scalar(1));
+  const Scalar rate = inside == stick ? cells_per_unit : Scalar(0);
+  taps.rate = taps_for(hermite_rate(u), slopes, rate);
+  for (int k = 0; k < kTaps; ++k) {  // Bound: kTaps
+    taps.index[static_cast<std::size_t>(k)] = clamp(cell - 1 + k, 0, count - 1);
+  }
+  return taps;
+}
+
+/// The surface through the key points and its two partial derivatives.
+template <class Scalar>
+struct Surface {
+  KeyPoint<Scalar> value = KeyPoint<Scalar>::Zero();
+  StickJacobian<Scalar> rate = StickJacobian<Scalar>::Zero();
+};
+
+template <class Scalar>
+Surface<Scalar> surface_at(const KeyGridView<Scalar>& grid, const Vec2<Scalar>& stick) {
+  const Taps<Scalar> x = taps_at(stick.x(), grid.columns);
+  const Taps<Scalar> y = taps_at(stick.y(), grid.rows);
+  Surface<Scalar> surface;
+  for (std::size_t j = 0; j < y.index.size(); ++j) {  // Bound: kTaps
+    KeyPoint<Scalar> row = KeyPoint<Scalar>::Zero();
+    KeyPoint<Scalar> row_rate = KeyPoint<Scalar>::Zero();
+    const KeyPoint<Scalar>* keys = grid.keys + y.index[j] * grid.columns;
+    for (std::size_t i = 0; i < x.index.size(); ++i) {  // Bound: kTaps
+      row += x.weight[i] * keys[x.index[i]];
+      row_rate += x.rate[i] * keys[x.index[i]];
+    }
+    surface.value += y.weight[j] * row;
+    surface.rate.col(0) += y.weight[j] * row_rate;
+    surface.rate.col(1) += y.rate[j] * row;
+  }
+  return surface;
+}
+
+}  // namespace
+
+template <class Scalar>
+Twist<Scalar> hand_twist(const StickJacobian<Scalar>& jacobian, const Vec2<Scalar>& stick_rate) {
+  const KeyPoint<Scalar> rate = jacobian * stick_rate;
+  return {rate.template head<3>(), rate.template tail<3>()};
+}
+
+template <class Scalar>
+Status relate_keys(const Pose<Scalar>* poses, const Quat<Scalar>& q_ref, KeyPoint<Scalar>* points,
+                   int count) {
+  for (int i = 0; i < count; ++i) {  // Bound: `count` keys
+    const Pose<Scalar>& key = poses[i];
+    if (!is_finite(key.p_W) || !is_finite(key.q_WB)) return Status::kInvalidArgument;
+    const Vec3<Scalar> turn = log_map<Scalar>(q_ref.conjugate() * renewed(key.q_WB));
+    if (!(turn.norm() <= kMaxKeyTurn<Scalar>)) return Status::kInvalidArgument;
+    points[i] << key.p_W, turn;
+  }
+  return Status::kOk;
+}
+
+template <class Scalar>
+KeyedPose<Scalar> pose_on(const KeyGridView<Scalar>& grid, const Vec2<Scalar>& stick) {
+  BATUTA_ASSERT(is_finite(stick) && grid.columns >= 2 && grid.rows >= 2);
+  const Surface<Scalar> surface = surface_at(grid, stick);
+  const Vec3<Scalar> turn = surface.value.template tail<3>();
+
+  KeyedPose<Scalar> answer;
+  answer.X_WH.p_W = surface.value.template head<3>();
+  answer.X_WH.q_WB = renewed<Scalar>(grid.q_ref * exp_map(turn));
+  answer.jacobian.template topRows<3>() = surface.rate.template topRows<3>();
+  answer.jacobian.template bottomRows<3>() =
+      to_matrix(grid.q_ref) * left_jacobian(turn) * surface.rate.template bottomRows<3>();
+  return answer;
+}
+
+#define BATUTA_INSTANTIATE(S)                                                              \
+  template Twist<S> hand_twist(const StickJacobian<S>&, const Vec2<S>&);                   \
+  template Status relate_keys(const Pose<S>*, const Quat<S>&, KeyPoint<S>*, int);          \
+  template KeyedPose<S> pose_on(const KeyGridView<S>&, const Vec2<S>&);
+BATUTA_INSTANTIATE(float)
+BATUTA_INSTANTIATE(double)
+#undef BATUTA_INSTANTIATE
+
+}  // namespace batuta

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "batuta/fencing/stick.hpp"
+
+namespace batuta {
+namespace {
+
+template <class Scalar>
+constexpr Scalar kSecondsPerUs = Scalar(1e-6);
+
+/// Longest way along one axis of the square.
+template <class Scalar>
+constexpr Scalar kFullMovement = Scalar(2);
+
+template <class Scalar>
+constexpr Scalar seconds(std::int32_t time_us) {
+  return static_cast<Scalar>(time_us) * kSecondsPerUs<Scalar>;
+}
+
+}  // namespace
+
+Status validate(const StickSettings& settings) {
+  const bool ordered = settings.min_interval_us > 0 &&
+                       settings.max_interval_us >= settings.min_interval_us &&
+                       settings.stale_after_us >= settings.max_interval_us;
+  const bool fast_enough =
+      is_finite(settings.max_speed) &&
+      settings.max_speed * seconds<float>(settings.stale_after_us) >= kFullMovement<float>;
+  return ordered && fast_enough ? Status::kOk : Status::kInvalidArgument;
+}
+
+template <class Scalar>
+Status StickTracker<Scalar>::configure(const StickSettings& settings) {
+  const Status status = validate(settings);
+  if (status != Status::kOk) return status;
+  *this = StickTracker();
+  settings_ = settings;
+  return Status::kOk;
+}
+
+template <class Scalar>
+SampleUse StickTracker<Scalar>::judge(const InputSample& sample) const {
+  if (!is_finite(sample.x) || !is_finite(sample.y)) return SampleUse::kInvalid;
+  if (!started_) return SampleUse::kRestart;
+  if (sample.time == last_.time) return SampleUse::kRepeated;
+  if (stale_) return SampleUse::kRestart;  // a device whose clock was set back is believed again
+  return is_later(sample.time, last_.time) ? SampleUse::kUsed : SampleUse::kBackward;
+}
+
+template <class Scalar>
+SampleUse StickTracker<Scalar>::accept(const InputSample& sample) {
+  const SampleUse use = judge(sample);
+  switch (use) {
+    case SampleUse::kInvalid:
+      ++report_.invalid;
+      return use;
+    case SampleUse::kBackward:
+      ++report_.backward;
+      return use;
+    case SampleUse::kRepeated:
+      ++report_.repeated;
+      aim(sample, max_of(remaining_, seconds<Scalar>(settings_.min_interval_us)));
+      return use;
+    case SampleUse::kRestart:
+      ++report_.restarts;
+      aim(sample, seconds<Scalar>(settings_.max_interval_us));
+      break;
+    case SampleUse::kUsed:
+      aim(sample, seconds<Scalar>(clamp(elapsed_us(last_.time, sample.time),
+                                        settings_.min_interval_us, settings_.max_interval_us)));
+      report_.lost += gap_before(sample);
+      break;
+  }
+  ++report_.used;
+  last_ = sample;
+  silence_ = 0;
+  stale_ = false;
+  started_ = true;
+  return use;
+}
+
+/// Samples between the last one and this one that never came; 0 where the numbering went back or began anew.
+template <class Scalar>
+std::uint32_t StickTracker<Scalar>::gap_before(const InputSample& sample) const {
+  const std::uint32_t advance = sample.sequence - last_.sequence;
+  const bool forward = advance != 0 && static_cast<std::int32_t>(advance) > 0;
+  return forward ? advance - 1 : 0;
+}
+
+template <class Scalar>
+void StickTracker<Scalar>::aim(const InputSample& sample, Scalar duration) {
+  const Vec2<Scalar> asked(static_cast<Scalar>(sample.x), static_cast<Scalar>(sample.y));
+  goal_ = {clamp(asked.x(), Scalar(-1), Scalar(1)), clamp(asked.y(), Scalar(-1), Scalar(1))};
+  if (goal_ != asked) ++report_.clamped;
+
+  const Vec2<Scalar> way = (goal_ - position_).cwiseAbs();
+  const Scalar shortest = max_of(way.x(), way.y()) / static_cast<Scalar>(settings_.max_speed);
+  if (shortest > duration) ++report_.slowed;
+  remaining_ = max_of(duration, shortest);
+}
+
+template <class Scalar>
+void StickTracker<Scalar>::advance(Scalar dt) {
+  BATUTA_ASSERT(is_finite(dt) && dt > Scalar(0));
+  const Vec2<Scalar> before = position_;
+  if (remaining_ > dt) {
+    position_ += (dt / remaining_) * (goal_ - position_);
+    remaining_ -= dt;
+  } else {
+    position_ = goal_;
+    remaining_ = 0;
+  }
+  velocity_ = (position_ - before) / dt;
+
+  const Scalar limit = seconds<Scalar>(settings_.stale_after_us);
+  silence_ = min_of(silence_ + dt, limit);
+  stale_ = !started_ || silence_ >= limit;
+  if (stale_) ++report_.stale_steps;
+}
+
+template class StickTracker<float>;
+template class StickTracker<double>;
+
+}  // namespace batuta
