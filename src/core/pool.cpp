@@ -28,7 +28,7 @@ bool PoolBase::is_usable(std::size_t index) const {
 
 std::size_t PoolBase::lowest_free() const {
   const std::size_t words = words_for(capacity_);
-  for (std::size_t word = 0; word < words; ++word) {                            // Bound: N / 32
+  for (std::size_t word = 0; word < words; ++word) {                         // Bound: N / 32
     for (std::uint32_t bits = ~live_[word]; bits != 0; bits &= bits - 1U) {  // Bound: 32
       const std::size_t index = word * kBitsPerWord + lowest_bit(bits);
       if (is_usable(index)) return index;

@@ -119,6 +119,7 @@ void Grip<Scalar>::on_contact(const Body<Scalar>& body, const Feedback<Scalar>& 
   const Scalar lag = offset.shift_W.norm() + settings_.lever * offset.turn_W.norm();
   regain_ = regain_time(settings_, feedback.impulse, lag);
   flight_ = free_flight(body, regain_);
+  if (!is_valid(flight_)) flight_ = still(body.X_WB, regain_);  // turns beyond what can be told
   flight_start_ = feedback.time;
   phase_ = GripPhase::kRegaining;
 }

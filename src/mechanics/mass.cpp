@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "batuta/geometry/direction.hpp"
 #include "batuta/mechanics/rotation.hpp"
 
 namespace batuta {
@@ -31,12 +32,12 @@ struct CapsuleMasses {
 
 template <class Scalar>
 RevolutionMoments<Scalar> capsule_moments(const CapsuleMasses<Scalar>& m, Scalar radius,
-                                          Scalar length) {
+                                          Scalar core) {
   const Scalar rr = radius * radius;
-  const Scalar ll = length * length;
+  const Scalar ll = core * core;
   const Scalar axial = m.cylinder * rr / 2 + m.caps * rr * 2 / 5;
   const Scalar transverse =
-      m.cylinder * (rr / 4 + ll / 12) + m.caps * (rr * 2 / 5 + radius * length * 3 / 8 + ll / 4);
+      m.cylinder * (rr / 4 + ll / 12) + m.caps * (rr * 2 / 5 + radius * core * 3 / 8 + ll / 4);
   return {axial, transverse};
 }
 
@@ -126,17 +127,17 @@ Result<MassProperties<Scalar>> solid_capsule(const Capsule<Scalar>& capsule, Sca
     return failure<MassProperties<Scalar>>(Status::kInvalidArgument);
   }
   const Vec3<Scalar> along = capsule.axis.b - capsule.axis.a;
-  const Scalar length = along.norm();
+  const Scalar core = length(along);
   const Scalar disc = density * kPi<Scalar> * capsule.radius * capsule.radius;
-  const CapsuleMasses<Scalar> masses = {disc * length, disc * capsule.radius * 4 / 3};
-  const RevolutionMoments<Scalar> moments = capsule_moments(masses, capsule.radius, length);
+  const CapsuleMasses<Scalar> masses = {disc * core, disc * capsule.radius * 4 / 3};
+  const RevolutionMoments<Scalar> moments = capsule_moments(masses, capsule.radius, core);
 
   MassProperties<Scalar> whole;
   whole.mass = masses.cylinder + masses.caps;
   whole.center_S = capsule.axis.a + along / 2;
   whole.inertia_S = moments.transverse * Mat3<Scalar>::Identity();
-  if (length > Scalar(0)) {
-    const Vec3<Scalar> e = along / length;
+  if (core > Scalar(0)) {
+    const Vec3<Scalar> e = along / core;
     whole.inertia_S += (moments.axial - moments.transverse) * (e * e.transpose());
   }
   return usable_or_invalid(whole);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "batuta/mechanics/rotation.hpp"
 
+#include "batuta/geometry/direction.hpp"
+
 namespace batuta {
 namespace {
 
@@ -23,21 +25,6 @@ template <>
 constexpr float kSeriesSquare<float> = 0x1p-4F;
 template <>
 constexpr double kSeriesSquare<double> = 0x1p-14;
-
-template <class Scalar>
-Scalar largest_size(const Vec3<Scalar>& v) {
-  return v.cwiseAbs().maxCoeff();
-}
-
-/// |v|, also where the squares of the components overflow or underflow.
-template <class Scalar>
-Scalar length(const Vec3<Scalar>& v) {
-  const Scalar square = v.squaredNorm();
-  if (square >= kLeastSafeSquare<Scalar> && square <= kMostSafeSquare<Scalar>)
-    return std::sqrt(square);
-  const Scalar size = largest_size(v);
-  return size > Scalar(0) ? size * (v / size).norm() : Scalar(0);
-}
 
 template <class Scalar>
 Quat<Scalar> with_positive_w(const Quat<Scalar>& q) {

@@ -7,7 +7,9 @@ namespace batuta {
 namespace {
 
 /// False for NaN: every comparison with it is.
-bool is_deflection(float x) { return x >= -1.0F && x <= 1.0F; }
+bool is_deflection(float x) {
+  return x >= -1.0F && x <= 1.0F;
+}
 
 }  // namespace
 

@@ -18,9 +18,9 @@ std::int32_t centre(const AxisCalibration& axis) {
 }  // namespace
 
 float deflection(const AxisCalibration& axis, std::int32_t counts) {
-  // Twice the counts, so that a centre between two counts is an integer too; 64 bits, so that nothing overflows.
-  const std::int64_t twice_off =
-      2 * std::int64_t{clamp_counts(counts, axis)} - axis.min - axis.max;
+  // Twice the counts, so that a centre between two counts is an integer too; 64 bits, so that
+  // nothing overflows.
+  const std::int64_t twice_off = 2 * std::int64_t{clamp_counts(counts, axis)} - axis.min - axis.max;
   const std::int64_t twice_flat = 2 * std::int64_t{axis.flat};
   const std::int64_t twice_half = std::int64_t{axis.max} - axis.min;
   const std::int64_t size = twice_off < 0 ? -twice_off : twice_off;

@@ -142,7 +142,7 @@ def check_deviations(root):
     listed = set(re.findall(r"^\| `([\w-]+)` \|", listed_in.read_text(), re.M)) if listed_in.is_file() else set()
     used = {}
     findings = []
-    for folder in ("include", "src", "port"):
+    for folder in ("include", "src", "port", "tests/support"):
         for path in sources(root / folder):
             for number, line in enumerate(path.read_text().splitlines(), 1):
                 where = f"{path.relative_to(root)}:{number}"

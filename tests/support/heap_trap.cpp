@@ -36,20 +36,27 @@ void count_release() {
 #include <sanitizer/allocator_interface.h>
 
 namespace {
-void on_malloc(const volatile void* /*block*/, std::size_t /*size*/) { count_allocation(); }
-void on_free(const volatile void* /*block*/) { count_release(); }
+void on_malloc(const volatile void* /*block*/, std::size_t /*size*/) {
+  count_allocation();
+}
+void on_free(const volatile void* /*block*/) {
+  count_release();
+}
 const int hooks_installed = __sanitizer_install_malloc_and_free_hooks(on_malloc, on_free);
 }  // namespace
 
 #else
 
-// The program's own definitions come before those of the C library, also for the C++ library's operator new.
+// The program's own definitions come before those of the C library, also for the C++ library's
+// operator new.
 extern "C" {
+// NOLINTBEGIN(*-reserved-identifier,cert-dcl*,readability-identifier-naming) deviation: heap-trap
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
 void* __libc_realloc(void* block, std::size_t size);
 void* __libc_memalign(std::size_t alignment, std::size_t size);
 void __libc_free(void* block);
+// NOLINTEND(*-reserved-identifier,cert-dcl*,readability-identifier-naming) deviation: heap-trap
 
 void* malloc(std::size_t size) {
   count_allocation();
@@ -91,8 +98,14 @@ HeapTrap::HeapTrap() {
   ::releases = 0;
   armed = true;
 }
-HeapTrap::~HeapTrap() { armed = false; }
-int HeapTrap::allocations() const { return ::allocations; }
-int HeapTrap::releases() const { return ::releases; }
+HeapTrap::~HeapTrap() {
+  armed = false;
+}
+int HeapTrap::allocations() const {
+  return ::allocations;
+}
+int HeapTrap::releases() const {
+  return ::releases;
+}
 
 }  // namespace batuta::test

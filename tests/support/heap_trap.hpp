@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Counts calls of the heap on the host: malloc and its kin, and with them every operator new. For tests that show
-// that something allocates nothing; link batuta_heap_trap. Works with glibc, and under the address sanitizer.
+// Counts calls of the heap on the host: malloc and its kin, and with them every operator new. For
+// tests that show that something allocates nothing; link batuta_heap_trap. Works with glibc, and
+// under the address sanitizer.
 
 namespace batuta::test {
 

@@ -13,7 +13,11 @@ namespace batuta::test {
 namespace {
 
 /// Keeps the compiler from taking an allocation away.
-void use(const void* block) { asm volatile("" : : "g"(block) : "memory"); }
+void use(const void* block) {
+  static const volatile void* volatile last = nullptr;
+  last = block;
+  (void)last;
+}
 
 struct alignas(128) Wide {
   char bytes[128];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What happens to a caller's mistake: the condition is compiled in every build, evaluated by level, and
-// its failure goes to one function that the port supplies. No text, no streams, no exceptions.
+// What happens to a caller's mistake: the condition is compiled in every build, evaluated by level,
+// and its failure goes to one function that the port supplies. No text, no streams, no exceptions.
 
 #include <cstdint>
 
@@ -28,12 +28,12 @@ constexpr std::uint32_t file_id(const char* path) {
 
 }  // namespace batuta
 
-#define BATUTA_CHECK_AT(level, condition)                                     \
-  do {                                                                        \
-    if (BATUTA_ASSERT_LEVEL >= (level) && !(condition)) {                     \
-      constexpr std::uint32_t batuta_file_id = ::batuta::file_id(__FILE__);   \
-      batuta_trap(batuta_file_id, static_cast<std::uint32_t>(__LINE__));      \
-    }                                                                         \
+#define BATUTA_CHECK_AT(level, condition)                                   \
+  do {                                                                      \
+    if (BATUTA_ASSERT_LEVEL >= (level) && !(condition)) {                   \
+      constexpr std::uint32_t batuta_file_id = ::batuta::file_id(__FILE__); \
+      batuta_trap(batuta_file_id, static_cast<std::uint32_t>(__LINE__));    \
+    }                                                                       \
   } while (false)
 
 /// A precondition of a public call.

@@ -8,7 +8,8 @@
 #endif
 
 /// Which caller mistakes end in batuta_trap().
-/// 0 none, 1 preconditions of public calls, 2 also invariants and Eigen's own checks, 3 also slow checks.
+/// 0 none, 1 preconditions of public calls, 2 also invariants and Eigen's own checks, 3 also slow
+/// checks.
 #ifndef BATUTA_ASSERT_LEVEL
 #define BATUTA_ASSERT_LEVEL 2
 #endif

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A fixed number of slots for objects of one type, named by handles that know when their object is gone.
-// The book-keeping is one body of code for all types and sizes (PoolBase); Pool adds storage and types.
-// RAM: N (sizeof(T) + 4) bytes, N / 8 for the bitmap, and a few words.
+// A fixed number of slots for objects of one type, named by handles that know when their object is
+// gone. The book-keeping is one body of code for all types and sizes (PoolBase); Pool adds storage
+// and types. RAM: N (sizeof(T) + 4) bytes, N / 8 for the bitmap, and a few words.
 
 #include <cstddef>
 #include <cstdint>
@@ -31,9 +31,9 @@ class PoolBase {
   int size() const { return size_; }
   bool empty() const { return size_ == 0; }
   int capacity() const { return capacity_; }
-  /// Slots that can still be used: N, less those retired. A slot is retired when its 2^32 - 1 generations
-  /// are used up (at a thousand objects a second in one slot, after 49 days), so that a handle never names
-  /// an object that is not its own.
+  /// Slots that can still be used: N, less those retired. A slot is retired when its 2^32 - 1
+  /// generations are used up (at a thousand objects a second in one slot, after 49 days), so that a
+  /// handle never names an object that is not its own.
   int usable_capacity() const { return capacity_ - retired_; }
 
   /// Ends all objects; their handles become stale.
@@ -60,8 +60,8 @@ class PoolBase {
   }
   /// The slot of a live object that these three parts of a handle name, else kNoIndex.
   int find(std::uint16_t index1, std::uint16_t pool, std::uint32_t generation) const;
-  /// Takes the lowest free slot into its next generation. @returns its index, or kNoIndex where none is free
-  /// Bound: N slots.
+  /// Takes the lowest free slot into its next generation. @returns its index, or kNoIndex where
+  /// none is free Bound: N slots.
   int acquire();
   /// @pre the slot is live
   void release(std::size_t index);
@@ -86,8 +86,8 @@ class PoolBase {
   std::uint16_t number_;
 };
 
-/// Up to N objects of type T. An object stays where it was made. New objects take the lowest free slot, so
-/// that the same calls give the same slots everywhere.
+/// Up to N objects of type T. An object stays where it was made. New objects take the lowest free
+/// slot, so that the same calls give the same slots everywhere.
 /// @tparam T  trivially destructible: nothing happens when an object ends
 /// @tparam N  1 ... 65535
 /// Allocates: never. ISR-safe: from one context at a time.
@@ -101,7 +101,8 @@ class Pool : public PoolBase {
   using value_type = T;
   static constexpr int kCapacity = N;
 
-  /// Walks over the live objects in the order of their slots. The object it stands on may be removed.
+  /// Walks over the live objects in the order of their slots. The object it stands on may be
+  /// removed.
   template <bool kConst>
   class Walk {
    public:
@@ -140,6 +141,7 @@ class Pool : public PoolBase {
   using const_iterator = Walk<true>;
 
   /// @param number  tells this pool's handles from those of another pool of the same T
+  // cppcheck-suppress uninitMemberVar ; deviation: pool-storage
   explicit Pool(std::uint16_t number = 0)
       : PoolBase(number, static_cast<std::uint16_t>(N), generations_, live_) {}
 
@@ -174,7 +176,9 @@ class Pool : public PoolBase {
   }
 
   /// The object's slot, for tables beside the pool; kNoIndex for a null, foreign or stale handle.
-  int index_of(Handle<T> handle) const { return find(handle.index1, handle.pool, handle.generation); }
+  int index_of(Handle<T> handle) const {
+    return find(handle.index1, handle.pool, handle.generation);
+  }
   /// The handle of the object in a slot; null where there is none.
   Handle<T> handle_at(std::size_t index) const {
     return is_live(index) ? handle_of(index) : Handle<T>{};

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How a call says that it could not do what was asked. A status is never conditional on a build setting.
+// How a call says that it could not do what was asked. A status is never conditional on a build
+// setting.
 
 #include <cstdint>
 
 namespace batuta {
 
-enum class [[nodiscard]] Status : std::uint8_t {
-  kOk,
-  kInvalidArgument,  ///< outside the stated range, or not finite; nothing was changed
-  kPoolFull,         ///< the capacity is used up; nothing was changed
-  kStaleHandle,      ///< null, foreign, or of an object that is gone; nothing was changed
-  kDegenerate,       ///< the answer is defined but arbitrary in part; the docstring says which
-  kUnavailable,      ///< nothing new, or the device is gone
+enum class [[nodiscard]] Status : std::uint8_t{
+    kOk,
+    kInvalidArgument,  ///< outside the stated range, or not finite; nothing was changed
+    kPoolFull,         ///< the capacity is used up; nothing was changed
+    kStaleHandle,      ///< null, foreign, or of an object that is gone; nothing was changed
+    kDegenerate,       ///< the answer is defined but arbitrary in part; the docstring says which
+    kUnavailable,      ///< nothing new, or the device is gone
 };
 
-/// A value and whether it may be used. The value is always a valid object: default if the status is not kOk.
+/// A value and whether it may be used. The value is always a valid object: default if the status is
+/// not kOk.
 template <class T>
 struct [[nodiscard]] Result {
   Status status = Status::kInvalidArgument;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The only header that includes Eigen: it makes sure that library and user see the same Eigen, and names
-// the few fixed-size types in use. Scalar is float on targets; double is the oracle on the host.
+// The only header that includes Eigen: it makes sure that library and user see the same Eigen, and
+// names the few fixed-size types in use. Scalar is float on targets; double is the oracle on the
+// host.
 
 #include <cfloat>
 #include <cmath>
@@ -18,7 +19,8 @@
 #error "batuta: EIGEN_MAX_STATIC_ALIGN_BYTES must be 0: layouts are the same on host and target"
 #endif
 #ifdef eigen_assert
-#error "batuta: include batuta headers before Eigen's own, so that Eigen's checks reach batuta_trap()"
+#error \
+    "batuta: include batuta headers before Eigen's own, so that Eigen's checks reach batuta_trap()"
 #endif
 #if defined(__FAST_MATH__) || __FINITE_MATH_ONLY__ || defined(__ASSOCIATIVE_MATH__) || \
     defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
@@ -26,7 +28,8 @@
 #endif
 
 #if FLT_EVAL_METHOD != 0
-#error "batuta: arithmetic must round to the type (FLT_EVAL_METHOD 0); on 32-bit x86 use -msse2 -mfpmath=sse"
+#error \
+    "batuta: arithmetic must round to the type (FLT_EVAL_METHOD 0); on 32-bit x86 use -msse2 -mfpmath=sse"
 #endif
 
 #define eigen_assert(condition) BATUTA_INVARIANT(condition)
@@ -61,7 +64,8 @@ inline constexpr Scalar kRoundOff = std::numeric_limits<Scalar>::epsilon() / 2;
 template <class Scalar>
 inline constexpr bool kIsScalar = std::is_same_v<Scalar, float> || std::is_same_v<Scalar, double>;
 
-/// Comparison forms with one meaning on every compiler, also for signed zeros and NaN: the first wins a tie.
+/// Comparison forms with one meaning on every compiler, also for signed zeros and NaN: the first
+/// wins a tie.
 template <class Scalar>
 constexpr Scalar min_of(Scalar a, Scalar b) {
   return b < a ? b : a;
@@ -83,7 +87,8 @@ constexpr bool is_finite(Scalar x) {
 template <class Derived>
 bool is_finite(const Eigen::DenseBase<Derived>& m) {
   using Scalar = typename Derived::Scalar;
-  return m.unaryExpr([](Scalar x) { return is_finite(x) ? Scalar(0) : Scalar(1); }).sum() == Scalar(0);
+  return m.unaryExpr([](Scalar x) { return is_finite(x) ? Scalar(0) : Scalar(1); }).sum() ==
+         Scalar(0);
 }
 template <class Scalar>
 bool is_finite(const Quat<Scalar>& q) {

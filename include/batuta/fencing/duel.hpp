@@ -125,9 +125,13 @@ class Duel {
   /// us since the start of the bout: exact to the step, the rest rounded.
   std::uint64_t time_us(const Moment<Scalar>& moment) const;
 
+  /// Length of a step, s; 0: not configured.
+  Scalar dt() const { return dt_; }
+
   /// The step's own report and contact events; body slot 0 is the left blade, 1 the right one.
   const WorldType& world() const { return world_; }
   const StickTracker<Scalar>& stick(Side side) const { return at(side).stick; }
+  /// @pre configured
   const Grip<Scalar>& grip(Side side) const;
   const KeyedPose<Scalar>& hand(Side side) const { return at(side).hand; }  ///< pose and Jacobian of the hand
   Capsule<Scalar> blade_W(Side side) const;
@@ -151,10 +155,12 @@ class Duel {
   Place& at(Side side) { return places_[index_of(side)]; }
   const Place& at(Side side) const { return places_[index_of(side)]; }
   Status seat(Side side, const Fencer<Scalar>& fencer);
+  Status arm(Place& place, const Fencer<Scalar>& fencer);
   void move_hand(Side side, const InputSample* sample);
   void look_for_touches();
   TouchSearch<Scalar> touch_by(Side side);
   void note(Side by, const TouchSearch<Scalar>& search);
+  bool within_window(const Moment<Scalar>& first, const Moment<Scalar>& second) const;
   void close_window();
   void add_up();
 

@@ -46,7 +46,7 @@ constexpr std::size_t index_of(Side side) { return static_cast<std::size_t>(side
 template <class Scalar>
 struct Salle {
   /// Between the origins of the two F, m: guards do not reach the opponent, blades overlap, a full lunge hits.
-  Scalar distance = Scalar(2.45);
+  Scalar distance = Scalar(2.25);
 
   Pose<Scalar> X_WF(Side side) const;
 };

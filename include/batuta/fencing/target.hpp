@@ -29,11 +29,11 @@ struct TouchSearch {
   /// Every part has been searched up to here; the end of the motion if all searches were finished. A touch found
   /// later than this may not have been the first; none found means none *up to here*.
   Scalar known_until = 0;
+  bool complete = false;              ///< known_until is the end of the motion
   std::uint16_t searches = 0;         ///< parts that the hierarchy could not rule out
   std::uint32_t evaluations = 0;
 
   bool certain() const { return found ? known_until >= t_free : complete; }
-  bool complete = false;              ///< known_until is the end of the motion
 };
 
 /// One fencer's body over one step.
@@ -63,7 +63,15 @@ class Target {
  private:
   static constexpr auto kParts = static_cast<std::size_t>(kBodyParts);
 
+  struct PartSearch {
+    SearchResult<Scalar> result;  ///< kInvalid at first
+    Vec3<Scalar> origin_W = Vec3<Scalar>::Zero();
+  };
+
   void refit();
+  PartSearch search_part(std::size_t part, const MovingCapsule<Scalar>& blade, Scalar from,
+                         const SteppingOptions<Scalar>& options) const;
+  static void take(const PartSearch& search, BodyPart part, Scalar from, TouchSearch<Scalar>& first);
 
   BodyShape<Scalar> shape_W_{};
   std::array<MovingCapsule<Scalar>, kParts> moving_{};

@@ -56,7 +56,7 @@ PointOnSegment<Scalar> closest_point(const Segment<Scalar>& segment, const Vec3<
 /// A closest pair of points of A and B [Kavan §5, the distance in eq. 31].
 /// Where a whole range of pairs is closest (parallel, side by side; within u S counts): the middle of the range.
 /// Swapping A and B, or the ends of either, gives the same points, distance and normal (turned round with A and B)
-/// bit for bit; a parameter s becomes 1 - s up to u. Identical segments have one arbitrary normal either way.
+/// bit for bit; a parameter s becomes 1 - s up to u (0 on a point). Identical segments have one arbitrary normal either way.
 /// @pre no coordinate is NaN or beyond kLargestCoordinate; any scale; zero length allowed
 /// Bound: no loop but the choice of a scale. Excess of the distance over the minimum, and error of `distance`,
 /// <= 4 u S, S the largest length in the query (src/geometry/segment.md). p_A and p_B are rounded where they lie.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Time as a port tells it: microseconds in 32 bits, wrapping after about 71.6 minutes. The core reads no clock; the
-// application in port/ reads one and hands times in.
+// Time as a port tells it: microseconds in 32 bits, wrapping after about 71.6 minutes. The core
+// reads no clock; the application in port/ reads one and hands times in.
 
 #include <cstdint>
 
@@ -10,12 +10,15 @@ namespace batuta {
 /// A time stamp, us, modulo 2^32. Only differences have a meaning.
 using Microseconds = std::uint32_t;
 
-/// Signed time from `from` to `to`, us, correct across the wrap if they are less than 2^31 us (35.8 min) apart.
+/// Signed time from `from` to `to`, us, correct across the wrap if they are less than 2^31 us (35.8
+/// min) apart.
 constexpr std::int32_t elapsed_us(Microseconds from, Microseconds to) {
   return static_cast<std::int32_t>(to - from);
 }
 
-constexpr bool is_later(Microseconds a, Microseconds b) { return elapsed_us(b, a) > 0; }
+constexpr bool is_later(Microseconds a, Microseconds b) {
+  return elapsed_us(b, a) > 0;
+}
 
 /// A monotonic clock. A port derives from it and implements do_now().
 class Clock {

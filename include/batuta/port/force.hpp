@@ -17,7 +17,8 @@ struct ForceCommand {
 class ForceDevice {
  public:
   /// Hands a command over; never blocks; the latest one wins.
-  /// @returns kOk | kInvalidArgument: not finite or outside [-1, 1], and the device was told zero instead |
+  /// @returns kOk | kInvalidArgument: not finite or outside [-1, 1], and the device was told zero
+  /// instead |
   ///   kUnavailable: the device is gone
   Status write(const ForceCommand& command);
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Motion of a two-axis device as the library wants it: whole samples, time-stamped, the latest one wins.
-// A device speaks in single axis events; a sync mark says that a consistent set is complete (the Linux input
-// stack and Zephyr do the same). A port turns events into samples with SampleBuilder and hands them out by read().
+// Motion of a two-axis device as the library wants it: whole samples, time-stamped, the latest one
+// wins. A device speaks in single axis events; a sync mark says that a consistent set is complete
+// (the Linux input stack and Zephyr do the same). A port turns events into samples with
+// SampleBuilder and hands them out by read().
 
 #include "batuta/core/status.hpp"
 #include "batuta/port/clock.hpp"
@@ -11,19 +12,22 @@ namespace batuta {
 
 /// One consistent state of the device.
 struct InputSample {
-  Microseconds time = 0;       ///< when the device was in this state
-  float x = 0;                 ///< stick position, -1 left ... 1 right
-  float y = 0;                 ///< stick position, -1 down ... 1 up
-  std::uint32_t buttons = 0;   ///< bit i: button i is pressed
-  std::uint32_t sequence = 0;  ///< counts samples of this device; a gap tells how many were overwritten unread
+  Microseconds time = 0;      ///< when the device was in this state
+  float x = 0;                ///< stick position, -1 left ... 1 right
+  float y = 0;                ///< stick position, -1 down ... 1 up
+  std::uint32_t buttons = 0;  ///< bit i: button i is pressed
+  std::uint32_t sequence =
+      0;  ///< counts samples of this device; a gap tells how many were overwritten unread
 };
 
 /// A source of samples. Validation is done once, here; a port implements do_read() only.
 class InputDevice {
  public:
   /// The latest sample that is not newer than `now`. Never blocks, never waits for the device.
-  /// @returns kOk: `sample` is new | kUnavailable: nothing new since the last call, or the device is gone; `sample`
-  ///   unchanged | kInvalidArgument: the device delivered a position that is not finite or outside [-1, 1]; unchanged
+  /// @returns kOk: `sample` is new | kUnavailable: nothing new since the last call, or the device
+  /// is gone; `sample`
+  ///   unchanged | kInvalidArgument: the device delivered a position that is not finite or outside
+  ///   [-1, 1]; unchanged
   Status read(Microseconds now, InputSample& sample);
 
  protected:
@@ -36,7 +40,8 @@ class InputDevice {
   virtual Status do_read(Microseconds now, InputSample& sample) = 0;
 };
 
-/// True where the last sample is older than `limit_us`, or appears to lie in the future by more than that.
+/// True where the last sample is older than `limit_us`, or appears to lie in the future by more
+/// than that.
 constexpr bool is_stale(const InputSample& last, Microseconds now, std::int32_t limit_us) {
   const std::int32_t age_us = elapsed_us(last.time, now);
   return age_us > limit_us || age_us < -limit_us;

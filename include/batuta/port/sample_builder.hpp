@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// From single axis events to whole samples: what every port does between its device and InputDevice::do_read().
-// A device says "x is at 812", "y moved by -3", "button 0 is down", and then "that was all of it" (the sync mark). Where
-// events were lost on the way, what came in between is a mixture of two states, and is discarded.
-// Integers up to the last division: a stick that returns to a count returns to the same bits.
+// From single axis events to whole samples: what every port does between its device and
+// InputDevice::do_read(). A device says "x is at 812", "y moved by -3", "button 0 is down", and
+// then "that was all of it" (the sync mark). Where events were lost on the way, what came in
+// between is a mixture of two states, and is discarded. Integers up to the last division: a stick
+// that returns to a count returns to the same bits.
 
 #include "batuta/port/input.hpp"
 
@@ -16,13 +17,14 @@ enum class AxisKind : std::uint8_t {
   kRelative,  ///< an event says by how much it moved; the sum is held in [min, max]
 };
 
-/// How counts of a device become a deflection. For a relative axis, min and max choose the gain: 2 / (max - min) a count.
+/// How counts of a device become a deflection. For a relative axis, min and max choose the gain: 2
+/// / (max - min) a count.
 struct AxisCalibration {
   AxisKind kind = AxisKind::kAbsolute;
-  bool reversed = false;       ///< counts grow to the left or downwards
-  std::int32_t min = -32767;   ///< counts at one rim; beyond it the axis is taken to be at the rim
-  std::int32_t max = 32767;    ///< counts at the other
-  std::int32_t flat = 0;       ///< dead zone: so many counts to either side of the centre are 0
+  bool reversed = false;      ///< counts grow to the left or downwards
+  std::int32_t min = -32767;  ///< counts at one rim; beyond it the axis is taken to be at the rim
+  std::int32_t max = 32767;   ///< counts at the other
+  std::int32_t flat = 0;      ///< dead zone: so many counts to either side of the centre are 0
 };
 
 /// min < max, and flat leaves something of the axis.
@@ -31,12 +33,14 @@ constexpr bool is_valid(const AxisCalibration& axis) {
          2 * std::int64_t{axis.flat} < std::int64_t{axis.max} - axis.min;
 }
 
-/// The deflection at `counts`: 0 in the dead zone, +-1 at the rims, linear and continuous between them.
+/// The deflection at `counts`: 0 in the dead zone, +-1 at the rims, linear and continuous between
+/// them.
 /// @pre is_valid(axis)
 /// Bound: no loop; |error| <= 1.5 units in the last place; monotone.
 float deflection(const AxisCalibration& axis, std::int32_t counts);
 
-/// Collects events and gives a sample at each sync mark. One for each device; not for several threads.
+/// Collects events and gives a sample at each sync mark. One for each device; not for several
+/// threads.
 class SampleBuilder {
  public:
   static constexpr int kMaxButtons = 32;
@@ -45,13 +49,15 @@ class SampleBuilder {
   /// @returns kOk | kInvalidArgument: !is_valid(x) or !is_valid(y); nothing changed
   Status configure(const AxisCalibration& x, const AxisCalibration& y);
 
-  /// An event: position or movement in counts, by the axis's kind. Movement beyond the rim is not remembered.
+  /// An event: position or movement in counts, by the axis's kind. Movement beyond the rim is not
+  /// remembered.
   void axis(Axis which, std::int32_t counts);
 
   /// @returns kOk | kInvalidArgument: index not in [0, kMaxButtons)
   Status button(int index, bool pressed);
 
-  /// The device or its driver lost events: discards what came since the last sync mark and what comes up to the next.
+  /// The device or its driver lost events: discards what came since the last sync mark and what
+  /// comes up to the next.
   void lost();
 
   /// The sync mark.

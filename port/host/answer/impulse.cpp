@@ -44,7 +44,7 @@ Query<Scalar> read(Source& source) {
   const Party<Scalar> B = read_party<Scalar>(source, "B");
   const Vec3<Scalar> point = vector<Scalar>(source, "p");
   const Vec3<Scalar> normal = vector<Scalar>(source, "n");
-  return {A, B, {point, normal, Scalar(0)}, number<Scalar>(source, "e")};
+  return {A, B, {point, normal.normalized(), Scalar(0)}, number<Scalar>(source, "e")};
 }
 
 template <class Scalar>

@@ -12,7 +12,8 @@
 namespace batuta::host {
 namespace {
 
-/// libevemu prints its own complaint; the program says in one line what is wrong, with the file's name.
+/// libevemu prints its own complaint; the program says in one line what is wrong, with the file's
+/// name.
 class QuietStandardError {
  public:
   QuietStandardError() : saved_(dup(STDERR_FILENO)), nowhere_(open("/dev/null", O_WRONLY)) {

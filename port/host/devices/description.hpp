@@ -30,7 +30,8 @@ class Description {
   ~Description();
 
   std::string name() const;
-  /// The range of absolute axis `code`; nothing if the device has no such axis or says that it is empty.
+  /// The range of absolute axis `code`; nothing if the device has no such axis or says that it is
+  /// empty.
   std::optional<AxisRange> range(int code) const;
 
  private:

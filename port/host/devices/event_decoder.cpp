@@ -7,7 +7,8 @@
 namespace batuta::host {
 namespace {
 
-/// Mice, sticks, pads and pens number their buttons in blocks of 16; fingers on a pad come as keys among them.
+/// Mice, sticks, pads and pens number their buttons in blocks of 16; fingers on a pad come as keys
+/// among them.
 int button_index(std::uint16_t code) {
   if (code < BTN_MISC || code > BTN_GEAR_UP) return -1;
   return code & 0x0F;

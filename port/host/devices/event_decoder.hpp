@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Events of the Linux input stack, one after the other, into samples. Serves a replay; a live device speaks the same.
+// Events of the Linux input stack, one after the other, into samples. Serves a replay; a live
+// device speaks the same.
 
 #include "batuta/core/assert.hpp"
 #include "host/devices/motion_axes.hpp"
@@ -24,8 +25,8 @@ class EventDecoder {
 
   MotionAxes axes_;
   SampleBuilder builder_;
-  int finger_ = 0;           ///< the one that the events speak of
-  int leading_finger_ = -1;  ///< the one that leads the sword: the first that moves; -1: none
+  int finger_ = 0;                ///< the one that the events speak of
+  int leading_finger_ = -1;       ///< the one that leads the sword: the first that moves; -1: none
   bool fingers_in_turn_ = false;  ///< the fingers follow each other, set apart by marks
 };
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// One line of a recording in the evemu format. libevemu's own evemu_read_event() is not used: it takes "12abc" for 12,
-// wraps values beyond 32 bits, reads "1.5" as 1 s 5 us, splits "00030" into two fields and prints by itself; a
-// recording with any of these would be replayed wrongly without a word. A test holds the two against each other.
+// One line of a recording in the evemu format. libevemu's own evemu_read_event() is not used: it
+// takes "12abc" for 12, wraps values beyond 32 bits, reads "1.5" as 1 s 5 us, splits "00030" into
+// two fields and prints by itself; a recording with any of these would be replayed wrongly without
+// a word. A test holds the two against each other.
 
 #include <cstdint>
 #include <string_view>
@@ -24,7 +25,8 @@ enum class LineKind : std::uint8_t {
   kMalformed,    ///< anything else
 };
 
-/// Reads one line without its line feed; a carriage return at its end is ignored. `event` changes for kEvent only.
+/// Reads one line without its line feed; a carriage return at its end is ignored. `event` changes
+/// for kEvent only.
 LineKind read_line(std::string_view line, DeviceEvent& event);
 
 }  // namespace batuta::host

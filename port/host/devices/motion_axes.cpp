@@ -35,7 +35,8 @@ bool moves(const std::vector<DeviceEvent>& events, const Candidate& axes) {
   });
 }
 
-/// The counts that an axis has reported; around its only one if it has not moved, so that this is the centre.
+/// The counts that an axis has reported; around its only one if it has not moved, so that this is
+/// the centre.
 AxisRange observed(const std::vector<DeviceEvent>& events, std::uint16_t code) {
   AxisRange range{std::numeric_limits<int>::max(), std::numeric_limits<int>::min(), 0};
   for (const DeviceEvent& event : events) {
@@ -61,8 +62,8 @@ AxisCalibration calibrate(AxisKind kind, const AxisRange& range, bool vertical) 
   return axis;
 }
 
-/// From the centre to the rim. A mouse with a fine grid would hit the rim with every twitch; half of its widest
-/// stroke is then the measure.
+/// From the centre to the rim. A mouse with a fine grid would hit the rim with every twitch; half
+/// of its widest stroke is then the measure.
 std::int32_t reach_of(const std::vector<DeviceEvent>& events, std::uint16_t code) {
   std::int64_t position = 0;
   std::int64_t lowest = 0;
@@ -85,8 +86,7 @@ std::int32_t reach_of(const std::vector<DeviceEvent>& events, std::uint16_t code
 }
 
 void calibrate_relative(MotionAxes& axes, const std::vector<DeviceEvent>& events) {
-  const std::int32_t reach =
-      std::max(reach_of(events, axes.code_x), reach_of(events, axes.code_y));
+  const std::int32_t reach = std::max(reach_of(events, axes.code_x), reach_of(events, axes.code_y));
   axes.x = calibrate(AxisKind::kRelative, {-reach, reach, 0}, false);
   axes.y = calibrate(AxisKind::kRelative, {-reach, reach, 0}, true);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Which two axes of a device move the sword, and what their counts mean. Mice have relative axes; sticks, tablets and
-// touch screens absolute ones; some touch devices speak of fingers only.
+// Which two axes of a device move the sword, and what their counts mean. Mice have relative axes;
+// sticks, tablets and touch screens absolute ones; some touch devices speak of fingers only.
 
 #include <optional>
 #include <string>
@@ -14,13 +14,13 @@
 namespace batuta::host {
 
 struct MotionAxes {
-  std::uint16_t type = 0;    ///< EV_REL or EV_ABS
+  std::uint16_t type = 0;  ///< EV_REL or EV_ABS
   std::uint16_t code_x = 0;
   std::uint16_t code_y = 0;
-  bool fingers = false;      ///< the codes are of one finger among several
+  bool fingers = false;  ///< the codes are of one finger among several
   AxisCalibration x;
   AxisCalibration y;
-  std::string note;          ///< what had to be guessed; one line, or empty
+  std::string note;  ///< what had to be guessed; one line, or empty
 };
 
 /// The first of relative, absolute and finger axes that moves in the events.

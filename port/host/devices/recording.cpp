@@ -87,7 +87,8 @@ Recording decode(const Lines& lines, const MotionAxes& axes) {
   EventDecoder decoder(axes);
   const std::int64_t start_us = lines.events.front().time_us;
   for (const DeviceEvent& event : lines.events) {
-    const auto time = static_cast<Microseconds>(event.time_us - start_us);  // modulo 2^32, as agreed
+    const auto time =
+        static_cast<Microseconds>(event.time_us - start_us);  // modulo 2^32, as agreed
     const Result<InputSample> sample = decoder.decode(event, time);
     if (sample.ok()) recording.samples.push_back(sample.value);
   }
@@ -97,7 +98,9 @@ Recording decode(const Lines& lines, const MotionAxes& axes) {
   return recording;
 }
 
-LoadedRecording refuse(const std::string& error) { return {{}, error}; }
+LoadedRecording refuse(const std::string& error) {
+  return {{}, error};
+}
 
 bool read_file(const std::filesystem::path& path, std::string& text) {
   std::error_code error;
@@ -107,7 +110,8 @@ bool read_file(const std::filesystem::path& path, std::string& text) {
   return file.good() || file.eof();
 }
 
-/// "a.b.events" is described by "a.b.desc", and where several recordings share a description by "a.desc".
+/// "a.b.events" is described by "a.b.desc", and where several recordings share a description by
+/// "a.desc".
 std::string description_beside(std::filesystem::path path) {
   std::string text;
   while (path.has_extension()) {  // Bound: the dots in the name

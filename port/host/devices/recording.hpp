@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A recorded device in the evemu format, turned into samples: all of it before the first one is used.
+// A recorded device in the evemu format, turned into samples: all of it before the first one is
+// used.
 
 #include <string>
 #include <string_view>
@@ -23,7 +24,8 @@ struct LoadedRecording {
   std::string error;  ///< one line; empty: the recording may be used
 };
 
-/// Reads a file and, where the file holds no device description, the one beside it (.desc, .device or .prop).
+/// Reads a file and, where the file holds no device description, the one beside it (.desc, .device
+/// or .prop).
 LoadedRecording load_recording(const std::string& path);
 
 /// The same from memory.

@@ -46,7 +46,9 @@ constexpr std::array<Script, 3> kScripts = {{
 }};
 
 /// 0 ... 1 with no slope at either end.
-float eased(float share) { return share * share * (3.0F - 2.0F * share); }
+float eased(float share) {
+  return share * share * (3.0F - 2.0F * share);
+}
 
 /// Where the script is at `phase_ms` of its circle.
 void place(const Script& script, std::uint32_t phase_ms, InputSample& sample) {
@@ -54,8 +56,7 @@ void place(const Script& script, std::uint32_t phase_ms, InputSample& sample) {
   for (std::size_t i = 0; i < script.count; ++i) {  // Bound: the moves of the script
     const ScriptMove* to = &script.moves[i];
     if (phase_ms < to->duration_ms) {
-      const float share =
-          eased(static_cast<float>(phase_ms) / static_cast<float>(to->duration_ms));
+      const float share = eased(static_cast<float>(phase_ms) / static_cast<float>(to->duration_ms));
       sample.x = from->x + (to->x - from->x) * share;
       sample.y = from->y + (to->y - from->y) * share;
       return;
@@ -78,13 +79,18 @@ ScriptDevice::ScriptDevice(const Script& script) : script_(script) {
   for (std::size_t i = 0; i < script.count; ++i) length_ms_ += script.moves[i].duration_ms;
 }
 
-std::string ScriptDevice::description() const { return "script " + std::string(script_.name); }
+std::string ScriptDevice::description() const {
+  return "script " + std::string(script_.name);
+}
 
-double ScriptDevice::duration() const { return std::numeric_limits<double>::infinity(); }
+double ScriptDevice::duration() const {
+  return std::numeric_limits<double>::infinity();
+}
 
 Status ScriptDevice::do_read(Microseconds now, InputSample& sample) {
   const std::int32_t since_us = elapsed_us(latest_.time, now);
-  const std::uint32_t periods = since_us < 0 ? 0 : static_cast<std::uint32_t>(since_us) / kPeriod_us;
+  const std::uint32_t periods =
+      since_us < 0 ? 0 : static_cast<std::uint32_t>(since_us) / kPeriod_us;
   if (started_ && periods == 0) return Status::kUnavailable;
   latest_.time += periods * kPeriod_us;
   latest_.sequence += periods;

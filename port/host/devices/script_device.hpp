@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Simple opponents: a fencer whose stick follows a fixed pattern, smoothly, 1000 samples a second, always the same.
+// Simple opponents: a fencer whose stick follows a fixed pattern, smoothly, 1000 samples a second,
+// always the same.
 
 #include <cstddef>
 #include <optional>
@@ -24,7 +25,8 @@ struct Script {
   std::size_t count;  ///< > 0
 };
 
-/// guard: waits in guard, breathing. parry: sweeps the blade aside on a rhythm. attack: feints, then lunges.
+/// guard: waits in guard, breathing. parry: sweeps the blade aside on a rhythm. attack: feints,
+/// then lunges.
 std::optional<Script> script_named(std::string_view name);
 
 /// Plays a script from now = 0, for ever.
@@ -42,8 +44,8 @@ class ScriptDevice final : public Source {
   Status do_read(Microseconds now, InputSample& sample) override;
 
   Script script_;
-  std::uint32_t length_ms_ = 0;     ///< of the circle
-  std::uint32_t phase_ms_ = 0;      ///< of the latest sample, in the circle
+  std::uint32_t length_ms_ = 0;  ///< of the circle
+  std::uint32_t phase_ms_ = 0;   ///< of the latest sample, in the circle
   InputSample latest_;
   bool started_ = false;
 };

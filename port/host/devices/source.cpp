@@ -15,7 +15,9 @@ namespace {
 constexpr const char* kKnown =
     "a recording (.events, .evemu), default, or script:guard|parry|attack";
 
-OpenedSource refuse(const std::string& error) { return {nullptr, error, {}}; }
+OpenedSource refuse(const std::string& error) {
+  return {nullptr, error, {}};
+}
 
 bool starts_with(const std::string& words, const std::string& beginning) {
   return words.compare(0, beginning.size(), beginning) == 0;

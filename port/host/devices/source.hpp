@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Where a fencer's motion comes from, by the words of the command line. A new kind of device is one more line here.
+// Where a fencer's motion comes from, by the words of the command line. A new kind of device is one
+// more line here.
 
 #include <memory>
 #include <string>
@@ -28,7 +29,7 @@ class Source : public InputDevice {
 struct OpenedSource {
   std::unique_ptr<Source> source;  ///< null if it could not be opened
   std::string error;               ///< why not, in one line
-  std::string note;                ///< what a user should know although it was opened; one line, or empty
+  std::string note;  ///< what a user should know although it was opened; one line, or empty
 };
 
 /// SOURCE: "default", "script:guard|parry|attack", or the path of a recording.

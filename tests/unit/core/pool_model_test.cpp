@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A pool against a model of it: a map from slots to what lives there, and every handle ever given out.
+// A pool against a model of it: a map from slots to what lives there, and every handle ever given
+// out.
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -51,8 +52,7 @@ void remove(Model& model, std::size_t pick) {
   if (model.given_out.empty()) return;
   auto& named = model.given_out[pick % model.given_out.size()];
   const int index = model.pool.index_of(named.handle);
-  RC_ASSERT(model.pool.remove(named.handle) ==
-            (named.alive ? Status::kOk : Status::kStaleHandle));
+  RC_ASSERT(model.pool.remove(named.handle) == (named.alive ? Status::kOk : Status::kStaleHandle));
   if (named.alive) model.objects.erase(static_cast<std::size_t>(index));
   named.alive = false;
 }

@@ -35,8 +35,10 @@ struct Pair {
   float second;
 };
 
-static_assert(!std::is_copy_constructible_v<Pool<int, 4>> && !std::is_copy_assignable_v<Pool<int, 4>>);
-static_assert(!std::is_move_constructible_v<Pool<int, 4>> && !std::is_move_assignable_v<Pool<int, 4>>);
+static_assert(!std::is_copy_constructible_v<Pool<int, 4>> &&
+              !std::is_copy_assignable_v<Pool<int, 4>>);
+static_assert(!std::is_move_constructible_v<Pool<int, 4>> &&
+              !std::is_move_assignable_v<Pool<int, 4>>);
 static_assert(std::is_trivially_destructible_v<Pool<int, 4>>);
 
 template <class PoolType>

@@ -24,7 +24,9 @@ TEST(Result, Failure_HoldsADefaultValue) {
   EXPECT_EQ(result.value, 0);
 }
 
-TEST(Result, Untouched_IsNotOk) { EXPECT_FALSE(Result<int>{}.ok()); }
+TEST(Result, Untouched_IsNotOk) {
+  EXPECT_FALSE(Result<int>{}.ok());
+}
 
 TEST(Handle, Default_IsNull) {
   EXPECT_TRUE(Handle<int>{}.is_null());

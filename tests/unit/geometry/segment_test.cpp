@@ -17,12 +17,9 @@ namespace {
 template <class Scalar>
 class SegmentTest : public testing::Test {
  protected:
-  using V = Vec3<Scalar>;
-  using S = Segment<Scalar>;
-
   struct Case {
     std::string name;
-    S A, B;
+    Segment<Scalar> A, B;
     double distance;
     double s, u;  // negative: not looked at
   };
@@ -35,8 +32,10 @@ class SegmentTest : public testing::Test {
     EXPECT_NEAR(x.distance, c.distance, tolerance);
     EXPECT_NEAR(x.normal_AB.norm(), 1, 4 * kRoundOff<Scalar>);
     EXPECT_LE(static_cast<double>(exact::distance_at(c.A, c.B, x.s, x.u)), c.distance + tolerance);
-    if (c.s >= 0) EXPECT_NEAR(x.s, c.s, 8 * kRoundOff<Scalar>);
-    if (c.u >= 0) EXPECT_NEAR(x.u, c.u, 8 * kRoundOff<Scalar>);
+    if (c.s >= 0) {
+      EXPECT_NEAR(x.s, c.s, 8 * kRoundOff<Scalar>);
+      EXPECT_NEAR(x.u, c.u, 8 * kRoundOff<Scalar>);
+    }
     EXPECT_EQ(x.p_A, c.A.at(x.s));
     EXPECT_EQ(x.p_B, c.B.at(x.u));
   }
@@ -53,8 +52,8 @@ TYPED_TEST(SegmentTest, At_IsExactAtBothEnds) {
 }
 
 TYPED_TEST(SegmentTest, ClosedForms_AllRegions) {
-  using Case = typename TestFixture::Case;
-  const std::vector<Case> cases = {
+  using Query = typename TestFixture::Case;
+  const std::vector<Query> cases = {
       {"interior-interior", {{-1, 0, 0}, {1, 0, 0}}, {{0, -2, 3}, {0, 2, 3}}, 3, 0.5, 0.5},
       {"end-interior", {{2, 0, 0}, {5, 0, 0}}, {{0, -1, 0}, {0, 3, 0}}, 2, 0, 0.25},
       {"interior-end", {{0, -1, 0}, {0, 3, 0}}, {{2, 0, 0}, {5, 0, 0}}, 2, 0.25, 0},
@@ -69,12 +68,12 @@ TYPED_TEST(SegmentTest, ClosedForms_AllRegions) {
       {"point and segment", {{1, 2, 0}, {1, 2, 0}}, {{0, 0, 0}, {4, 0, 0}}, 2, 0, 0.25},
       {"two points", {{0, 0, 0}, {0, 0, 0}}, {{2, 3, 6}, {2, 3, 6}}, 7, 0, 0},
   };
-  for (const Case& c : cases) this->check(c);
+  for (const Query& c : cases) this->check(c);
 }
 
 TYPED_TEST(SegmentTest, ParallelSideBySide_GivesTheMiddleOfTheOverlap) {
-  using Case = typename TestFixture::Case;
-  const std::vector<Case> cases = {
+  using Query = typename TestFixture::Case;
+  const std::vector<Query> cases = {
       {"whole", {{0, 0, 0}, {4, 0, 0}}, {{0, 1, 0}, {4, 1, 0}}, 1, 0.5, 0.5},
       {"opposite ways", {{0, 0, 0}, {4, 0, 0}}, {{4, 1, 0}, {0, 1, 0}}, 1, 0.5, 0.5},
       {"half", {{0, 0, 0}, {4, 0, 0}}, {{2, 1, 0}, {6, 1, 0}}, 1, 0.75, 0.25},
@@ -84,12 +83,12 @@ TYPED_TEST(SegmentTest, ParallelSideBySide_GivesTheMiddleOfTheOverlap) {
       {"uneven", {{1, 2, 0}, {1, -2, 0}}, {{-1, 2, 0}, {-1, -2, 0}}, 2, 0.5, 0.5},
       {"the same", {{1, 2, 3}, {3, 4, 5}}, {{1, 2, 3}, {3, 4, 5}}, 0, 0.5, 0.5},
   };
-  for (const Case& c : cases) this->check(c);
+  for (const Query& c : cases) this->check(c);
 }
 
 TYPED_TEST(SegmentTest, PublishedTroublePairs_AreSolved) {
   using Scalar = TypeParam;
-  using Case = typename TestFixture::Case;
+  using Query = typename TestFixture::Case;
   const auto p = [](double x, double y, double z) {
     return Vec3<Scalar>(Vec3<double>(x, y, z).cast<Scalar>());
   };
@@ -99,14 +98,14 @@ TYPED_TEST(SegmentTest, PublishedTroublePairs_AreSolved) {
   const Segment<Scalar> A1{p(0.012711, -0.000688, -0.001097), p(0.012895, -0.000686, -0.001133)};
   const Segment<Scalar> B1{p(0.012676, -0.000689, -0.000999), p(0.012859, -0.000687, -0.001034)};
   EXPECT_NEAR(truth(A1, B1), 8.96815e-5, 2e-9);
-  this->check(Case{"yarn", A1, B1, truth(A1, B1), -1, -1});
+  this->check(Query{"yarn", A1, B1, truth(A1, B1), -1, -1});
   const Segment<Scalar> A2{p(2.2352092822407803, -1.7068004885705972, 0),
                            p(1.4357507764403734, -4.4188128129047435, 0)};
   const Segment<Scalar> B2{p(1.8515323877379666, -1.5936985848524166, 0),
                            p(1.2171034035398707, -3.7458793566829809, 0)};
   EXPECT_NEAR(truth(A2, B2), 0.4, 1e-6);
-  this->check(Case{"nearly parallel", A2, B2, truth(A2, B2), -1, -1});
-  this->check(Case{"parallel", {{1, 2, 0}, {1, -2, 0}}, {{-1, 2, 0}, {-1, -2, 0}}, 2, 0.5, 0.5});
+  this->check(Query{"nearly parallel", A2, B2, truth(A2, B2), -1, -1});
+  this->check(Query{"parallel", {{1, 2, 0}, {1, -2, 0}}, {{-1, 2, 0}, {-1, -2, 0}}, 2, 0.5, 0.5});
 }
 
 TYPED_TEST(SegmentTest, Normal_PointsFromAToB) {

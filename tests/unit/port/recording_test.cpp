@@ -54,8 +54,8 @@ TEST(Recording, RelativeWithFineGrid_HalfTheWidestStrokeReachesTheRim) {
 TEST(Recording, RelativeLongDrift_IsNoStroke) {
   std::string text;
   for (int second = 0; second < 100; ++second) {
-    text += "E: " + std::to_string(2 * second) + ".000000 0002 0000 100\nE: " +
-            std::to_string(2 * second) + ".000000 0000 0000 0\n";
+    text += "E: " + std::to_string(2 * second) +
+            ".000000 0002 0000 100\nE: " + std::to_string(2 * second) + ".000000 0000 0000 0\n";
   }
   EXPECT_FLOAT_EQ(good(text).samples[0].x, 0.25F);
 }
@@ -119,14 +119,14 @@ const std::string kPad =
     "A: 2f 0 9 0 0 0\nA: 35 0 1000 0 0 0\nA: 36 0 1000 0 0 0\nA: 39 0 65535 0 0 0\n";
 
 TEST(Recording, Fingers_TheFirstOneLeads_UntilItIsLifted) {
-  const Recording recording = good(
-      kPad +
-      "E: 0.000000 0003 002f 0009\nE: 0.000000 0003 0039 0040\nE: 0.000000 0003 0035 0750\n"
-      "E: 0.000000 0003 0036 0500\nE: 0.000000 0000 0000 0000\n"
-      "E: 0.100000 0003 002f 0001\nE: 0.100000 0003 0039 0041\nE: 0.100000 0003 0035 0000\n"
-      "E: 0.100000 0000 0000 0000\n"
-      "E: 0.200000 0003 002f 0009\nE: 0.200000 0003 0039 -001\nE: 0.200000 0003 002f 0001\n"
-      "E: 0.200000 0003 0035 0250\nE: 0.200000 0000 0000 0000\n");
+  const Recording recording =
+      good(kPad +
+           "E: 0.000000 0003 002f 0009\nE: 0.000000 0003 0039 0040\nE: 0.000000 0003 0035 0750\n"
+           "E: 0.000000 0003 0036 0500\nE: 0.000000 0000 0000 0000\n"
+           "E: 0.100000 0003 002f 0001\nE: 0.100000 0003 0039 0041\nE: 0.100000 0003 0035 0000\n"
+           "E: 0.100000 0000 0000 0000\n"
+           "E: 0.200000 0003 002f 0009\nE: 0.200000 0003 0039 -001\nE: 0.200000 0003 002f 0001\n"
+           "E: 0.200000 0003 0035 0250\nE: 0.200000 0000 0000 0000\n");
   ASSERT_EQ(recording.samples.size(), 3U);
   EXPECT_FLOAT_EQ(recording.samples[0].x, 0.5F);
   EXPECT_FLOAT_EQ(recording.samples[1].x, 0.5F);
@@ -134,12 +134,12 @@ TEST(Recording, Fingers_TheFirstOneLeads_UntilItIsLifted) {
 }
 
 TEST(Recording, FingersInTurn_TheFirstOfEachFrameLeads) {
-  const Recording recording = good(
-      kPad +
-      "E: 0.000000 0003 0035 0750\nE: 0.000000 0000 0002 0\nE: 0.000000 0003 0035 0100\n"
-      "E: 0.000000 0000 0002 0\nE: 0.000000 0000 0000 0\n"
-      "E: 0.100000 0003 0035 0250\nE: 0.100000 0000 0002 0\nE: 0.100000 0003 0035 0900\n"
-      "E: 0.100000 0000 0002 0\nE: 0.100000 0000 0000 0\n");
+  const Recording recording =
+      good(kPad +
+           "E: 0.000000 0003 0035 0750\nE: 0.000000 0000 0002 0\nE: 0.000000 0003 0035 0100\n"
+           "E: 0.000000 0000 0002 0\nE: 0.000000 0000 0000 0\n"
+           "E: 0.100000 0003 0035 0250\nE: 0.100000 0000 0002 0\nE: 0.100000 0003 0035 0900\n"
+           "E: 0.100000 0000 0002 0\nE: 0.100000 0000 0000 0\n");
   ASSERT_EQ(recording.samples.size(), 2U);
   EXPECT_FLOAT_EQ(recording.samples[0].x, 0.5F);
   EXPECT_FLOAT_EQ(recording.samples[1].x, -0.5F);
@@ -208,7 +208,8 @@ TEST(Recording, BrokenDescription_IsAnError) {
 }
 
 TEST(LoadRecording, DescriptionBesideTheFile_IsFound) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "batuta_recording_test";
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / "batuta_recording_test";
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "stick.circle.events") << kStickEvents;
   std::ofstream(folder / "stick.desc") << kStick;
@@ -230,8 +231,8 @@ struct Expected {
 TEST(LoadRecording, RealDevices) {
   const std::string folder = BATUTA_SHARED_DIR "/recordings/";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no " << folder;
-  for (const Expected& expected : {Expected{"ps2_mouse.events", 2707, 52.984},
-                                   Expected{"trackpoint.events", 964, 21.618}}) {
+  for (const Expected& expected :
+       {Expected{"ps2_mouse.events", 2707, 52.984}, Expected{"trackpoint.events", 964, 21.618}}) {
     const LoadedRecording loaded = load_recording(folder + expected.file);
     EXPECT_EQ(loaded.error, "");
     EXPECT_EQ(loaded.recording.samples.size(), expected.samples);

@@ -47,20 +47,27 @@ TEST(AxisCalibration, Valid_NeedsAnAxisAndSomethingBesideTheDeadZone) {
 }
 
 TEST(Deflection, AgreesWithItsDefinition_OverTheTable) {
-  const AxisCalibration table[] = {
-      absolute(-32768, 32767), absolute(-32768, 32767, 128), absolute(0, 255, 15), absolute(0, 1),
-      absolute(-1100, 1258),   absolute(kLowest, kHighest),  absolute(kLowest, kHighest, 1 << 30),
-      absolute(kHighest - 2, kHighest), relative(400)};
+  const AxisCalibration table[] = {absolute(-32768, 32767),
+                                   absolute(-32768, 32767, 128),
+                                   absolute(0, 255, 15),
+                                   absolute(0, 1),
+                                   absolute(-1100, 1258),
+                                   absolute(kLowest, kHighest),
+                                   absolute(kLowest, kHighest, 1 << 30),
+                                   absolute(kHighest - 2, kHighest),
+                                   relative(400)};
   for (AxisCalibration axis : table) {
     for (const bool reversed : {false, true}) {
       axis.reversed = reversed;
       for (int i = -4; i <= 1004; ++i) {
-        const long double wish = axis.min + (static_cast<long double>(axis.max) - axis.min) * i / 1000;
+        const long double wish =
+            axis.min + (static_cast<long double>(axis.max) - axis.min) * i / 1000;
         const auto counts =
             static_cast<std::int32_t>(std::fmin(std::fmax(wish, kLowest), kHighest));
         const long double expected = truth(axis, counts);
         const float got = deflection(axis, counts);
-        EXPECT_LE(std::fabs(got - expected), 2e-7L * std::fabs(expected)) << axis.min << ' ' << counts;
+        EXPECT_LE(std::fabs(got - expected), 2e-7L * std::fabs(expected))
+            << axis.min << ' ' << counts;
         EXPECT_LE(std::fabs(got), 1.0F);
       }
     }

@@ -29,8 +29,9 @@ TEST(OpenSource, Scripts) {
 }
 
 TEST(OpenSource, Refusals_AreOneLineThatNamesTheSource) {
-  for (const char* words : {"script:", "script:riposte", "banana", "none.events", "device:/dev/input/event0",
-                            "serial:/dev/ttyUSB0", "", "/", "carrier:pigeon"}) {
+  for (const char* words :
+       {"script:", "script:riposte", "banana", "none.events", "device:/dev/input/event0",
+        "serial:/dev/ttyUSB0", "", "/", "carrier:pigeon"}) {
     const OpenedSource opened = open_source(words);
     EXPECT_FALSE(opened.source) << words;
     EXPECT_THAT(opened.error, HasSubstr(words));

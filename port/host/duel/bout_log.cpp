@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+
+#include "host/duel/bout_log.hpp"
+
+namespace batuta::host {
+
+void BoutLog::on_start(const DuelRunner& runner) {
+  std::fprintf(out_, "left   %s\n", runner.source(Side::kLeft).description().c_str());
+  std::fprintf(out_, "right  %s\n", runner.source(Side::kRight).description().c_str());
+  std::fprintf(out_, "%9.3f s  en garde\n", 0.0);
+}
+
+void BoutLog::on_step(const DuelRunner& runner) {
+  for (const auto& event : runner.duel().world().events()) {  // Bound: DuelScene::kMaxEvents
+    print_contact(time_of(runner, event), event);
+  }
+  touches_.for_each_new(runner, [&](const Touch<float>& touch) {
+    std::fprintf(out_, "%9.3f s  touch   %s touches the %s at %.2f m height%s\n",
+                 time_of(runner, touch), name_of(touch.by), batuta::name_of(touch.part),
+                 static_cast<double>(touch.contact.point_W.z()),
+                 touch.certain ? "" : " (perhaps not the first)");
+  });
+}
+
+void BoutLog::print_contact(double time, const ContactEvent<float>& event) {
+  const bool leaning = event.kind == EventKind::kBegin && !is_beat(event);
+  if (!leaning && !is_beat(event)) return;
+  std::fprintf(out_, "%9.3f s  %s    left blade at %3.0f %%, right at %3.0f %%", time,
+               leaning ? "lean" : "beat", 100.0 * static_cast<double>(event.place_A),
+               100.0 * static_cast<double>(event.place_B));
+  if (!leaning) {
+    std::fprintf(out_, "  %6.3f N s at %5.2f m/s", static_cast<double>(event.impulse),
+                 -static_cast<double>(event.v_rel));
+  }
+  std::fputc('\n', out_);
+}
+
+void BoutLog::on_end(const DuelRunner& runner) {
+  const DuelReport& report = runner.duel().report();
+  const Tally& tally = runner.tally();
+  const bool won = runner.ending() == Ending::kTouch;
+  std::fprintf(out_, "%9.3f s  halt    %s%s\n", runner.now(), result_of(runner),
+               won ? " wins" : "");
+  std::fprintf(out_, "\nbeats %u, leaning contacts %u; contacts begun %u, kept %u, ended %u\n",
+               report.beats, report.rests, tally.begins, tally.persists, tally.ends);
+  std::fprintf(out_, "smallest gap between the blades %.6f m, deepest overlap %.6f m\n",
+               static_cast<double>(tally.smallest_gap), static_cast<double>(tally.deepest_overlap));
+  print_device(runner, Side::kLeft);
+  print_device(runner, Side::kRight);
+  print_trouble(runner);
+  std::fprintf(out_, "steps %u of %u us; on this host %.1f us a step, worst %.1f us\n",
+               runner.duel().steps(), static_cast<unsigned>(DuelRunner::kStep_us),
+               mean_step_ns(runner) * 1e-3, static_cast<double>(tally.host_ns_worst) * 1e-3);
+}
+
+void BoutLog::print_device(const DuelRunner& runner, Side side) {
+  const StickReport& stick = runner.duel().stick(side).report();
+  const DeviceTally& device = runner.tally().devices[index_of(side)];
+  std::fprintf(out_, "%-5s  samples used %u, refused %u, overwritten %u", name_of(side), stick.used,
+               rejected(runner, side), stick.lost);
+  if (runner.source(side).losses() > 0) {
+    std::fprintf(out_, ", lost by the device %u", runner.source(side).losses());
+  }
+  if (device.ended) std::fprintf(out_, "; ended at %.3f s, the stick stayed", device.ended_at);
+  std::fputc('\n', out_);
+}
+
+void BoutLog::print_trouble(const DuelRunner& runner) {
+  const DuelReport& report = runner.duel().report();
+  const Tally& tally = runner.tally();
+  if (report.incomplete_steps + report.budget_outs + tally.events_dropped == 0) return;
+  std::fprintf(out_,
+               "TROUBLE: incomplete steps %u, searches out of budget %u, events not recorded %u\n",
+               report.incomplete_steps, report.budget_outs, tally.events_dropped);
+}
+
+}  // namespace batuta::host

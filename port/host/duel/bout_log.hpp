@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The bout for people, a line for each thing that a fencer would notice.
+
+#include <cstdio>
+
+#include "host/duel/bout_words.hpp"
+#include "host/duel/observer.hpp"
+
+namespace batuta::host {
+
+class BoutLog final : public Observer {
+ public:
+  explicit BoutLog(std::FILE* out) : out_(out) {}
+
+  void on_start(const DuelRunner& runner) override;
+  void on_step(const DuelRunner& runner) override;
+  void on_end(const DuelRunner& runner) override;
+
+ private:
+  void print_contact(double time, const ContactEvent<float>& event);
+  void print_device(const DuelRunner& runner, Side side);
+  void print_trouble(const DuelRunner& runner);
+
+  std::FILE* out_;
+  TouchCursor touches_;
+};
+
+}  // namespace batuta::host

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// batuta-duel: opens the devices, runs the bout, tells the observers.
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <fstream>
+#include <memory>
+#include <thread>
+
+#include "host/duel/bout_log.hpp"
+#include "host/duel/json_log.hpp"
+#include "host/duel/options.hpp"
+#include "host/duel/progress_bar.hpp"
+#include "host/duel/svg_picture.hpp"
+
+namespace batuta::host {
+namespace {
+
+using Observers = std::vector<std::unique_ptr<Observer>>;
+
+int complain(int exit_code, const std::string& what) {
+  std::fprintf(stderr, "batuta-duel: %s\n", what.c_str());
+  return exit_code;
+}
+
+/// Below this, a replay is over before a bar could be read.
+constexpr double kLongReplay = 600;  // s
+
+Observers make_observers(const Options& options, double limit, std::ostream& svg) {
+  Observers observers;
+  if (limit >= kLongReplay && !options.realtime && isatty(STDERR_FILENO) != 0) {
+    observers.push_back(std::make_unique<ProgressBar>(stderr));
+  }
+  if (options.json) {
+    observers.push_back(std::make_unique<JsonLog>(stdout));
+  } else {
+    observers.push_back(std::make_unique<BoutLog>(stdout));
+  }
+  if (!options.svg.empty()) observers.push_back(std::make_unique<SvgPicture>(svg));
+  return observers;
+}
+
+void run(DuelRunner& runner, const Observers& observers, bool realtime) {
+  const auto start = std::chrono::steady_clock::now();
+  for (const auto& observer : observers) observer->on_start(runner);
+  bool going_on = true;
+  while (going_on) {  // Bound: the steps up to runner.limit()
+    going_on = runner.step();
+    for (const auto& observer : observers) observer->on_step(runner);
+    if (!realtime) continue;
+    std::fflush(stdout);
+    std::this_thread::sleep_until(
+        start +
+        std::chrono::microseconds(std::uint64_t{runner.duel().steps()} * DuelRunner::kStep_us));
+  }
+  for (const auto& observer : observers) observer->on_end(runner);
+}
+
+/// Opens a source and says what there is to say.
+std::unique_ptr<Source> open(const std::string& words) {
+  OpenedSource opened = open_source(words);
+  if (!opened.error.empty()) complain(kExitUsage, opened.error);
+  if (!opened.note.empty()) complain(kExitOk, opened.note);
+  return std::move(opened.source);
+}
+
+int play(const Options& options) {
+  const std::unique_ptr<Source> left = open(options.left);
+  if (!left) return kExitUsage;
+  const std::unique_ptr<Source> right = open(options.right);
+  if (!right) return kExitUsage;
+  std::ofstream svg;
+  if (!options.svg.empty()) {
+    svg.open(options.svg);
+    if (!svg)
+      return complain(kExitFailure, options.svg + ": cannot be written: " + std::strerror(errno));
+  }
+  const auto runner = std::make_unique<DuelRunner>(*left, *right, options.seconds);
+  if (runner->start() != Status::kOk) return complain(kExitFailure, "the fencers are not valid");
+  run(*runner, make_observers(options, runner->limit(), svg), options.realtime);
+  svg.flush();
+  if (!options.svg.empty() && !svg)
+    return complain(kExitFailure, options.svg + ": cannot be written");
+  const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  return written ? kExitOk : complain(kExitFailure, "the output cannot be written");
+}
+
+}  // namespace
+}  // namespace batuta::host
+
+int main(int count, char** words) {
+  try {
+    const auto line = batuta::host::read_command_line(count, words);
+    return line.run ? batuta::host::play(line.options) : line.exit_code;
+  } catch (const std::exception& problem) {
+    return batuta::host::complain(batuta::host::kExitFailure, problem.what());
+  }
+}

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+
+#include "host/duel/options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+
+namespace batuta::host {
+namespace {
+
+constexpr const char* kAbout =
+    "A fencing bout between two input devices: motion moves blades, blades meet, somebody is "
+    "touched.";
+
+constexpr const char* kFooter = R"(SOURCE is one of
+  FILE.events, FILE.evemu  a recording in the evemu format; its device description is taken from
+                           the file or from FILE.desc beside it
+  default                  the synthetic recording that is built into the program
+  script:guard, script:parry, script:attack
+                           a simple opponent
+The bout ends with a touch, or when the recordings are at their end; with two scripts, after 180 s.
+After one of two recordings has ended, its fencer stays where it is.
+
+The stick: centre is the guard, up is the lunge, left and right at the centre or below are the
+parries, down is the retreat. Up is where a mouse moves away from you.
+
+With --json each line of the output is an object; "type" is start, contact, touch or, in the last
+line, summary. SI units. Contacts that only persist are counted in the summary, not listed.
+
+Exit codes: 0 the bout ran; 1 something failed on the way, such as writing the picture;
+            2 wrong usage, or a source that cannot be read)";
+
+std::string positive_number(const std::string& words) {
+  double value = 0;
+  const bool number = CLI::detail::lexical_cast(words, value);
+  return number && std::isfinite(value) && value > 0 ? "" : words + " is not a number above 0";
+}
+
+void declare(CLI::App& app, Options& options) {
+  app.add_option("--left", options.left, "who fences on the left")
+      ->type_name("SOURCE")
+      ->capture_default_str();
+  app.add_option("--right", options.right, "who fences on the right")
+      ->type_name("SOURCE")
+      ->capture_default_str();
+  app.add_flag("--json", options.json, "print one JSON object a line instead of the log");
+  app.add_option("--svg", options.svg, "draw the bout into this file")->type_name("FILE");
+  app.add_flag("--realtime", options.realtime, "as fast as it happens, not as fast as possible");
+  app.add_option("--seconds", options.seconds, "end the bout after so many seconds")
+      ->type_name("LIMIT")
+      ->check(positive_number);
+  app.set_version_flag("--version", "batuta-duel " BATUTA_VERSION);
+  app.footer(kFooter);
+}
+
+}  // namespace
+
+CommandLine read_command_line(int count, char** words) {
+  CommandLine line;
+  CLI::App app(kAbout, "batuta-duel");
+  declare(app, line.options);
+  try {
+    app.parse(count, words);
+    line.run = true;
+  } catch (const CLI::ParseError& stop) {
+    if (stop.get_exit_code() == 0) {
+      line.exit_code = app.exit(stop);  // --help, --version
+    } else {
+      std::fprintf(stderr, "batuta-duel: %s (--help tells more)\n", stop.what());
+      line.exit_code = kExitUsage;
+    }
+  }
+  return line;
+}
+
+}  // namespace batuta::host

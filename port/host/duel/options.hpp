@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The command line of batuta-duel.
+
+#include <limits>
+#include <string>
+
+namespace batuta::host {
+
+/// Exit codes of the program; --help tells them.
+inline constexpr int kExitOk = 0;       ///< the bout ran
+inline constexpr int kExitFailure = 1;  ///< something went wrong on the way
+inline constexpr int kExitUsage = 2;    ///< wrong usage, or a source that cannot be read
+
+struct Options {
+  std::string left = "default";
+  std::string right = "script:parry";
+  std::string svg;  ///< empty: no picture
+  double seconds = std::numeric_limits<double>::infinity();
+  bool json = false;
+  bool realtime = false;
+};
+
+/// What the command line asks for.
+struct CommandLine {
+  bool run = false;  ///< false: leave with `exit_code`; everything has been said
+  int exit_code = kExitOk;
+  Options options;
+};
+
+CommandLine read_command_line(int count, char** words);
+
+}  // namespace batuta::host

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+#include "batuta/fencing/duel.hpp"
+
+namespace batuta {
+namespace {
+
+constexpr std::int32_t kShortestStepUs = 100;
+constexpr std::int32_t kLongestStepUs = 20000;
+constexpr std::int32_t kLongestWindowUs = 10000000;
+constexpr std::array<Side, 2> kSides = {Side::kLeft, Side::kRight};
+
+template <class Scalar>
+constexpr Scalar kSecondsPerUs = Scalar(1e-6);
+
+template <class Scalar>
+Status validate(const DuelSettings<Scalar>& settings) {
+  const bool times = settings.step_us >= kShortestStepUs && settings.step_us <= kLongestStepUs &&
+                     settings.double_window_us >= 0 && settings.double_window_us <= kLongestWindowUs;
+  const bool place = is_finite(settings.salle.distance) && settings.salle.distance > Scalar(0);
+  if (!times || !place) return Status::kInvalidArgument;
+  return validate(settings.stick);
+}
+
+/// One piece of a blade's way in a step.
+template <class Scalar>
+struct Piece {
+  Scalar from = 0;
+  Motion<Scalar> motion;
+};
+
+template <class Scalar>
+Piece<Scalar> piece_between(const Waypoint<Scalar>& start, const Waypoint<Scalar>& end) {
+  const Scalar duration = end.time - start.time;
+  if (!(duration > Scalar(0))) return {start.time, still(end.X_WB, Scalar(0))};
+  return {start.time, motion_between(start.X_WB, end.X_WB, duration)};
+}
+
+}  // namespace
+
+template <class Scalar>
+DuelSettings<Scalar> duel_settings() {
+  DuelSettings<Scalar> settings;
+  settings.world.rest_speed = Scalar(0.02F);
+  settings.world.separation = Scalar(2e-4F);
+  settings.world.min_separation_time = Scalar(1e-4F);
+  settings.touch.epsilon = Scalar(0.001F);
+  settings.touch.unit = EpsilonIn::kMetres;
+  return settings;
+}
+
+template <class Scalar>
+Status Duel<Scalar>::configure(const DuelSettings<Scalar>& settings, const Fencer<Scalar>& left,
+                               const Fencer<Scalar>& right) {
+  dt_ = 0;
+  bout_ = {};
+  report_ = {};
+  steps_ = 0;
+  if (validate(settings) != Status::kOk) return Status::kInvalidArgument;
+  if (world_.configure(settings.world) != Status::kOk) return Status::kInvalidArgument;
+  settings_ = settings;
+  if (seat(Side::kLeft, left) != Status::kOk) return Status::kInvalidArgument;
+  if (seat(Side::kRight, right) != Status::kOk) return Status::kInvalidArgument;
+  dt_ = static_cast<Scalar>(settings.step_us) * kSecondsPerUs<Scalar>;
+  return Status::kOk;
+}
+
+template <class Scalar>
+Status Duel<Scalar>::seat(Side side, const Fencer<Scalar>& fencer) {
+  Place& place = at(side);
+  (void)world_.remove(place.blade);  // of an earlier bout, if there was one
+  place.X_WF = settings_.salle.X_WF(side);
+  typename FencerGrid<Scalar>::Keys keys_WH;
+  for (std::size_t i = 0; i < keys_WH.size(); ++i) {  // Bound: nine keys
+    keys_WH[i] = chained(place.X_WF, fencer.keys_FH[i]);
+  }
+  const auto weapon = weapon_body(fencer.weapon);
+  if (!weapon.ok() || place.grid.set_keys(keys_WH) != Status::kOk) return Status::kInvalidArgument;
+  if (place.stick.configure(settings_.stick) != Status::kOk) return Status::kInvalidArgument;
+  place.weapon = weapon.value;
+  place.build = fencer.build;
+  place.hand = place.grid.at(place.stick.position());
+  place.target.place(pose_body(place.build, place.X_WF, place.hand.X_WH));
+  return arm(place, fencer);
+}
+
+/// Puts the blade into the world, in the hand.
+template <class Scalar>
+Status Duel<Scalar>::arm(Place& place, const Fencer<Scalar>& fencer) {
+  const Pose<Scalar> X_WB = chained(place.hand.X_WH, place.weapon.X_HB);
+  const auto body = make_body(X_WB, place.weapon.mass, place.weapon.moments);
+  Actor<DuelScene<Scalar>> blade;
+  if (!body.ok() || blade.driver.grip.configure(fencer.grip) != Status::kOk) return Status::kInvalidArgument;
+  blade.body = body.value;
+  blade.capsule_B = place.weapon.blade_B;
+  blade.restitution = fencer.weapon.restitution;
+  blade.driver.grip.place(X_WB);
+  const auto id = world_.add(blade);
+  place.blade = id.value;
+  return id.status;
+}
+
+template <class Scalar>
+Status Duel<Scalar>::step(const InputSample* left, const InputSample* right) {
+  if (!(dt_ > Scalar(0))) return Status::kInvalidArgument;
+  if (bout_.is_over()) return Status::kUnavailable;
+  move_hand(Side::kLeft, left);
+  move_hand(Side::kRight, right);
+  const Status status = world_.step(dt_);
+  if (status != Status::kOk) return status;
+  add_up();
+  look_for_touches();
+  ++steps_;
+  close_window();
+  return Status::kOk;
+}
+
+template <class Scalar>
+void Duel<Scalar>::move_hand(Side side, const InputSample* sample) {
+  Place& place = at(side);
+  if (sample != nullptr) (void)place.stick.accept(*sample);
+  place.stick.advance(dt_);
+  place.hand = place.grid.at(place.stick.position());
+  place.target.move_to(pose_body(place.build, place.X_WF, place.hand.X_WH), dt_);
+
+  auto& actor = *world_.get(place.blade);
+  place.start_WB = actor.body.X_WB;
+  actor.driver.corners.clear();
+  actor.driver.grip.command(chained(place.hand.X_WH, place.weapon.X_HB), dt_);
+}
+
+template <class Scalar>
+void Duel<Scalar>::add_up() {
+  const StepReport<Scalar>& step = world_.report();
+  report_.beats += step.collisions;
+  report_.rests += step.separations;
+  report_.evaluations += step.evaluations;
+  report_.budget_outs += step.searches_cut;
+  if (!step.complete()) ++report_.incomplete_steps;
+}
+
+/// Both blades are looked at before either touch is judged; the earlier one is noted first, the left one of two at once.
+template <class Scalar>
+void Duel<Scalar>::look_for_touches() {
+  std::array<TouchSearch<Scalar>, 2> searches;
+  for (const Side side : kSides) searches[index_of(side)] = touch_by(side);  // Bound: 2
+  const bool right_first = searches[1].found && (!searches[0].found || searches[1].t_free < searches[0].t_free);
+  const Side first = right_first ? Side::kRight : Side::kLeft;
+  note(first, searches[index_of(first)]);
+  note(other(first), searches[index_of(other(first))]);
+}
+
+/// The first touch of a blade on its way through the step: from its start over the corners where contacts were answered
+/// to its end.
+template <class Scalar>
+TouchSearch<Scalar> Duel<Scalar>::touch_by(Side side) {
+  const Place& place = at(side);
+  const auto& actor = *world_.get(place.blade);
+  const auto& corners = actor.driver.corners;
+  TouchSearch<Scalar> first;
+  bool complete = true;
+  Scalar known_until = dt_;
+  Waypoint<Scalar> start{Scalar(0), place.start_WB};
+  for (int k = 0; k <= corners.size() && !first.found; ++k) {  // Bound: kMaxContacts + 1 pieces
+    const Waypoint<Scalar> end = k < corners.size() ? corners[k] : Waypoint<Scalar>{dt_, actor.body.X_WB};
+    const Piece<Scalar> piece = piece_between(start, end);
+    first = at(other(side)).target.find_touch({actor.capsule_B, piece.motion}, piece.from, settings_.touch);
+    report_.evaluations += first.evaluations;
+    report_.touch_searches += first.searches;
+    if (!first.complete) ++report_.budget_outs;
+    if (!first.complete && complete) known_until = first.known_until;
+    complete = complete && first.complete;
+    start = end;
+  }
+  first.complete = complete;
+  first.known_until = known_until;
+  return first;
+}
+
+template <class Scalar>
+void Duel<Scalar>::note(Side by, const TouchSearch<Scalar>& search) {
+  if (!search.found) return;
+  if (bout_.touches.size() > 0 && bout_.touches[0].by == by) return;
+  Touch<Scalar> touch;
+  touch.by = by;
+  touch.part = search.part;
+  touch.when = {steps_, search.t_free};
+  touch.contact = search.contact;
+  touch.place = search.place;
+  touch.certain = search.certain();
+  if (bout_.touches.size() > 0 && !within_window(bout_.touches[0].when, touch.when)) return;
+  bout_.touches.push(touch);
+  bout_.state = bout_.touches.size() == 2 ? BoutState::kDouble : BoutState::kLockout;
+}
+
+template <class Scalar>
+bool Duel<Scalar>::within_window(const Moment<Scalar>& first, const Moment<Scalar>& second) const {
+  return time_us(second) - time_us(first) <= static_cast<std::uint64_t>(settings_.double_window_us);
+}
+
+/// The other's chance is over when the next step begins behind the window.
+template <class Scalar>
+void Duel<Scalar>::close_window() {
+  if (bout_.state != BoutState::kLockout) return;
+  if (!within_window(bout_.touches[0].when, {steps_, Scalar(0)})) bout_.state = BoutState::kTouched;
+}
+
+template <class Scalar>
+std::uint64_t Duel<Scalar>::time_us(const Moment<Scalar>& moment) const {
+  const auto in_step = static_cast<std::uint64_t>(moment.in_step / kSecondsPerUs<Scalar> + Scalar(0.5F));
+  return std::uint64_t{moment.step} * static_cast<std::uint64_t>(settings_.step_us) + in_step;
+}
+
+template <class Scalar>
+const Grip<Scalar>& Duel<Scalar>::grip(Side side) const {
+  return world_.get(at(side).blade)->driver.grip;
+}
+
+template <class Scalar>
+Capsule<Scalar> Duel<Scalar>::blade_W(Side side) const {
+  const auto& actor = *world_.get(at(side).blade);
+  return to_world(actor.body.X_WB, actor.capsule_B);
+}
+
+#define BATUTA_INSTANTIATE(S)                 \
+  template DuelSettings<S> duel_settings();   \
+  template class Duel<S>;
+BATUTA_INSTANTIATE(float)
+BATUTA_INSTANTIATE(double)
+#undef BATUTA_INSTANTIATE
+
+}  // namespace batuta

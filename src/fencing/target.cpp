@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "batuta/fencing/target.hpp"
+
+#include "batuta/detection/swept_volume.hpp"
+
+namespace batuta {
+namespace {
+
+/// Where the walk goes on when it leaves out a bone and all that it carries: behind the last of them.
+constexpr std::array<std::int8_t, kBodyParts> bones_behind() {
+  std::array<std::int8_t, kBodyParts> behind{};
+  for (std::size_t i = 0; i < behind.size(); ++i) behind[i] = static_cast<std::int8_t>(i + 1);
+  for (std::size_t i = behind.size() - 1; i > 0; --i) {  // Bound: kBodyParts
+    const auto parent = static_cast<std::size_t>(kBodyParent[i]);
+    if (behind[parent] < behind[i]) behind[parent] = behind[i];
+  }
+  return behind;
+}
+
+constexpr bool parents_come_first() {
+  for (std::size_t i = 1; i < kBodyParent.size(); ++i) {  // Bound: kBodyParts
+    if (kBodyParent[i] < 0 || static_cast<std::size_t>(kBodyParent[i]) >= i) return false;
+  }
+  return kBodyParent[0] == -1;
+}
+static_assert(parents_come_first(), "kBodyParent: a bone is carried by an earlier one");
+
+constexpr std::array<std::int8_t, kBodyParts> kBehind = bones_behind();
+
+/// The constant twist of the shortest turn that carries one capsule into another of the same length. The body's frame
+/// sits in the middle of the capsule with the axes of W; a turn about the capsule's own axis would not show.
+template <class Scalar>
+MovingCapsule<Scalar> between(const Capsule<Scalar>& start_W, const Capsule<Scalar>& end_W,
+                              Scalar dt) {
+  const Vec3<Scalar> p0 = start_W.axis.at(Scalar(0.5));
+  const Vec3<Scalar> p1 = end_W.axis.at(Scalar(0.5));
+  const Vec3<Scalar> d0 = start_W.axis.direction();
+  const Vec3<Scalar> d1 = end_W.axis.direction();
+
+  MovingCapsule<Scalar> moving;
+  moving.capsule_B = {{start_W.axis.a - p0, start_W.axis.b - p0}, start_W.radius};
+  moving.motion = linear(Pose<Scalar>{p0, Quat<Scalar>::Identity()}, Vec3<Scalar>((p1 - p0) / dt), dt);
+  const Vec3<Scalar> normal = d0.cross(d1);
+  const Scalar sine = normal.norm();
+  if (sine > Scalar(0)) {
+    moving.motion.twist.w_W = (arc_tangent(sine, d0.dot(d1)) / (sine * dt)) * normal;
+  }
+  return moving;
+}
+
+/// The part of a motion from `from` on, `duration` long.
+template <class Scalar>
+Motion<Scalar> piece_of(const Motion<Scalar>& motion, Scalar from, Scalar duration) {
+  return {pose_at(motion, min_of(from, motion.duration)), motion.twist, duration};
+}
+
+}  // namespace
+
+template <class Scalar>
+void Target<Scalar>::place(const BodyShape<Scalar>& shape_W) {
+  for (std::size_t i = 0; i < kParts; ++i) {  // Bound: kBodyParts
+    moving_[i] = between(shape_W[i], shape_W[i], Scalar(1));
+    moving_[i].motion.duration = Scalar(0);
+  }
+  shape_W_ = shape_W;
+  refit();
+}
+
+template <class Scalar>
+void Target<Scalar>::move_to(const BodyShape<Scalar>& shape_W, Scalar dt) {
+  BATUTA_ASSERT(is_finite(dt) && dt > Scalar(0));
+  for (std::size_t i = 0; i < kParts; ++i) {  // Bound: kBodyParts
+    moving_[i] = between(shape_W_[i], shape_W[i], dt);
+  }
+  shape_W_ = shape_W;
+  refit();
+}
+
+template <class Scalar>
+void Target<Scalar>::refit() {
+  for (std::size_t i = 0; i < kParts; ++i) {  // Bound: kBodyParts
+    own_[i] = swept_kdop<Scalar, kTargetK>(moving_[i]);
+    hulls_[i] = own_[i];
+  }
+  for (std::size_t i = kParts - 1; i > 0; --i) {  // Bound: kBodyParts
+    const auto parent = static_cast<std::size_t>(kBodyParent[i]);
+    hulls_[parent] = merge(hulls_[parent], hulls_[i]);
+  }
+}
+
+template <class Scalar>
+TouchSearch<Scalar> Target<Scalar>::find_touch(const MovingCapsule<Scalar>& blade, Scalar from,
+                                               const SteppingOptions<Scalar>& options,
+                                               PartMask parts) const {
+  TouchSearch<Scalar> first;
+  first.known_until = from + blade.motion.duration;
+  first.complete = true;
+  const Kdop<Scalar, kTargetK> swept = swept_kdop<Scalar, kTargetK>(blade);
+  std::size_t i = 0;
+  for (int visit = 0; visit < kBodyParts && i < kParts; ++visit) {  // Bound: kBodyParts
+    if (!overlaps(swept, hulls_[i])) {
+      i = static_cast<std::size_t>(kBehind[i]);
+      continue;
+    }
+    const bool wanted = (parts >> i & 1U) != 0;
+    if (wanted && overlaps(swept, own_[i])) {
+      take(search_part(i, blade, from, options), static_cast<BodyPart>(i), from, first);
+    }
+    ++i;
+  }
+  return first;
+}
+
+template <class Scalar>
+typename Target<Scalar>::PartSearch Target<Scalar>::search_part(
+    std::size_t part, const MovingCapsule<Scalar>& blade, Scalar from,
+    const SteppingOptions<Scalar>& options) const {
+  MovingCapsule<Scalar> target = moving_[part];
+  target.motion = piece_of(target.motion, from, blade.motion.duration);
+  const auto pair = make_moving_pair(blade, target);
+  if (!pair.ok()) return {};
+  return {search_stepping(pair.value, options), pair.value.origin_W};
+}
+
+/// Joins what the search of one part found to what is known of the parts before it.
+template <class Scalar>
+void Target<Scalar>::take(const PartSearch& search, BodyPart part, Scalar from,
+                          TouchSearch<Scalar>& first) {
+  const SearchResult<Scalar>& result = search.result;
+  ++first.searches;
+  first.evaluations += result.evaluations;
+  switch (result.outcome) {
+    case Outcome::kFree:
+      return;
+    case Outcome::kBudget:
+    case Outcome::kInvalid:  // t_free is 0: nothing is known
+      first.complete = false;
+      first.known_until = min_of(first.known_until, from + result.t_free);
+      return;
+    case Outcome::kContact:
+    case Outcome::kTouching:
+      break;
+  }
+  if (first.found && first.t_free <= from + result.t_free) return;
+  first.found = true;
+  first.part = part;
+  first.t_free = from + result.t_free;
+  first.t_hit = from + result.t_hit;
+  first.contact = contact_from(result.witness, search.origin_W);
+  first.place = result.witness.axes.s;
+}
+
+template class Target<float>;
+template class Target<double>;
+
+}  // namespace batuta

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "batuta/fencing/weapon.hpp"
+
+#include "batuta/mechanics/mass.hpp"
+
+namespace batuta {
+namespace {
+
+template <class Scalar>
+Result<MassProperties<Scalar>> mass_of(const WeaponPart<Scalar>& part) {
+  if (!is_valid(part.capsule_H)) return failure<MassProperties<Scalar>>(Status::kInvalidArgument);
+  if (part.capsule_H.radius == Scalar(0)) return point_mass(part.mass, part.capsule_H.axis.at(Scalar(0.5)));
+  const auto of_water = solid_capsule(part.capsule_H, Scalar(1000));  // kg/m^3; the true density follows
+  if (!of_water.ok() || !(part.mass > Scalar(0))) {
+    return failure<MassProperties<Scalar>>(Status::kInvalidArgument);
+  }
+  return solid_capsule(part.capsule_H, Scalar(1000) * (part.mass / of_water.value.mass));
+}
+
+}  // namespace
+
+template <class Scalar>
+Result<WeaponBody<Scalar>> weapon_body(const Weapon<Scalar>& weapon) {
+  auto sum = mass_of(weapon.parts[0]);
+  if (!sum.ok()) return failure<WeaponBody<Scalar>>(sum.status);
+  for (std::size_t i = 1; i < weapon.parts.size(); ++i) {  // Bound: kParts
+    const auto part = mass_of(weapon.parts[i]);
+    if (!part.ok()) return failure<WeaponBody<Scalar>>(part.status);
+    sum.value = sum.value + part.value;
+  }
+  const PrincipalFrame<Scalar> frame = principal_frame(sum.value);
+  const Capsule<Scalar>& blade_H = weapon.parts[0].capsule_H;
+
+  WeaponBody<Scalar> body;
+  body.mass = sum.value.mass;
+  body.moments = frame.moments;
+  body.X_HB = {frame.center_S, frame.q_SB};
+  body.blade_B = {{to_body(body.X_HB, blade_H.axis.a), to_body(body.X_HB, blade_H.axis.b)},
+                  blade_H.radius};
+  return success(body);
+}
+
+template <class Scalar>
+Pose<Scalar> chained(const Pose<Scalar>& X_AB, const Pose<Scalar>& X_BC) {
+  return {to_world(X_AB, X_BC.p_W), renewed<Scalar>(X_AB.q_WB * X_BC.q_WB)};
+}
+
+#define BATUTA_INSTANTIATE(S)                                          \
+  template Result<WeaponBody<S>> weapon_body(const Weapon<S>&);        \
+  template Pose<S> chained(const Pose<S>&, const Pose<S>&);
+BATUTA_INSTANTIATE(float)
+BATUTA_INSTANTIATE(double)
+#undef BATUTA_INSTANTIATE
+
+}  // namespace batuta

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: MIT
+# Builds and runs the consumer project. MODE installed: against an install tree of BUILD in a fresh prefix;
+# MODE subfolder: with SOURCE by add_subdirectory().
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "${command}\nended with ${result}:\n${output}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+if(MODE STREQUAL "installed")
+  run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
+  set(how -DCMAKE_PREFIX_PATH=${WORK}/prefix)
+else()
+  set(how -DBATUTA_SOURCE=${SOURCE})
+endif()
+
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/project -B ${WORK}/build -G ${GENERATOR}
+    -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}" ${how})
+run(${CMAKE_COMMAND} --build ${WORK}/build --target consumer consumer_one_room)
+run(${WORK}/build/consumer)
+run(${WORK}/build/consumer_one_room)
+
+# The arithmetic and the layout of the library's headers are those of its object code.
+file(READ ${WORK}/build/compile_commands.json commands)
+foreach(flag -ffp-contract=off -DEIGEN_DONT_VECTORIZE -DEIGEN_MAX_STATIC_ALIGN_BYTES=0)
+  string(JSON count LENGTH ${commands})
+  math(EXPR last "${count} - 1")
+  foreach(i RANGE ${last})
+    string(JSON command GET ${commands} ${i} command)
+    if(command MATCHES "main.cpp" AND NOT command MATCHES "${flag}")
+      message(FATAL_ERROR "the consumer is compiled without ${flag}: ${command}")
+    endif()
+  endforeach()
+endforeach()
