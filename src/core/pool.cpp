@@ -22,24 +22,21 @@ int PoolBase::find(std::uint16_t index1, std::uint16_t pool, std::uint32_t gener
   return static_cast<int>(index);
 }
 
-bool PoolBase::is_usable(std::size_t index) const {
-  return index < capacity_ && generations_[index] != kLastGeneration;
-}
-
 std::size_t PoolBase::lowest_free() const {
   const std::size_t words = words_for(capacity_);
   for (std::size_t word = 0; word < words; ++word) {                         // Bound: N / 32
     for (std::uint32_t bits = ~live_[word]; bits != 0; bits &= bits - 1U) {  // Bound: 32
       const std::size_t index = word * kBitsPerWord + lowest_bit(bits);
-      if (is_usable(index)) return index;
+      if (generations_[index] != kLastGeneration) return index;
     }
   }
-  return capacity_;
+  BATUTA_INVARIANT(false);
+  return 0;
 }
 
 int PoolBase::acquire() {
-  const std::size_t index = size_ < usable_capacity() ? lowest_free() : capacity_;
-  if (index == capacity_) return kNoIndex;
+  if (size_ == usable_capacity()) return kNoIndex;
+  const std::size_t index = lowest_free();
   ++generations_[index];
   live_[index / kBitsPerWord] |= bit_of(index);
   ++size_;

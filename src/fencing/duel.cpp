@@ -40,7 +40,7 @@ Piece<Scalar> piece_between(const Waypoint<Scalar>& start, const Waypoint<Scalar
 template <class Scalar>
 DuelSettings<Scalar> duel_settings() {
   DuelSettings<Scalar> settings;
-  settings.world.rest_speed = Scalar(0.02F);
+  settings.world.rest_speed = Scalar(0.05F);
   settings.world.separation = Scalar(2e-4F);
   settings.world.min_separation_time = Scalar(1e-4F);
   settings.touch.epsilon = Scalar(0.001F);

@@ -28,8 +28,8 @@ struct ScaleWindow<double> {
 };
 constexpr int kMaxScaleSteps = 3;
 
-/// sin^2 of the angle above which a point found inside both segments is the answer without a look
-/// at the ends.
+/// sin^2 of the angle above which the crossing is computed well enough to need no look at the ends
+/// (segment.md).
 template <class Scalar>
 constexpr Scalar kClearAngle2 = Scalar(1) / 256;
 
@@ -163,20 +163,12 @@ Scalar crossing(const Query<Scalar>& q, const Vec3<Scalar>& n, Scalar nn) {
 
 /// The pair around the crossing s0: clamped, projected onto B, and back onto A.
 template <class Scalar>
-struct Interior {
-  Candidate<Scalar> pair;
-  bool inside;  ///< of both segments, without clamping
-
-  Interior(const Query<Scalar>& q, Scalar s0) {
-    const Scalar s1 = unit_clamp(s0);
-    const Scalar u0 = -candidate(q, s1, Scalar(0)).gap.dot(q.d_B) * q.inv_BB;
-    const Scalar u1 = unit_clamp(u0);
-    const Scalar s2 = s1 + candidate(q, s1, u1).gap.dot(q.d_A) * q.inv_AA;
-    const Scalar s3 = unit_clamp(s2);
-    pair = candidate(q, s3, u1);
-    inside = s0 == s1 && u0 == u1 && s2 == s3;
-  }
-};
+Candidate<Scalar> around_crossing(const Query<Scalar>& q, Scalar s0) {
+  const Scalar s1 = unit_clamp(s0);
+  const Scalar u = unit_clamp(-candidate(q, s1, Scalar(0)).gap.dot(q.d_B) * q.inv_BB);
+  const Scalar s2 = unit_clamp(s1 + candidate(q, s1, u).gap.dot(q.d_A) * q.inv_AA);
+  return candidate(q, s2, u);
+}
 
 /// The ends of each segment projected onto the other one.
 template <class Scalar>
@@ -203,22 +195,12 @@ struct EndProjections {
   }
 };
 
-/// Segments at a clear angle have one closest pair: inside both, or at an end.
-template <class Scalar>
-Candidate<Scalar> closest_at_angle(const Query<Scalar>& q, Scalar s0) {
-  if (s0 >= 0 && s0 <= 1) {
-    const Interior<Scalar> lines(q, s0);
-    if (lines.inside) return lines.pair;
-  }
-  return EndProjections<Scalar>(q).shortest(q);
-}
-
 /// Of nearly parallel segments: everything is tried, and the middle wins if it is as good as any.
 template <class Scalar>
 Candidate<Scalar> closest_near_parallel(const Query<Scalar>& q, Scalar s0) {
   const EndProjections<Scalar> ends(q);
   Candidate<Scalar> best = ends.shortest(q);
-  keep_shorter(best, Interior<Scalar>(q, s0).pair);
+  keep_shorter(best, around_crossing(q, s0));
   const Candidate<Scalar> middle = ends.middle(q);
   const Scalar limit = std::sqrt(best.gap2) + kMiddleSlack<Scalar> * q.length;
   return middle.gap2 <= limit * limit ? middle : best;
@@ -229,7 +211,7 @@ Candidate<Scalar> closest_pair(const Query<Scalar>& q) {
   const Vec3<Scalar> n = q.d_A.cross(q.d_B);
   const Scalar nn = n.squaredNorm();
   const Scalar s0 = nn > 0 ? crossing(q, n, nn) : Scalar(0);
-  return nn * q.inv_AA * q.inv_BB > kClearAngle2<Scalar> ? closest_at_angle(q, s0)
+  return nn * q.inv_AA * q.inv_BB > kClearAngle2<Scalar> ? around_crossing(q, s0)
                                                          : closest_near_parallel(q, s0);
 }
 

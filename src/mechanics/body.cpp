@@ -62,7 +62,10 @@ template <class Scalar>
 Mat3<Scalar> inverse_inertia_W(const Body<Scalar>& body) {
   const Mat3<Scalar> R = to_matrix(body.X_WB.q_WB);
   Mat3<Scalar> sum = Mat3<Scalar>::Zero();
-  for (int i = 0; i < 3; ++i) sum += body.inverse_moments(i) * (R.col(i) * R.col(i).transpose());
+  for (int i = 0; i < 3; ++i) {
+    const Mat3<Scalar> square = R.col(i) * R.col(i).transpose();  // symmetric to the last bit
+    sum += body.inverse_moments(i) * square;
+  }
   return sum;
 }
 

@@ -13,6 +13,10 @@ namespace {
 /// of double for every matrix tried, the rest is reserve (mass.md).
 constexpr int kJacobiSweeps = 6;
 
+/// An element this small beside 1 changes no moment and no axis; its square does not vanish.
+template <class Scalar>
+constexpr Scalar kNegligible = kRoundOff<Scalar> * kRoundOff<Scalar>;
+
 template <class Scalar>
 constexpr Scalar kPi = Scalar(0x1.921fb54442d18p+1);
 
@@ -72,7 +76,7 @@ PlaneRotation<Scalar> clearing(Scalar ii, Scalar jj, Scalar ij) {
 /// A := G^T A G, V := V G with the rotation G in the plane (i, j) that clears A(i, j).
 template <class Scalar>
 void clear_element(Mat3<Scalar>& A, Mat3<Scalar>& V, int i, int j) {
-  if (A(i, j) == Scalar(0)) return;
+  if (std::abs(A(i, j)) <= kNegligible<Scalar>) return;
   const PlaneRotation<Scalar> g = clearing(A(i, i), A(j, j), A(i, j));
   const int k = 3 - i - j;
   const Scalar moved = g.s / g.c * A(i, j);

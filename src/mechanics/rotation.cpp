@@ -6,8 +6,7 @@
 namespace batuta {
 namespace {
 
-/// Squares of components between these bounds neither overflow nor lose digits to underflow in a
-/// sum of four.
+/// A sum of squares between these bounds has neither overflowed nor lost digits to underflow.
 template <class Scalar>
 constexpr Scalar kLeastSafeSquare = std::numeric_limits<Scalar>::min() / kRoundOff<Scalar>;
 template <class Scalar>

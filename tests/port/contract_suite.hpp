@@ -162,11 +162,12 @@ TYPED_TEST_P(ForceContract, ValidCommand_IsTakenOrTheDeviceIsGone) {
 
 TYPED_TEST_P(ForceContract, InvalidCommand_IsRefusedAndTheNextIsTaken) {
   const Status valid = this->write(0, 0);
+  const Status refused = valid == Status::kOk ? Status::kInvalidArgument : Status::kUnavailable;
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   for (const float bad : {kNan, kInfinity, -kInfinity, 1.0001F, -2.0F}) {
-    EXPECT_EQ(this->write(bad, 0), Status::kInvalidArgument) << bad;
-    EXPECT_EQ(this->write(0, bad), Status::kInvalidArgument) << bad;
+    EXPECT_EQ(this->write(bad, 0), refused) << bad;
+    EXPECT_EQ(this->write(0, bad), refused) << bad;
     EXPECT_EQ(this->write(0, 0), valid);
   }
 }

@@ -12,21 +12,23 @@ ALLOWED = {"memcpy", "memmove", "memset", "memcmp", "sqrt", "sqrtf", "batuta_tra
            "__stack_chk_fail", "_GLOBAL_OFFSET_TABLE_"}
 UNDEFINED = "Uwv"
 STATE = "bBdDcC"
-DEFINED = "TtWVRrAu" + STATE
+DEFINED = "TtWVRrAun" + STATE
 
 
 def symbols(nm, libraries):
-    """(library, kind, name) of every symbol."""
+    """(library, kind, name) of every symbol; kind as nm tells it, "r" for constants that hold addresses."""
     for library in libraries:
-        answer = subprocess.run([nm, "--format=posix", library], check=True, capture_output=True, text=True)
+        answer = subprocess.run([nm, "--format=sysv", library], check=True, capture_output=True, text=True)
         for line in answer.stdout.splitlines():
-            fields = line.split()
-            if len(fields) >= 2 and len(fields[1]) == 1:
-                yield library, fields[1], fields[0]
+            fields = [field.strip() for field in line.split("|")]
+            if len(fields) == 7 and len(fields[2]) == 1:
+                constant = fields[6].startswith(".data.rel.ro")
+                yield library, "r" if constant else fields[2], fields[0]
 
 
-def findings(found):
+def findings(libraries, found):
     found = list(found)
+    yield from ((library, f"{library}: nm tells nothing of it") for library in libraries - {row[0] for row in found})
     own = {name for _, kind, name in found if kind in DEFINED}
     for library, kind, name in found:
         if kind in UNDEFINED and name not in own and name not in ALLOWED:
@@ -42,7 +44,7 @@ def main():
     parser.add_argument("libraries", nargs="+")
     options = parser.parse_args()
 
-    reported = list(findings(symbols(options.nm, options.libraries)))
+    reported = list(findings(set(options.libraries), symbols(options.nm, options.libraries)))
     print("\n".join(sorted({text for _, text in reported})))
     if options.must_report:
         missing = set(options.must_report.split(",")) - {name for name, _ in reported}

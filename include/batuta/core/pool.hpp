@@ -75,7 +75,7 @@ class PoolBase {
   static constexpr std::uint32_t bit_of(std::size_t index) {
     return std::uint32_t{1} << (index % kBitsPerWord);
   }
-  bool is_usable(std::size_t index) const;
+  /// @pre size() < usable_capacity()
   std::size_t lowest_free() const;
 
   std::uint32_t* generations_;  ///< of the last object made in the slot; 0: none yet

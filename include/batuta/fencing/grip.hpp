@@ -13,8 +13,8 @@ struct GripSettings {
   Scalar strength = Scalar(4);          ///< N, > 0: a blow of j N s is caught in j / strength seconds
   Scalar min_regain = Scalar(0.02);     ///< s, > 0; shortest t_b - t_a after a blow
   Scalar max_regain = Scalar(0.4);      ///< s, >= min_regain; longest
-  Scalar recover_speed = Scalar(2);     ///< m/s, > 0: a blade that a blow finds away from the hand is not fetched faster
-  Scalar recover_time = Scalar(0.05);   ///< s, > 0: time constant in which a blade that was pushed away returns
+  Scalar recover_speed = Scalar(0.5);   ///< m/s, > 0: a blade that a blow finds away from the hand is not fetched faster
+  Scalar recover_time = Scalar(0.1);    ///< s, > 0: time constant in which a blade that was pushed away returns
   Scalar lever = Scalar(0.5);           ///< m, > 0: a turn of 1 rad counts as a lag of this length
 };
 

@@ -16,15 +16,16 @@ constexpr std::array<ScriptMove, 4> kGuard = {{
     {900, -0.04F, 0.00F},
 }};
 
+// A parry draws the hand back a little, so that it does not run into the blade that it sweeps aside.
 constexpr std::array<ScriptMove, 8> kParry = {{
-    {500, 0.05F, 0.05F},
-    {180, -0.80F, 0.10F},
-    {260, 0.00F, 0.00F},
-    {400, 0.03F, -0.05F},
-    {180, 0.80F, 0.10F},
-    {260, 0.00F, 0.05F},
-    {350, -0.05F, 0.00F},
-    {400, 0.00F, 0.00F},
+    {500, 0.04F, -0.10F},
+    {180, -0.70F, -0.45F},
+    {260, 0.00F, -0.10F},
+    {400, 0.03F, -0.15F},
+    {180, 0.70F, -0.45F},
+    {260, 0.00F, -0.05F},
+    {350, -0.04F, -0.10F},
+    {400, 0.00F, -0.15F},
 }};
 
 constexpr std::array<ScriptMove, 9> kAttack = {{

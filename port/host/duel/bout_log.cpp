@@ -23,16 +23,30 @@ void BoutLog::on_step(const DuelRunner& runner) {
 }
 
 void BoutLog::print_contact(double time, const ContactEvent<float>& event) {
-  const bool leaning = event.kind == EventKind::kBegin && !is_beat(event);
-  if (!leaning && !is_beat(event)) return;
-  std::fprintf(out_, "%9.3f s  %s    left blade at %3.0f %%, right at %3.0f %%", time,
-               leaning ? "lean" : "beat", 100.0 * static_cast<double>(event.place_A),
-               100.0 * static_cast<double>(event.place_B));
-  if (!leaning) {
-    std::fprintf(out_, "  %6.3f N s at %5.2f m/s", static_cast<double>(event.impulse),
-                 -static_cast<double>(event.v_rel));
+  if (event.kind == EventKind::kBegin) {
+    engagement_ = {time, 0};
+    std::fprintf(out_, "%9.3f s  %s    left blade at %3.0f %%, right at %3.0f %%", time,
+                 is_beat(event) ? "beat" : "lean", 100.0 * static_cast<double>(event.place_A),
+                 100.0 * static_cast<double>(event.place_B));
+    if (is_beat(event)) {
+      std::fprintf(out_, "  %6.3f N s at %5.2f m/s", static_cast<double>(event.impulse),
+                   -static_cast<double>(event.v_rel));
+    }
+    std::fputc('\n', out_);
   }
-  std::fputc('\n', out_);
+  if (event.kind == EventKind::kEnd) {
+    print_parting(time);
+  } else {
+    engagement_.impulse += static_cast<double>(event.impulse);
+  }
+}
+
+void BoutLog::print_parting(double time) {
+  constexpr double kNoticeable = 0.03;  // s
+  const double together = time - engagement_.since;
+  if (together < kNoticeable) return;
+  std::fprintf(out_, "%9.3f s  part    after %.0f ms on each other, %.3f N s in all\n", time,
+               1e3 * together, engagement_.impulse);
 }
 
 void BoutLog::on_end(const DuelRunner& runner) {
@@ -41,13 +55,14 @@ void BoutLog::on_end(const DuelRunner& runner) {
   const bool won = runner.ending() == Ending::kTouch;
   std::fprintf(out_, "%9.3f s  halt    %s%s\n", runner.now(), result_of(runner),
                won ? " wins" : "");
-  std::fprintf(out_, "\nbeats %u, leaning contacts %u; contacts begun %u, kept %u, ended %u\n",
-               report.beats, report.rests, tally.begins, tally.persists, tally.ends);
-  std::fprintf(out_, "smallest gap between the blades %.6f m, deepest overlap %.6f m\n",
-               static_cast<double>(tally.smallest_gap), static_cast<double>(tally.deepest_overlap));
+  std::fprintf(out_, "\nbeats %u; contacts begun %u, kept %u, ended %u; blows %u, rests %u\n",
+               tally.beats, tally.begins, tally.persists, tally.ends, report.beats, report.rests);
+  std::fprintf(out_, "smallest gap between the blades %.4f mm, deepest overlap %.4f mm\n",
+               1e3 * static_cast<double>(tally.smallest_gap),
+               1e3 * static_cast<double>(tally.deepest_overlap));
   print_device(runner, Side::kLeft);
   print_device(runner, Side::kRight);
-  print_trouble(runner);
+  print_holds(runner);
   std::fprintf(out_, "steps %u of %u us; on this host %.1f us a step, worst %.1f us\n",
                runner.duel().steps(), static_cast<unsigned>(DuelRunner::kStep_us),
                mean_step_ns(runner) * 1e-3, static_cast<double>(tally.host_ns_worst) * 1e-3);
@@ -65,13 +80,16 @@ void BoutLog::print_device(const DuelRunner& runner, Side side) {
   std::fputc('\n', out_);
 }
 
-void BoutLog::print_trouble(const DuelRunner& runner) {
+void BoutLog::print_holds(const DuelRunner& runner) {
   const DuelReport& report = runner.duel().report();
   const Tally& tally = runner.tally();
   if (report.incomplete_steps + report.budget_outs + tally.events_dropped == 0) return;
-  std::fprintf(out_,
-               "TROUBLE: incomplete steps %u, searches out of budget %u, events not recorded %u\n",
-               report.incomplete_steps, report.budget_outs, tally.events_dropped);
+  std::fprintf(
+      out_,
+      "note   steps in which a blade was held %u (longest %.6f s): contacts beyond the limit %u, "
+      "searches out of budget %u; events not recorded %u\n",
+      report.incomplete_steps, static_cast<double>(tally.longest_hold), tally.contacts_dropped,
+      report.budget_outs, tally.events_dropped);
 }
 
 }  // namespace batuta::host

@@ -19,10 +19,18 @@ class BoutLog final : public Observer {
 
  private:
   void print_contact(double time, const ContactEvent<float>& event);
+  void print_parting(double time);
   void print_device(const DuelRunner& runner, Side side);
-  void print_trouble(const DuelRunner& runner);
+  void print_holds(const DuelRunner& runner);
+
+  /// From the moment when the blades meet until they part.
+  struct Engagement {
+    double since = 0;    ///< s
+    double impulse = 0;  ///< sum, N s
+  };
 
   std::FILE* out_;
+  Engagement engagement_;
   TouchCursor touches_;
 };
 

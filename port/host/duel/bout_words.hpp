@@ -34,8 +34,10 @@ inline double time_of(const DuelRunner& runner, const Touch<float>& touch) {
   return 1e-6 * static_cast<double>(runner.duel().time_us(touch.when));
 }
 
+/// Blade meets blade with a blow; the smaller blows while the two then press on each other are not
+/// beats.
 inline bool is_beat(const ContactEvent<float>& event) {
-  return event.kind != EventKind::kEnd && event.contact_kind == ContactKind::kColliding;
+  return event.kind == EventKind::kBegin && event.contact_kind == ContactKind::kColliding;
 }
 
 /// Samples that did not move the fencer's stick, of all that its device delivered.

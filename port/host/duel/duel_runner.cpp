@@ -58,12 +58,14 @@ const InputSample* DuelRunner::read(Side side, InputSample& sample) {
 void DuelRunner::add_up(std::chrono::nanoseconds spent) {
   const auto& report = duel_.world().report();
   for (const auto& event : duel_.world().events()) {  // Bound: DuelScene::kMaxEvents
+    const bool blow = event.contact_kind == ContactKind::kColliding;
+    tally_.beats += event.kind == EventKind::kBegin && blow ? 1 : 0;
     tally_.begins += event.kind == EventKind::kBegin ? 1 : 0;
     tally_.persists += event.kind == EventKind::kPersist ? 1 : 0;
     tally_.ends += event.kind == EventKind::kEnd ? 1 : 0;
   }
-  tally_.events_dropped +=
-      static_cast<std::uint32_t>(report.events_dropped + report.contacts_dropped);
+  tally_.events_dropped += report.events_dropped;
+  tally_.contacts_dropped += report.contacts_dropped;
   const float gap = capsule_gap(duel_.blade_W(Side::kLeft), duel_.blade_W(Side::kRight)).gap;
   tally_.smallest_gap = std::min(tally_.smallest_gap, gap);
   tally_.deepest_overlap = std::max(tally_.deepest_overlap, report.deepest_overlap);

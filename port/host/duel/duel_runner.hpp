@@ -31,10 +31,13 @@ struct DeviceTally {
 /// Sums over the bout.
 struct Tally {
   std::array<DeviceTally, 2> devices;
+  std::uint32_t beats = 0;   ///< contacts that began with a blow
   std::uint32_t begins = 0;  ///< contact events of each kind
   std::uint32_t persists = 0;
   std::uint32_t ends = 0;
-  std::uint32_t events_dropped = 0;  ///< events and contacts that there was no room for
+  std::uint32_t events_dropped = 0;  ///< answered, but not recorded
+  std::uint32_t contacts_dropped =
+      0;  ///< not answered any more in their step: the blades were held
   float smallest_gap =
       std::numeric_limits<float>::infinity();  ///< between the blades after any step, m
   float deepest_overlap = 0;                   ///< found by a search when it began, m

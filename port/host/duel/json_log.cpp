@@ -19,6 +19,18 @@ const char* name_of(EventKind kind) {
   return "end";
 }
 
+const char* name_of(ContactKind kind) {
+  switch (kind) {
+    case ContactKind::kColliding:
+      return "colliding";
+    case ContactKind::kResting:
+      return "resting";
+    case ContactKind::kReceding:
+      break;
+  }
+  return "receding";
+}
+
 void add_result(JsonLine& line, const DuelRunner& runner) {
   line.text("result", result_of(runner))
       .count("steps", runner.duel().steps())
@@ -34,7 +46,8 @@ void add_result(JsonLine& line, const DuelRunner& runner) {
 void add_contacts(JsonLine& line, const DuelRunner& runner) {
   const DuelReport& report = runner.duel().report();
   const Tally& tally = runner.tally();
-  line.count("beats", report.beats)
+  line.count("beats", tally.beats)
+      .count("blows", report.beats)
       .count("rests", report.rests)
       .count("begin", tally.begins)
       .count("persist", tally.persists)
@@ -44,6 +57,7 @@ void add_contacts(JsonLine& line, const DuelRunner& runner) {
       .number("longest_hold", static_cast<double>(tally.longest_hold))
       .count("incomplete_steps", report.incomplete_steps)
       .count("events_not_recorded", tally.events_dropped)
+      .count("contacts_not_answered", tally.contacts_dropped)
       .count("budget_outs", report.budget_outs)
       .count("evaluations", report.evaluations);
 }
@@ -72,9 +86,8 @@ void JsonLog::on_start(const DuelRunner& runner) {
 
 void JsonLog::on_step(const DuelRunner& runner) {
   for (const auto& event : runner.duel().world().events()) {  // Bound: DuelScene::kMaxEvents
-    if (event.kind != EventKind::kPersist || is_beat(event)) {
-      write_contact(time_of(runner, event), event);
-    }
+    const bool blow = event.contact_kind == ContactKind::kColliding;
+    if (event.kind != EventKind::kPersist || blow) write_contact(time_of(runner, event), event);
   }
   touches_.for_each_new(runner, [&](const Touch<float>& touch) {
     JsonLine(out_, "touch")
@@ -91,7 +104,7 @@ void JsonLog::write_contact(double time, const ContactEvent<float>& event) {
   JsonLine(out_, "contact")
       .number("time", time)
       .text("event", name_of(event.kind))
-      .flag("beat", is_beat(event))
+      .text("kind", name_of(event.contact_kind))
       .number("place_left", static_cast<double>(event.place_A))
       .number("place_right", static_cast<double>(event.place_B))
       .number("impulse", static_cast<double>(event.impulse))

@@ -11,6 +11,7 @@
 #include <memory>
 #include <thread>
 
+#include "host/clock.hpp"
 #include "host/duel/bout_log.hpp"
 #include "host/duel/json_log.hpp"
 #include "host/duel/options.hpp"
@@ -44,18 +45,24 @@ Observers make_observers(const Options& options, double limit, std::ostream& svg
   return observers;
 }
 
+/// Waits until a step that was just simulated is over on the clock as well.
+void wait_for_step(Clock& clock, Microseconds start, const DuelRunner& runner) {
+  const auto due =
+      static_cast<Microseconds>(std::uint64_t{runner.duel().steps()} * DuelRunner::kStep_us);
+  const std::int32_t early_us = elapsed_us(clock.now(), start + due);
+  std::fflush(stdout);
+  if (early_us > 0) std::this_thread::sleep_for(std::chrono::microseconds(early_us));
+}
+
 void run(DuelRunner& runner, const Observers& observers, bool realtime) {
-  const auto start = std::chrono::steady_clock::now();
+  HostClock clock;
+  const Microseconds start = clock.now();
   for (const auto& observer : observers) observer->on_start(runner);
   bool going_on = true;
   while (going_on) {  // Bound: the steps up to runner.limit()
     going_on = runner.step();
     for (const auto& observer : observers) observer->on_step(runner);
-    if (!realtime) continue;
-    std::fflush(stdout);
-    std::this_thread::sleep_until(
-        start +
-        std::chrono::microseconds(std::uint64_t{runner.duel().steps()} * DuelRunner::kStep_us));
+    if (realtime) wait_for_step(clock, start, runner);
   }
   for (const auto& observer : observers) observer->on_end(runner);
 }

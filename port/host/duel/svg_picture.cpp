@@ -131,7 +131,7 @@ void SvgPicture::draw_view(SvgCanvas& canvas, const DuelRunner& runner, const Vi
   const Pixel low = {view.corner.x, view.corner.y + view.size().y};
   canvas.rectangle(view.corner, view.size(), {250, 250, 248});
   canvas.text({view.corner.x + 8, view.corner.y - 6},
-              view.from_above ? "from above" : "from the side", 13, "start");
+              view.from_above ? "from above" : "from the side (lines: 1 m)", 13, "start");
   for (int metre = -1; metre <= 1; ++metre) {
     const double x = view.corner.x + (kReach + metre) * kScale;
     canvas.line({x, view.corner.y}, {x, low.y}, {kFaint, 1, 1});
@@ -236,7 +236,7 @@ void SvgPicture::draw_legend(SvgCanvas& canvas) const {
   canvas.text({x + 24, kLine}, beats, 13, "start");
   x += 290;
   canvas.star({x, kLine - 5}, 9, kTouch);
-  canvas.text({x + 16, kLine}, "touch; grid: 1 m", 13, "start");
+  canvas.text({x + 16, kLine}, "touch", 13, "start");
 }
 
 }  // namespace batuta::host

@@ -6,7 +6,10 @@ The motion is made up, not recorded: an attacker on a two-axis stick who feints,
 tremor and a stick's noise of a few counts. Deterministic: the same file from every run on every machine.
 
     python3 make_default.py > default.events
+    python3 make_default.py --compare default.events    fails if the file is not what would be written
 """
+
+import sys
 
 PERIOD_US = 4000  # a stick that reports 250 times a second
 RANGE = 32767
@@ -91,8 +94,9 @@ def path(moves):
         x, y = to_x, to_y
 
 
-def main():
-    print(HEADER.format(low=-RANGE - 1, high=RANGE, flat=FLAT), end="")
+def recording():
+    """The whole file, line by line."""
+    yield from HEADER.format(low=-RANGE - 1, high=RANGE, flat=FLAT).splitlines()
     noise = Noise()
     last = [None, None]
     for sample, position in enumerate(path(MOVES)):
@@ -101,11 +105,21 @@ def main():
         for axis, share in enumerate((position[0], -position[1])):  # down is positive in the input stack
             counts = max(-RANGE - 1, min(RANGE, round(share * RANGE) + noise.counts(24)))
             if counts != last[axis]:
-                print("E: %s 0003 %04x %04d" % (time, axis, counts))
+                yield "E: %s 0003 %04x %04d" % (time, axis, counts)
                 last[axis] = counts
                 changed = True
         if changed:
-            print("E: %s 0000 0000 0000" % time)
+            yield "E: %s 0000 0000 0000" % time
+
+
+def main():
+    text = "\n".join(recording()) + "\n"
+    if len(sys.argv) == 3 and sys.argv[1] == "--compare":
+        with open(sys.argv[2], encoding="ascii") as file:
+            if file.read() != text:
+                sys.exit(sys.argv[2] + " is not what " + sys.argv[0] + " writes")
+        return
+    sys.stdout.write(text)
 
 
 main()

@@ -160,6 +160,14 @@ TEST(Pool, Walk_FollowsTheSlotsAndSkipsHoles) {
   EXPECT_EQ(std::next(same.begin(), 2).index(), 32U);
 }
 
+TEST(Pool, Walk_EndsWhereTheLastWordOfTheBitmapIsFull) {
+  Pool<int, 64> pool;
+  for (int i = 0; i < 64; ++i) make_in(pool, -2);  // bits behind the bitmap
+  int walked = 0;
+  for (const int value : pool) walked -= value;
+  EXPECT_EQ(walked, 128);
+}
+
 TEST(Pool, Walk_ObjectsMayBeChangedAndRemovedOnTheWay) {
   Pool<int, 8> pool;
   for (int i = 0; i < 8; ++i) make_in(pool, i);

@@ -119,9 +119,9 @@ TYPED_TEST(CapsuleTest, SurfaceNormal_OnTheSideTheCapsAndTheAxis) {
   using V = Vec3<Scalar>;
   const auto side = surface_normal<Scalar>(this->bar(), {Scalar(0.3), 0, 4});
   EXPECT_TRUE(side.ok());
-  EXPECT_EQ(side.value, V(0, 0, 1));
+  EXPECT_LE((side.value - V(0, 0, 1)).norm(), this->kTolerance);
   const auto inside = surface_normal<Scalar>(this->bar(), {Scalar(0.3), Scalar(-0.1), 0});
-  EXPECT_EQ(inside.value, V(0, -1, 0));
+  EXPECT_LE((inside.value - V(0, -1, 0)).norm(), 10 * this->kTolerance) << "u S / distance";
   const auto cap = surface_normal<Scalar>(this->bar(), {4, 4, 0});
   EXPECT_NEAR(cap.value.x(), Scalar(0.6), this->kTolerance);
   EXPECT_NEAR(cap.value.y(), Scalar(0.8), this->kTolerance);

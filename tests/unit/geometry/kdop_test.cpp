@@ -21,17 +21,16 @@ struct Kind {
 template <class T>
 class KdopTest : public testing::Test {
  protected:
-  using Scalar = typename T::Scalar;
-  static constexpr int K = T::K;
+  using Number = typename T::Scalar;
+  using Point = Vec3<Number>;
 
-  Scalar number() { return Scalar(engine_() % 20001) / 10000 - 1; }
-  Vec3<Scalar> point() { return {number(), number(), number()}; }
-  Capsule<Scalar> capsule() {
-    const Scalar size = std::ldexp(Scalar(1), static_cast<int>(engine_() % 60) - 30);
-    const Vec3<Scalar> offset =
-        engine_() % 2 == 0 ? Vec3<Scalar>::Zero() : Vec3<Scalar>(100 * point());
-    const Segment<Scalar> axis{size * (offset + point()), size * (offset + point())};
-    return {axis, engine_() % 4 == 0 ? Scalar(0) : size * std::abs(number())};
+  Number number() { return Number(engine_() % 20001) / 10000 - 1; }
+  Point point() { return {number(), number(), number()}; }
+  Capsule<Number> capsule() {
+    const Number size = std::ldexp(Number(1), static_cast<int>(engine_() % 60) - 30);
+    const Point offset = engine_() % 2 == 0 ? Point(0, 0, 0) : Point(100 * point());
+    const Segment<Number> axis{size * (offset + point()), size * (offset + point())};
+    return {axis, engine_() % 4 == 0 ? Number(0) : size * std::abs(number())};
   }
 
   std::mt19937 engine_{11};

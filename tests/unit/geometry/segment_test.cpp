@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "batuta/geometry/direction.hpp"
 #include "exact_distance.hpp"
 
 namespace batuta {
@@ -36,8 +37,10 @@ class SegmentTest : public testing::Test {
       EXPECT_NEAR(x.s, c.s, 8 * kRoundOff<Scalar>);
       EXPECT_NEAR(x.u, c.u, 8 * kRoundOff<Scalar>);
     }
-    EXPECT_EQ(x.p_A, c.A.at(x.s));
-    EXPECT_EQ(x.p_B, c.B.at(x.u));
+    const Scalar size = max_of(largest_component(x.p_A), largest_component(x.p_B));
+    const Scalar rounding = 4 * kRoundOff<Scalar> * size;
+    EXPECT_LE(largest_component<Scalar>(x.p_A - c.A.at(x.s)), tolerance + rounding);
+    EXPECT_LE(largest_component<Scalar>(x.p_B - c.B.at(x.u)), tolerance + rounding);
   }
 };
 using Scalars = testing::Types<float, double>;
@@ -80,6 +83,12 @@ TYPED_TEST(SegmentTest, ParallelSideBySide_GivesTheMiddleOfTheOverlap) {
       {"inside", {{0, 0, 0}, {8, 0, 0}}, {{2, 1, 0}, {4, 1, 0}}, 1, 0.375, 0.5},
       {"one point of overlap", {{0, 0, 0}, {1, 0, 0}}, {{1, 1, 0}, {2, 1, 0}}, 1, 1, 0},
       {"in line and nested", {{0, 0, 0}, {8, 0, 0}}, {{2, 0, 0}, {4, 0, 0}}, 0, 0.375, 0.5},
+      {"up to rounding",
+       {{0, 0, 0}, {4, 0, 0}},
+       {{0, 1, 0}, {4, 1 + 2 * kRoundOff<TypeParam>, 0}},
+       1,
+       0.5,
+       0.5},
       {"uneven", {{1, 2, 0}, {1, -2, 0}}, {{-1, 2, 0}, {-1, -2, 0}}, 2, 0.5, 0.5},
       {"the same", {{1, 2, 3}, {3, 4, 5}}, {{1, 2, 3}, {3, 4, 5}}, 0, 0.5, 0.5},
   };

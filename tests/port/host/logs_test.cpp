@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "bouts.hpp"
+#include "heap_trap.hpp"
+#include "host/duel/bout_log.hpp"
+#include "host/duel/json_log.hpp"
+#include "host/duel/progress_bar.hpp"
+
+namespace batuta::host {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// A stream into memory.
+class TextFile {
+ public:
+  TextFile() : file_(open_memstream(&text_, &size_)) {}
+  TextFile(const TextFile&) = delete;
+  TextFile& operator=(const TextFile&) = delete;
+  ~TextFile() {
+    std::fclose(file_);
+    std::free(text_);
+  }
+  std::FILE* file() { return file_; }
+  std::string text() {
+    std::fflush(file_);
+    return {text_, size_};
+  }
+
+ private:
+  char* text_ = nullptr;
+  std::size_t size_ = 0;
+  std::FILE* file_;
+};
+
+template <class Log>
+std::string log_of(BoutRig& bout) {
+  TextFile out;
+  Log log(out.file());
+  bout.run(&log);
+  return out.text();
+}
+
+TEST(BoutLog, TellsTheBout) {
+  BoutRig bout("default", "script:parry");
+  const std::string log = log_of<BoutLog>(bout);
+  for (const char* words : {"left   default (batuta synthetic stick)", "right  script parry",
+                            "en garde", "beat", "N s at", "part    after", "left touches the torso",
+                            "left wins", "samples used", "us a step"}) {
+    EXPECT_THAT(log, HasSubstr(words));
+  }
+  EXPECT_LT(std::count(log.begin(), log.end(), '\n'), 100) << "for people";
+}
+
+TEST(BoutLog, ADraw_AndARecordingThatEnded) {
+  BoutRig bout("default", "script:guard", 20);
+  const std::string until_touch = log_of<BoutLog>(bout);
+  EXPECT_THAT(until_touch, Not(HasSubstr("the stick stayed")));
+  BoutRig guards("script:guard", "script:guard", 0.5);
+  EXPECT_THAT(log_of<BoutLog>(guards), HasSubstr("0.500 s  halt    draw"));
+}
+
+TEST(JsonLog, FirstTheStart_LastTheSummary) {
+  BoutRig bout("default", "script:parry");
+  const std::string log = log_of<JsonLog>(bout);
+  EXPECT_EQ(log.rfind("{\"type\": \"start\"", 0), 0U);
+  const std::size_t last = log.rfind('\n', log.size() - 2) + 1;
+  EXPECT_EQ(log.compare(last, 19, "{\"type\": \"summary\","), 0) << log.substr(last);
+  EXPECT_THAT(log.substr(last), HasSubstr("\"result\": \"left\""));
+  EXPECT_THAT(log, HasSubstr("{\"type\": \"touch\""));
+  EXPECT_THAT(log, HasSubstr("\"event\": \"begin\", \"kind\": \"colliding\""));
+  EXPECT_THAT(log, HasSubstr("\"event\": \"end\""));
+}
+
+TEST(ProgressBar, GrowsAndGoesAway) {
+  BoutRig bout("script:guard", "script:guard", 1);
+  TextFile out;
+  ProgressBar bar(out.file());
+  bout.run(&bar);
+  EXPECT_THAT(out.text(), HasSubstr("]  50 %"));
+  EXPECT_THAT(out.text(), HasSubstr("\r\033[K")) << "erased at the end";
+}
+
+/// A log allocates nothing while the bout goes on, but for what the stream itself does.
+template <class Log>
+int allocations_of(const char* path) {
+  std::FILE* out = std::fopen(path, "w");
+  Log log(out);
+  BoutRig bout("default", "script:parry");
+  log.on_start(*bout.runner);
+  int allocations = 0;
+  bool going_on = true;
+  while (going_on) {
+    const test::HeapTrap trap;
+    going_on = bout.runner->step();
+    log.on_step(*bout.runner);
+    allocations += trap.allocations();
+  }
+  std::fclose(out);
+  return allocations;
+}
+
+TEST(Logs, AllocateNothing_WhileTheBoutGoesOn) {
+  EXPECT_EQ(allocations_of<BoutLog>("/dev/null"), 0);
+  EXPECT_EQ(allocations_of<JsonLog>("/dev/null"), 0);
+}
+
+}  // namespace
+}  // namespace batuta::host

@@ -1,0 +1,160 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Runs batuta-duel as a user would: program_test.py PROGRAM SHARED_DIR GROUP. Exit code 77: skipped."""
+
+import json
+import math
+import os
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree
+
+PROGRAM, SHARED, GROUP = sys.argv[1:4]
+STICK = "E: 0.000000 0003 0000 %d\nE: 0.000000 0000 0000 0\nE: 0.300000 0003 0000 0\nE: 0.300000 0000 0000 0\n"
+
+
+def run(*words):
+    return subprocess.run([PROGRAM, *words], capture_output=True, text=True, timeout=300, check=False)
+
+
+def check(condition, what):
+    if not condition:
+        sys.exit("FAILED: %s" % (what,))
+
+
+def write(folder, name, text):
+    path = os.path.join(folder, name)
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        file.write(text)
+    return path
+
+
+def refuses(words, exit_code, *parts):
+    """The program leaves with the code, nothing on standard output, and one line that holds all parts."""
+    result = run(*words)
+    check(result.returncode == exit_code, (words, result.returncode, result.stderr))
+    check(result.stdout == "", (words, result.stdout))
+    check(result.stderr.startswith("batuta-duel: ") and result.stderr.count("\n") == 1, (words, result.stderr))
+    for part in parts:
+        check(part in result.stderr, (words, part, result.stderr))
+
+
+def objects(result):
+    """The lines of --json, each a valid object of finite numbers; the last, and only the last, is the summary."""
+
+    def no_constant(name):
+        raise ValueError(name)
+
+    check(result.returncode == 0, result.stderr)
+    lines = [json.loads(line, parse_constant=no_constant) for line in result.stdout.splitlines()]
+    check([line["type"] for line in lines].index("summary") == len(lines) - 1, "the last line is the summary")
+    check(lines[0]["type"] == "start", lines[0])
+    return lines
+
+
+def without_timing(line):
+    return {key: value for key, value in line.items() if not key.startswith("host_ns")}
+
+
+def usage(folder):
+    told = run("--help")
+    check(told.returncode == 0 and told.stderr == "", told.stderr)
+    for word in ("--left", "--right", "--json", "--svg", "--realtime", "--seconds", "script:", "Exit codes"):
+        check(word in told.stdout, word)
+    check(max(map(len, told.stdout.splitlines())) <= 120, "help fits a terminal")
+    version = run("--version")
+    check(version.returncode == 0 and version.stdout.startswith("batuta-duel "), version)
+    refuses(["--nonsense"], 2, "--nonsense")
+    refuses(["stray"], 2, "stray")
+    refuses(["--left"], 2, "--left")
+    for number in ("0", "-1", "x", "nan", "inf", "1e999", ""):
+        refuses(["--seconds", number], 2)
+    refuses(["--left", "banana"], 2, "banana", "unknown source")
+    refuses(["--right", "script:riposte"], 2, "script:riposte")
+    refuses(["--left", "device:/dev/input/event0"], 2, "live devices are not built into this version")
+    refuses(["--left", "serial:/dev/null"], 2, "live devices")
+    refuses(["--left", "none.events"], 2, "none.events: no such file")
+    refuses(["--left", folder], 2, "cannot be read")
+    refuses(["--svg", os.path.join(folder, "none", "bout.svg")], 1, "cannot be written")
+    if os.path.exists("/dev/full"):
+        full = run("--seconds", "0.1", "--svg", "/dev/full")
+        check(full.returncode == 1 and "/dev/full" in full.stderr, full)
+        with open("/dev/full", "w", encoding="ascii") as out:
+            code = subprocess.run([PROGRAM, "--seconds", "0.1"], stdout=out, stderr=subprocess.DEVNULL, check=False)
+        check(code.returncode == 1, "a full disk is noticed")
+
+
+def recordings(folder):
+    bad = write(folder, "bad.events", STICK % 5 + "E: 0.4 0003 0000 1\n")
+    refuses(["--left", bad], 2, "bad.events:5: ")
+    refuses(["--left", write(folder, "empty.events", "")], 2, "holds no events")
+    keys = "E: 0.000000 0001 001e 1\nE: 0.000000 0000 0000 0\n"
+    refuses(["--left", write(folder, "keys.events", keys)], 2, "no motion")
+    refuses(["--left", write(folder, "odd.events", "N: x\nI: y\n" + STICK % 5)], 2, "description")
+    guessed = run("--left", write(folder, "guess.evemu", (STICK % 5).replace("\n", "\r\n")), "--right", "script:guard")
+    check(guessed.returncode == 0, guessed.stderr)
+    check("guess.evemu: " in guessed.stderr and guessed.stderr.count("\n") == 1, guessed.stderr)
+    short = write(folder, "short.events", STICK % 5)
+    two = objects(run("--left", short, "--right", "script:guard", "--seconds", "1", "--json"))[-1]
+    check(two["result"] == "draw" and two["left_source_ended"] is True, two)
+    check(two["simulated_seconds"] == 1, two)
+    paced = run("--left", short, "--right", "script:guard", "--realtime", "--json")
+    objects(paced)
+
+
+def json_lines(_):
+    first = objects(run("--json"))
+    second = objects(run("--json"))
+    check(list(map(without_timing, first)) == list(map(without_timing, second)), "two runs differ")
+    summary = first[-1]
+    for key in ("steps", "simulated_seconds", "left_samples_used", "right_samples_rejected", "beats", "rests", "begin",
+                "persist", "end", "smallest_gap", "deepest_overlap", "events_not_recorded", "budget_outs",
+                "host_ns_per_step_mean", "host_ns_per_step_max", "result", "touch_by", "touch_part", "touch_time"):
+        check(key in summary, key)
+    contacts = [line for line in first if line["type"] == "contact"]
+    count = {event: sum(line["event"] == event for line in contacts) for event in ("begin", "persist", "end")}
+    check(summary["begin"] == count["begin"] and summary["end"] == count["end"], count)
+    check(summary["persist"] >= count["persist"], count)
+    colliding = sum(line["kind"] == "colliding" and line["event"] != "end" for line in contacts)
+    check(summary["blows"] == colliding + summary["events_not_recorded"], (summary["blows"], colliding))
+    times = [line["time"] for line in contacts]
+    check(times == sorted(times), "contacts are in the order of time")
+    check(all(abs(math.hypot(*line["normal"]) - 1) < 1e-6 for line in contacts), "normals are unit")
+    touch = [line for line in first if line["type"] == "touch"]
+    check(len(touch) == 1 and touch[0]["by"] == summary["touch_by"] == summary["result"] == "left", touch)
+
+
+def picture(folder):
+    sizes = []
+    for words in ([], ["--left", "script:guard", "--right", "script:parry"], ["--seconds", "0.001"]):
+        path = os.path.join(folder, "bout.svg")
+        check(run("--svg", path, *words).returncode == 0, words)
+        root = xml.etree.ElementTree.parse(path).getroot()
+        check(root.tag == "{http://www.w3.org/2000/svg}svg", root.tag)
+        sizes.append(os.path.getsize(path))
+    check(max(sizes) < 400000, sizes)
+    name = write(folder, "a<b>&'\"\u00fc.events", STICK % 5)
+    check(run("--left", name, "--svg", path).returncode == 0, name)
+    xml.etree.ElementTree.parse(path)
+
+
+def real(_):
+    folder = os.path.join(SHARED, "recordings")
+    if not os.path.isdir(folder):
+        print("skipped: there is no", folder)
+        sys.exit(77)
+    names = sorted(name for name in os.listdir(folder) if name.endswith((".events", ".evemu")))
+    check(names, "no recordings")
+    for name in names:
+        for right in ("script:guard", "script:parry", "script:attack"):
+            result = run("--left", os.path.join(folder, name), "--right", right, "--json")
+            check(result.stderr == "", result.stderr)
+            summary = objects(result)[-1]
+            check(summary["left_samples_used"] > 10, summary)
+            check(summary["left_samples_rejected"] == 0, summary)
+
+
+GROUPS = {"Usage": usage, "Recordings": recordings, "Json": json_lines, "Picture": picture, "RealDevices": real}
+with tempfile.TemporaryDirectory() as scratch:
+    GROUPS[GROUP](scratch)

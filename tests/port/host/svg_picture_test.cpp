@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "host/duel/svg_picture.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <memory>
+#include <sstream>
+
+#include "bouts.hpp"
+#include "heap_trap.hpp"
+
+namespace batuta::host {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::string picture_of(BoutRig& bout) {
+  std::ostringstream out;
+  const auto picture = std::make_unique<SvgPicture>(out);
+  bout.run(picture.get());
+  return out.str();
+}
+
+int count(const std::string& text, const std::string& part) {
+  int found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++found;
+  return found;
+}
+
+TEST(SvgPicture, ShowsTheBout) {
+  BoutRig bout("default", "script:parry");
+  const std::string svg = picture_of(bout);
+  EXPECT_THAT(svg, HasSubstr("Touch by left: torso"));
+  EXPECT_EQ(count(svg, "from the side"), 1);
+  EXPECT_EQ(count(svg, "from above"), 1);
+  EXPECT_EQ(count(svg, "<circle"), 2 * static_cast<int>(bout.runner->tally().beats) + 1)
+      << "each beat in both views, and the legend";
+  EXPECT_EQ(count(svg, "<polygon"), 4)
+      << "the touch in both views, on the time line, in the legend";
+  EXPECT_LT(svg.size(), 400'000U);
+}
+
+TEST(SvgPicture, ADraw_HasNoStarButThatOfTheLegend) {
+  BoutRig bout("script:guard", "script:guard", 1);
+  const std::string svg = picture_of(bout);
+  EXPECT_THAT(svg, HasSubstr("No touch in 1.00 s"));
+  EXPECT_EQ(count(svg, "<polygon"), 1);
+}
+
+TEST(SvgPicture, ALongBout_StaysSmall_AndSaysWhatItLeavesOut) {
+  BoutRig bout("script:guard", "script:parry", 180);
+  const std::string svg = picture_of(bout);
+  ASSERT_GT(bout.runner->tally().beats, static_cast<std::uint32_t>(SvgPicture::kMaxBeats));
+  EXPECT_LT(svg.size(), 400'000U);
+  EXPECT_EQ(count(svg, "<circle"), 2 * SvgPicture::kMaxBeats + 1);
+  EXPECT_THAT(svg, HasSubstr("(the 400 hardest)"));
+}
+
+TEST(SvgPicture, Watching_AllocatesNothing) {
+  BoutRig bout("default", "script:parry");
+  std::ostringstream out;
+  const auto picture = std::make_unique<SvgPicture>(out);
+  picture->on_start(*bout.runner);
+  int allocations = 0;
+  bool going_on = true;
+  while (going_on) {
+    going_on = bout.runner->step();
+    const test::HeapTrap trap;
+    picture->on_step(*bout.runner);
+    allocations += trap.allocations();
+  }
+  EXPECT_EQ(allocations, 0);
+}
+
+TEST(SvgCanvas, NumbersAndTextsAreAlwaysValid) {
+  std::ostringstream out;
+  {
+    SvgCanvas canvas(out, 10, 20);
+    canvas.line({-0.04, 1e300}, {std::numeric_limits<double>::quiet_NaN(), -12.34},
+                {{1, 2, 3}, 1, 0.5});
+    canvas.text({1, 2}, "a<b & \"c\" \xFF\x01", 3, "start");
+  }
+  EXPECT_THAT(out.str(), HasSubstr("x1=\"0\" y1=\"100000000\" x2=\"0\" y2=\"-12.3\""));
+  EXPECT_THAT(out.str(), HasSubstr("a&lt;b &amp; \"c\" ??<"));
+  EXPECT_THAT(out.str(), Not(HasSubstr("nan")));
+}
+
+TEST(Colour, Mixed_IsExactAtItsEnds) {
+  const Colour from{10, 200, 0};
+  const Colour to{20, 100, 255};
+  EXPECT_EQ(mixed(from, to, 0).green, 200);
+  EXPECT_EQ(mixed(from, to, 1).blue, 255);
+  EXPECT_EQ(mixed(from, to, 0.5).red, 15);
+}
+
+}  // namespace
+}  // namespace batuta::host

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "batuta/detection/swept_volume.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "moving.hpp"
+
+namespace batuta {
+namespace {
+
+using namespace testing_detection;
+
+constexpr double kPi = 3.14159265358979324;
+
+template <class Scalar>
+class SweptVolumeOf : public testing::Test {};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(SweptVolumeOf, Scalars);
+
+/// How far the capsule sticks out of the swept volume along direction i, m; the truth comes from
+/// the poses.
+template <class Scalar, int K>
+double leak(const Kdop<Scalar, K>& swept, const Capsule<double>& capsule, int i) {
+  const Vec3<double> up = kdop_direction<double, K>(i);
+  const auto k = static_cast<std::size_t>(i);
+  const double over = support(capsule, up) - static_cast<double>(swept.high[k]);
+  const double under = support<double>(capsule, -up) + static_cast<double>(swept.low[k]);
+  return max_of(over, under);
+}
+
+template <class Scalar, int K>
+void expect_no_leak(const MovingCapsule<Scalar>& m, int samples) {
+  const Kdop<Scalar, K> swept = swept_kdop<Scalar, K>(m);
+  for (int j = 0; j <= samples; ++j) {
+    const double t = static_cast<double>(m.motion.duration) * j / samples;
+    const Capsule<double> capsule = capsule_by_pose(m, t);
+    for (int i = 0; i < K / 2; ++i)
+      ASSERT_LE((leak<Scalar, K>(swept, capsule, i)), 0) << t << ' ' << i;
+  }
+}
+
+constexpr std::array<double, 9> kTurns = {0, 1e-7, 1e-3, 0.3, kPi / 2, kPi, 4, 5, 7 * kPi};
+
+TYPED_TEST(SweptVolumeOf, DenseSamples_NeverLeak) {  // B01, B02
+  std::mt19937 random(6);
+  for (const double turn : kTurns) {
+    for (int i = 0; i < 40; ++i) {
+      const double scale = std::exp2(8 * signed_unit(random));
+      const auto m = random_moving<TypeParam>(random, turn, scale);
+      expect_no_leak<TypeParam, 6>(m, 200);
+      expect_no_leak<TypeParam, 14>(m, 50);
+      expect_no_leak<TypeParam, 18>(m, 50);
+      expect_no_leak<TypeParam, 26>(m, 50);
+    }
+  }
+}
+
+TYPED_TEST(SweptVolumeOf, FarFromTheOrigin_NeverLeaks) {
+  std::mt19937 random(7);
+  for (int i = 0; i < 50; ++i) {
+    auto m = random_moving<TypeParam>(random, 2);
+    m.motion.X_WB.p_W += Vec3<TypeParam>(TypeParam(1e4), TypeParam(-1e4), TypeParam(1e4));
+    expect_no_leak<TypeParam, 26>(m, 100);
+  }
+}
+
+TYPED_TEST(SweptVolumeOf, TravelAtTheSpeedOfTheEnd_NeverLeaks) {  // B03: a double extremum
+  for (const double v : {-2.0, 2.0}) {
+    const auto m =
+        moving<TypeParam>({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}, 0.1, {0, v, 0}, {0, 0, 2}}, 3);
+    expect_no_leak<TypeParam, 26>(m, 1000);
+  }
+}
+
+TYPED_TEST(SweptVolumeOf, AxisAlongADirection_IsTight) {  // B04
+  const auto m = moving<TypeParam>({{0, 0, 0}, {0, 0, -1}, {0, 0, 2}, 0.25, {0, 0, 0}, {0, 0, 9}});
+  const auto box = swept_aabb(m);
+  EXPECT_NEAR(static_cast<double>(box.high[0]), 0.25, 1e-4);
+  EXPECT_NEAR(static_cast<double>(box.high[2]), 2.25, 1e-4);
+  EXPECT_NEAR(static_cast<double>(box.low[2]), -1.25, 1e-4);
+}
+
+TYPED_TEST(SweptVolumeOf, AtRest_IsTheBoxOfTheCapsule) {
+  std::mt19937 random(8);
+  for (int i = 0; i < 50; ++i) {
+    auto m = random_moving<TypeParam>(random, 0);
+    m.motion.twist = {};
+    const auto swept = swept_aabb(m);
+    const Capsule<double> capsule = capsule_by_pose(m, 0);
+    for (int d = 0; d < 3; ++d) {
+      const double slack = -leak<TypeParam, 6>(swept, capsule, d);
+      EXPECT_LE(slack, 200 * static_cast<double>(kRoundOff<TypeParam>) * 8);
+    }
+  }
+}
+
+TYPED_TEST(SweptVolumeOf, Box_IsNeverLargerThanThatOfTheSphere) {
+  std::mt19937 random(9);
+  for (const double turn : kTurns) {
+    for (int i = 0; i < 100; ++i) {
+      const auto m = random_moving<TypeParam>(random, turn);
+      const auto box = swept_aabb(m);
+      const auto ball = swept_sphere(m);
+      const TypeParam slack = 512 * kRoundOff<TypeParam>;
+      for (int d = 0; d < 3; ++d) {
+        const auto k = static_cast<std::size_t>(d);
+        EXPECT_LE(box.high[k], max_of(ball.start_W[d], ball.end_W[d]) + ball.radius + slack);
+        EXPECT_GE(box.low[k], min_of(ball.start_W[d], ball.end_W[d]) - ball.radius - slack);
+      }
+    }
+  }
+}
+
+TYPED_TEST(SweptVolumeOf, SmallTurnOfABlade_IsMuchSmallerThanTheSphere) {
+  const auto m = moving<TypeParam>(
+      {{0, 0, 0}, {-0.3, 0, 0}, {0.7, 0, 0}, 0.005, {1, 0, 0}, {0, 0, 5}}, 1.0 / 60);
+  const auto box = swept_aabb(m);
+  const double height = static_cast<double>(box.high[1] - box.low[1]);
+  const double ball = 2 * static_cast<double>(swept_sphere(m).radius);
+  EXPECT_LT(height, 0.11 * ball);
+  const double exact =
+      1.0 * std::sin(5.0 / 60) + 0.01;  // both ends rise and fall: 0.7 sin + 0.3 sin
+  EXPECT_NEAR(height, exact, 1e-3);
+}
+
+TYPED_TEST(SweptVolumeOf, Sphere_HoldsTheCapsule) {
+  std::mt19937 random(10);
+  for (int i = 0; i < 300; ++i) {
+    const auto m = random_moving<TypeParam>(random, 9);
+    const auto ball = swept_sphere(m);
+    for (int j = 0; j <= 20; ++j) {
+      const Capsule<double> capsule = capsule_by_pose(m, j / 20.0);
+      const Vec3<double> start = ball.start_W.template cast<double>();
+      const Vec3<double> end = ball.end_W.template cast<double>();
+      for (const Vec3<double>& p : {capsule.axis.a, capsule.axis.b}) {
+        const double off = closest_point(Segment<double>{start, end}, p).distance;
+        ASSERT_LE(off + capsule.radius, static_cast<double>(ball.radius));
+      }
+    }
+  }
+}
+
+TYPED_TEST(SweptVolumeOf, SpheresOverlap_RoundsTowardsYes) {
+  const SweptSphere<TypeParam> P{{0, 0, 0}, {10, 0, 0}, TypeParam(0.1)};
+  const auto at = [](double y) {
+    const auto z = static_cast<TypeParam>(y);
+    return SweptSphere<TypeParam>{{5, z, -3}, {5, z, 3}, TypeParam(0.2)};
+  };
+  EXPECT_TRUE(overlaps(P, at(0)));
+  EXPECT_TRUE(overlaps(P, at(0.3)));
+  EXPECT_FALSE(overlaps(P, at(0.301)));
+  EXPECT_FALSE(overlaps(P, at(50)));
+}
+
+TYPED_TEST(SweptVolumeOf, PendulumDip_SurvivesTheBroadPhase) {  // B06: the pair of T37
+  const double turn = 40 * kPi / 180;
+  const Vec3<double> d(-std::sin(turn / 2), 0, -std::cos(turn / 2));
+  const auto A = moving<TypeParam>({{0, 0, 0}, {-2, 0, 0}, {2, 0, 0}, 0.05});
+  const auto B = moving<TypeParam>({{0, 0, 1.05}, 0.5 * d, d, 0.05, {0, 0, 0}, {0, -turn, 0}});
+  EXPECT_TRUE(overlaps(swept_aabb(A), swept_aabb(B)));
+  EXPECT_TRUE(overlaps(swept_kdop<TypeParam, 26>(A), swept_kdop<TypeParam, 26>(B)));
+  EXPECT_TRUE(overlaps(swept_sphere(A), swept_sphere(B)));
+}
+
+}  // namespace
+}  // namespace batuta

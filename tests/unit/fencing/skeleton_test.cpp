@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "batuta/fencing/skeleton.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+
+#include "batuta/fencing/fencer.hpp"
+
+namespace batuta {
+namespace {
+
+using V = Vec3<double>;
+
+TEST(TwoBoneReach, InReach_KeepsLengthsAndArrives) {
+  std::mt19937 random(3);
+  const auto unit = [&random] { return static_cast<double>(random() % 20001) / 10000.0 - 1.0; };
+  int reached = 0;
+  for (int n = 0; n < 5000; ++n) {
+    const V start(unit(), unit(), unit());
+    const V goal(unit(), unit(), unit());
+    const V bend(unit(), unit(), unit() + 2);
+    const Vec2<double> lengths(0.7 + 0.3 * unit(), 0.7 + 0.3 * unit());
+    const auto limb = two_bone_reach(start, goal, lengths, bend);
+    ASSERT_NEAR((limb.middle - start).norm(), lengths.x(), 1e-7);
+    ASSERT_NEAR((limb.end - limb.middle).norm(), lengths.y(), 1e-7);
+    const V way = goal - start;
+    ASSERT_LE((limb.end - start).cross(way).norm(), 1e-12 * way.norm());  // in the goal's direction
+    const bool can = way.norm() <= lengths.sum() && way.norm() >= std::abs(lengths.x() - lengths.y());
+    ASSERT_EQ(limb.in_reach, can);
+    if (!can) continue;
+    ++reached;
+    ASSERT_LE((limb.end - goal).norm(), 1e-12);
+    const V across = bend - bend.dot(way) / way.squaredNorm() * way;
+    ASSERT_GE((limb.middle - start).dot(across), -1e-12);  // gives way towards `bend`
+  }
+  EXPECT_GT(reached, 1000);
+}
+
+TEST(TwoBoneReach, BeyondReach_IsStraight) {
+  const auto limb = two_bone_reach<double>({0, 0, 0}, {5, 0, 0}, {0.3, 0.2}, {0, 0, 1});
+  EXPECT_LE((limb.middle - V(0.3, 0, 0)).norm(), 1e-15);
+  EXPECT_LE((limb.end - V(0.5, 0, 0)).norm(), 1e-15);
+  EXPECT_FALSE(limb.in_reach);
+}
+
+TEST(TwoBoneReach, DegenerateGoals_GiveFiniteLimbs) {
+  const Vec2<double> lengths(0.3, 0.3);
+  const auto folded = two_bone_reach<double>({1, 1, 1}, {1, 1, 1}, lengths, {0, 0, 1});
+  EXPECT_LE((folded.end - V(1, 1, 1)).norm(), 1e-15);
+  EXPECT_NEAR((folded.middle - V(1, 1, 1)).norm(), 0.3, 1e-15);
+  const auto along_bend = two_bone_reach<double>({0, 0, 0}, {0, 0, 0.4}, lengths, {0, 0, 2});
+  EXPECT_NEAR((along_bend.middle - V(0, 0, 0)).norm(), 0.3, 1e-15);
+  EXPECT_NEAR((along_bend.end - V(0, 0, 0.4)).norm(), 0, 1e-15);
+  const auto unequal = two_bone_reach<double>({0, 0, 0}, {0, 0, 0}, {0.3, 0.1}, {1, 0, 0});
+  EXPECT_NEAR((unequal.end - unequal.middle).norm(), 0.1, 1e-15);
+}
+
+TEST(LungeShare, RunsFromGuardToLunge) {
+  FencerBuild<double> build;
+  build.guard_hand_x = 0.4;
+  build.lunge_hand_x = 1.2;
+  EXPECT_EQ(lunge_share(build, 0.1), 0.0);
+  EXPECT_NEAR(lunge_share(build, 0.8), 0.5, 1e-15);
+  EXPECT_EQ(lunge_share(build, 3.0), 1.0);
+}
+
+const Capsule<double>& part(const BodyShape<double>& shape, BodyPart p) {
+  return shape[static_cast<std::size_t>(p)];
+}
+
+class Body : public ::testing::TestWithParam<int> {
+ protected:
+  Fencer<double> fencer = GetParam() == 0 ? first_fencer<double>() : second_fencer<double>();
+  Pose<double> X_WF = Salle<double>{}.X_WF(GetParam() == 0 ? Side::kLeft : Side::kRight);
+  FencerGrid<double> grid;
+  void SetUp() override {
+    auto keys = fencer.keys_FH;
+    for (auto& key : keys) key = chained(X_WF, key);
+    ASSERT_EQ(grid.set_keys(keys), Status::kOk);
+  }
+  BodyShape<double> at(double x, double y) const {
+    return pose_body(fencer.build, X_WF, grid.at({x, y}).X_WH);
+  }
+};
+
+// Bones keep their lengths and stay joined, and the weapon hand is where the stick wants it.
+TEST_P(Body, WholeStickSquare_IsOneConnectedBody) {
+  double farthest = 0;
+  for (double y = -1; y <= 1; y += 0.1) {
+    for (double x = -1; x <= 1; x += 0.1) {
+      const auto shape = at(x, y);
+      const auto joined = [&shape](BodyPart a, BodyPart b) {
+        return (part(shape, a).axis.b - part(shape, b).axis.a).norm();
+      };
+      EXPECT_LE(joined(BodyPart::kWeaponUpperArm, BodyPart::kWeaponForearm), 1e-12);
+      EXPECT_LE(joined(BodyPart::kWeaponForearm, BodyPart::kWeaponHand), 1e-12);
+      EXPECT_LE(joined(BodyPart::kOtherUpperArm, BodyPart::kOtherForearm), 1e-12);
+      EXPECT_LE(joined(BodyPart::kFrontThigh, BodyPart::kFrontShin), 1e-12);
+      EXPECT_LE(joined(BodyPart::kRearThigh, BodyPart::kRearShin), 1e-12);
+      for (std::size_t i = 0; i < shape.size(); ++i) {
+        EXPECT_NEAR(shape[i].axis.direction().norm(),
+                    fencer.build.bones[i].capsule_J.axis.direction().norm(), 1e-12);
+        EXPECT_GT(std::min(shape[i].axis.a.z(), shape[i].axis.b.z()), 0.0);  // above the floor
+      }
+      const V hand = grid.at({x, y}).X_WH.p_W;
+      farthest = std::max(farthest, (part(shape, BodyPart::kWeaponHand).axis.a - hand).norm());
+    }
+  }
+  EXPECT_LE(farthest, 0.04);  // an arm may be stretched by this much, not more
+}
+
+TEST_P(Body, RearFoot_StaysWhereItIs) {
+  const V guard = part(at(0, 0), BodyPart::kRearShin).axis.b;
+  EXPECT_LE((part(at(0, 1), BodyPart::kRearShin).axis.b - guard).norm(), 0.05);
+  EXPECT_LE((part(at(-1, -1), BodyPart::kRearShin).axis.b - guard).norm(), 1e-12);
+}
+
+TEST_P(Body, Lunge_GoesTowardsTheOpponentAndDown) {
+  const auto guard = at(0, 0);
+  const auto lunge = at(0, 1);
+  const double forward = (GetParam() == 0 ? 1.0 : -1.0) *
+                         (part(lunge, BodyPart::kTorso).axis.b - part(guard, BodyPart::kTorso).axis.b).x();
+  EXPECT_GT(forward, 0.4);
+  EXPECT_LT(part(lunge, BodyPart::kPelvis).axis.a.z(), part(guard, BodyPart::kPelvis).axis.a.z() - 0.2);
+}
+
+// No jumps: a small movement of the stick moves every joint a little.
+TEST_P(Body, SmallMovements_AreSmallEverywhere) {
+  const double h = 1e-4;
+  for (double y = -0.95; y <= 0.95; y += 0.05) {
+    for (double x = -0.95; x <= 0.95; x += 0.05) {
+      const auto before = at(x, y);
+      const auto after = at(x + h, y + h);
+      for (std::size_t i = 0; i < before.size(); ++i) {
+        ASSERT_LE((before[i].axis.a - after[i].axis.a).norm(), 10 * h);
+        ASSERT_LE((before[i].axis.b - after[i].axis.b).norm(), 10 * h);
+      }
+    }
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Both, Body, ::testing::Values(0, 1));
+
+TEST(PoseBody, HandBehindTheBack_IsStillFinite) {
+  const auto fencer = first_fencer<float>();
+  for (const auto& p : {Vec3<float>(-3, 0, 1), Vec3<float>(0.12F, -0.12F, 1.37F), Vec3<float>(0, 0, -2)}) {
+    const auto shape = pose_body(fencer.build, Pose<float>{}, {p, Quat<float>(0, 0, 0, 1)});
+    for (const auto& capsule : shape) EXPECT_TRUE(is_valid(capsule));
+  }
+}
+
+TEST(BodyPart, Names_AreAllDifferent) {
+  for (int i = 0; i < kBodyParts; ++i) {
+    for (int k = 0; k < i; ++k) {
+      EXPECT_NE(std::string(name_of(static_cast<BodyPart>(i))), name_of(static_cast<BodyPart>(k)));
+    }
+  }
+  EXPECT_EQ(std::string(name_of(static_cast<BodyPart>(200))), "unknown");
+}
+
+}  // namespace
+}  // namespace batuta

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "batuta/fencing/stick.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace batuta {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+InputSample sample(Microseconds time, float x, float y, std::uint32_t sequence) {
+  InputSample s;
+  s.time = time;
+  s.x = x;
+  s.y = y;
+  s.sequence = sequence;
+  return s;
+}
+
+template <class S>
+class StickOf : public ::testing::Test {
+ protected:
+  StickTracker<S> stick;
+  void SetUp() override { ASSERT_EQ(stick.configure(StickSettings{}), Status::kOk); }
+  void run(int steps, double dt = 1e-3) {
+    for (int i = 0; i < steps; ++i) stick.advance(static_cast<S>(dt));
+  }
+  double x() const { return static_cast<double>(stick.position().x()); }
+  double vx() const { return static_cast<double>(stick.velocity().x()); }
+};
+using Scalars = ::testing::Types<float, double>;
+TYPED_TEST_SUITE(StickOf, Scalars);
+
+TYPED_TEST(StickOf, NoSample_RestsAtTheCentreAndIsStale) {
+  this->run(10);
+  EXPECT_EQ(this->x(), 0.0);
+  EXPECT_EQ(this->vx(), 0.0);
+  EXPECT_TRUE(this->stick.is_stale());
+  EXPECT_EQ(this->stick.report().stale_steps, 10U);
+}
+
+// A ramp of 3 / s, sampled each 10 ms, stepped each 1 ms: velocity without spikes, position one sample late.
+TYPED_TEST(StickOf, RampAtTenSteps_VelocityIsTheRamps) {
+  (void)this->stick.accept(sample(0, -0.9F, 0, 1));
+  this->run(200);
+  for (unsigned k = 1; k <= 60; ++k) {
+    const double ramp = -0.9 + 3.0 * 0.01 * k;
+    const auto use = this->stick.accept(sample(1000000U + k * 10000U, static_cast<float>(ramp), 0, 1 + k));
+    EXPECT_EQ(use, SampleUse::kUsed);
+    for (int i = 1; i <= 10; ++i) {
+      this->run(1);
+      if (k < 2) continue;  // the first interval is the silence before
+      EXPECT_NEAR(this->vx(), 3.0, 2e-3);
+      EXPECT_NEAR(this->x(), ramp - 0.03 + 0.003 * i, 1e-5);
+    }
+  }
+}
+
+TYPED_TEST(StickOf, RepeatedStamp_CorrectsTheGoalOnly) {
+  (void)this->stick.accept(sample(1000, 0, 0, 1));
+  this->run(50);
+  (void)this->stick.accept(sample(11000, 0.1F, 0, 2));
+  EXPECT_EQ(this->stick.accept(sample(11000, 0.2F, 0, 3)), SampleUse::kRepeated);
+  this->run(5);
+  EXPECT_NEAR(this->x(), 0.1, 1e-6);
+  this->run(5);
+  EXPECT_NEAR(this->x(), 0.2, 1e-6);
+  EXPECT_EQ(this->stick.report().repeated, 1U);
+  EXPECT_EQ(this->stick.report().used, 2U);
+}
+
+TYPED_TEST(StickOf, BackwardStamp_IsRefused) {
+  (void)this->stick.accept(sample(1000, 0, 0, 1));
+  (void)this->stick.accept(sample(11000, 0.1F, 0, 2));
+  EXPECT_EQ(this->stick.accept(sample(9000, -0.9F, 0, 3)), SampleUse::kBackward);
+  this->run(100);
+  EXPECT_NEAR(this->x(), 0.1, 1e-6);
+  EXPECT_EQ(this->stick.report().backward, 1U);
+}
+
+TYPED_TEST(StickOf, ClockSetBackAfterSilence_IsBelievedAgain) {
+  (void)this->stick.accept(sample(5000000, 0, 0, 1));
+  this->run(300);
+  ASSERT_TRUE(this->stick.is_stale());
+  EXPECT_EQ(this->stick.accept(sample(5000000, 0, 0, 1)), SampleUse::kRepeated);
+  EXPECT_TRUE(this->stick.is_stale());  // an old sample again is no sign of life
+  EXPECT_EQ(this->stick.accept(sample(100, 0.3F, 0, 2)), SampleUse::kRestart);
+  EXPECT_FALSE(this->stick.is_stale());
+  EXPECT_EQ(this->stick.accept(sample(10100, 0.3F, 0, 3)), SampleUse::kUsed);
+}
+
+TYPED_TEST(StickOf, StampsAcrossTheWrap_AreInOrder) {
+  (void)this->stick.accept(sample(0xFFFFFFFFU - 4999U, 0, 0, 1));
+  this->run(50);
+  EXPECT_EQ(this->stick.accept(sample(5000, 0.1F, 0, 2)), SampleUse::kUsed);
+  this->run(5);
+  EXPECT_NEAR(this->x(), 0.05, 1e-5);
+}
+
+TYPED_TEST(StickOf, GapInTheSequence_IsCountedAcrossItsWrap) {
+  (void)this->stick.accept(sample(0, 0, 0, 0xFFFFFFFEU));
+  (void)this->stick.accept(sample(1000, 0, 0, 2));  // ...FF, 0, 1 are missing
+  EXPECT_EQ(this->stick.report().lost, 3U);
+  (void)this->stick.accept(sample(2000, 0, 0, 1));  // numbering began anew
+  (void)this->stick.accept(sample(3000, 0, 0, 1));
+  EXPECT_EQ(this->stick.report().lost, 3U);
+}
+
+TYPED_TEST(StickOf, NotFinite_IsRefused) {
+  EXPECT_EQ(this->stick.accept(sample(0, kNan, 0, 1)), SampleUse::kInvalid);
+  EXPECT_EQ(this->stick.accept(sample(0, 0, 1 / 0.0F, 2)), SampleUse::kInvalid);
+  this->run(10);
+  EXPECT_EQ(this->x(), 0.0);
+  EXPECT_EQ(this->stick.report().invalid, 2U);
+  EXPECT_TRUE(this->stick.is_stale());
+}
+
+TYPED_TEST(StickOf, BeyondTheRim_IsClampedAndCounted) {
+  (void)this->stick.accept(sample(0, 7, -1.5F, 1));
+  this->run(500);
+  EXPECT_EQ(this->x(), 1.0);
+  EXPECT_EQ(this->stick.position().y(), TypeParam(-1));
+  EXPECT_EQ(this->stick.report().clamped, 1U);
+}
+
+// Whatever the stamps and positions are, the stick stays in its square and below its speed.
+TYPED_TEST(StickOf, AnyStream_StaysInTheSquareAndBelowTheSpeed) {
+  std::mt19937 random(7);
+  const auto below = [&random](unsigned n) { return static_cast<std::uint32_t>(random() % n); };
+  const auto unit = [&below] { return static_cast<float>(below(4001)) / 1000.0F - 2.0F; };
+  Microseconds time = 0xFFFF0000U;
+  for (unsigned k = 0; k < 20000; ++k) {
+    time += below(20000);
+    time -= below(5) == 0 ? below(40000) : 0U;
+    if (below(3) != 0) (void)this->stick.accept(sample(time, unit(), unit(), below(1000)));
+    const double before = this->x();
+    this->run(1);
+    ASSERT_LE(std::abs(this->x()), 1.0);
+    ASSERT_LE(std::abs(this->vx()), 16.0 * (1 + 1e-4));
+    ASSERT_NEAR(this->x() - before, this->vx() * 1e-3, 1e-6);
+  }
+  EXPECT_GT(this->stick.report().slowed, 100U);
+  EXPECT_GT(this->stick.report().backward, 100U);
+}
+
+TYPED_TEST(StickOf, Silence_BecomesStaleAndStill) {
+  (void)this->stick.accept(sample(0, 1, 0, 1));
+  this->run(249);
+  EXPECT_FALSE(this->stick.is_stale());
+  this->run(2);
+  EXPECT_TRUE(this->stick.is_stale());
+  EXPECT_EQ(this->vx(), 0.0);
+  EXPECT_EQ(this->x(), 1.0);
+}
+
+TYPED_TEST(StickOf, Buttons_AreThoseOfTheLatestSample) {
+  InputSample s = sample(5, 0, 0, 1);
+  s.buttons = 5;
+  (void)this->stick.accept(s);
+  EXPECT_EQ(this->stick.buttons(), 5U);
+}
+
+TEST(StickSettings, OutOfRange_IsRefusedAndChangesNothing) {
+  StickTracker<float> stick;
+  const auto refused = [&stick](auto change) {
+    StickSettings settings;
+    change(settings);
+    return stick.configure(settings) == Status::kInvalidArgument;
+  };
+  (void)stick.accept(sample(0, 0.5F, 0, 1));
+  EXPECT_TRUE(refused([](StickSettings& s) { s.min_interval_us = 0; }));
+  EXPECT_TRUE(refused([](StickSettings& s) { s.max_interval_us = s.min_interval_us - 1; }));
+  EXPECT_TRUE(refused([](StickSettings& s) { s.stale_after_us = s.max_interval_us - 1; }));
+  EXPECT_TRUE(refused([](StickSettings& s) { s.max_speed = 7; }));  // 2 / 7 s is longer than the silence
+  EXPECT_TRUE(refused([](StickSettings& s) { s.max_speed = kNan; }));
+  EXPECT_EQ(stick.report().used, 1U);
+  EXPECT_EQ(stick.configure(StickSettings{}), Status::kOk);
+  EXPECT_EQ(stick.report().used, 0U);
+}
+
+}  // namespace
+}  // namespace batuta
