@@ -15,20 +15,20 @@ struct KeyData {
 using KeyTable = std::array<KeyData, 9>;
 
 /// Row by row: back guard, guard, lunge; in a row: parry or line to the left, middle, to the right.
-constexpr KeyTable kFirstKeys = {{{{0.28F, 0.10F, 1.18F}, {1.0F, 0.18F, 0.30F}},
+constexpr KeyTable kFirstKeys = {{{{0.28F, 0.27F, 1.18F}, {1.0F, -0.20F, 0.22F}},
                                   {{0.24F, -0.16F, 1.24F}, {1.0F, 0.10F, 0.36F}},
                                   {{0.28F, -0.36F, 1.14F}, {1.0F, -0.14F, 0.26F}},
-                                  {{0.40F, 0.09F, 1.14F}, {1.0F, 0.16F, 0.20F}},
+                                  {{0.38F, 0.28F, 1.14F}, {1.0F, -0.26F, 0.14F}},
                                   {{0.42F, -0.14F, 1.12F}, {1.0F, 0.177F, 0.12F}},
                                   {{0.40F, -0.34F, 1.08F}, {1.0F, -0.10F, 0.18F}},
                                   {{1.18F, 0.12F, 1.30F}, {1.0F, -0.07F, 0.00F}},
                                   {{1.20F, -0.10F, 1.16F}, {1.0F, 0.095F, 0.02F}},
                                   {{1.18F, -0.32F, 1.00F}, {1.0F, 0.25F, 0.02F}}}};
 
-constexpr KeyTable kSecondKeys = {{{{0.30F, 0.11F, 1.22F}, {1.0F, 0.18F, 0.28F}},
+constexpr KeyTable kSecondKeys = {{{{0.30F, 0.28F, 1.22F}, {1.0F, -0.20F, 0.20F}},
                                    {{0.26F, -0.16F, 1.28F}, {1.0F, 0.10F, 0.32F}},
                                    {{0.30F, -0.37F, 1.18F}, {1.0F, -0.14F, 0.24F}},
-                                   {{0.42F, 0.10F, 1.18F}, {1.0F, 0.16F, 0.16F}},
+                                   {{0.40F, 0.29F, 1.18F}, {1.0F, -0.26F, 0.11F}},
                                    {{0.44F, -0.14F, 1.16F}, {1.0F, 0.182F, 0.08F}},
                                    {{0.42F, -0.35F, 1.12F}, {1.0F, -0.10F, 0.14F}},
                                    {{1.23F, 0.12F, 1.34F}, {1.0F, -0.07F, -0.03F}},

@@ -15,7 +15,7 @@ constexpr int kJacobiSweeps = 6;
 
 /// An element this small beside 1 changes no moment and no axis; its square does not vanish.
 template <class Scalar>
-constexpr Scalar kNegligible = kRoundOff<Scalar> * kRoundOff<Scalar>;
+constexpr Scalar kNegligible = kRoundOff<Scalar>* kRoundOff<Scalar>;
 
 template <class Scalar>
 constexpr Scalar kPi = Scalar(0x1.921fb54442d18p+1);

@@ -13,10 +13,11 @@ template <class Scalar>
 bool are_equal_moments(Scalar inverse_a, Scalar inverse_b) {
   const Scalar low = min_of(inverse_a, inverse_b);
   const Scalar high = max_of(inverse_a, inverse_b);
-  return low > Scalar(0) && high - low <= kEqualMoments<Scalar> * high;
+  return high - low <= kEqualMoments<Scalar> * high;
 }
 
-/// 1 / I_t of a body of revolution, whichever of its axes is the odd one; 0 for every other body.
+/// 1 / I_t of a body of revolution, whichever of its axes is the odd one; 0 for every other
+/// body, and for one that turns about one axis only.
 template <class Scalar>
 Scalar inverse_transverse_moment(const Vec3<Scalar>& inverse_moments) {
   for (int i = 0; i < 3; ++i) {  // Bound: three pairs

@@ -3,21 +3,15 @@
 
 #include "batuta/port/input.hpp"
 
+#include "unit_range.hpp"
+
 namespace batuta {
-namespace {
-
-/// False for NaN: every comparison with it is.
-bool is_deflection(float x) {
-  return x >= -1.0F && x <= 1.0F;
-}
-
-}  // namespace
 
 Status InputDevice::read(Microseconds now, InputSample& sample) {
   InputSample fresh = sample;
   const Status status = do_read(now, fresh);
   if (status != Status::kOk) return status;
-  if (!is_deflection(fresh.x) || !is_deflection(fresh.y)) return Status::kInvalidArgument;
+  if (!is_in_unit_range(fresh.x) || !is_in_unit_range(fresh.y)) return Status::kInvalidArgument;
   sample = fresh;
   return Status::kOk;
 }

@@ -41,7 +41,7 @@ struct Body {
 };
 
 /// A body at rest with the inverse of `mass` and `moments`; infinity gives zero, that is fixed.
-/// @returns kOk | kInvalidArgument (mass or a moment is not positive, or NaN; pose not finite)
+/// @returns kOk | kInvalidArgument (mass or a moment is not positive, NaN, or too small for its inverse; pose not finite)
 template <class Scalar>
 Result<Body<Scalar>> make_body(const Pose<Scalar>& X_WB, Scalar mass, const Vec3<Scalar>& moments);
 
@@ -80,7 +80,8 @@ template <class Scalar>
 Vec3<Scalar> torque_of(const Pose<Scalar>& X_WB, const Vec3<Scalar>& force_W, const Vec3<Scalar>& x_W);
 
 /// Force and torque over dt [Kavan eq. 9, 11], or an impulse and impulsive torque with dt = 1 [Kavan eq. 12-15].
-/// A fixed body stays as it is. @returns kOk | kInvalidArgument (not finite, dt < 0); then nothing is changed
+/// What cannot be moved stays as it is. @returns kOk | kInvalidArgument (not finite, also in its result; dt < 0);
+/// then nothing is changed
 template <class Scalar>
 Status apply(Body<Scalar>& body, const Vec3<Scalar>& force_W, const Vec3<Scalar>& torque_W, Scalar dt);
 

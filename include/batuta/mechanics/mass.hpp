@@ -25,7 +25,7 @@ struct PrincipalFrame {
 
 /// A solid capsule of uniform density: a cylinder and two half balls.
 /// @pre capsule valid, density > 0 and finite, kg/m^3
-/// @returns kOk | kInvalidArgument
+/// @returns kOk | kInvalidArgument (also where mass or moments vanish or overflow: radius 0 has no volume)
 template <class Scalar>
 Result<MassProperties<Scalar>> solid_capsule(const Capsule<Scalar>& capsule, Scalar density);
 
@@ -33,12 +33,15 @@ Result<MassProperties<Scalar>> solid_capsule(const Capsule<Scalar>& capsule, Sca
 template <class Scalar>
 Result<MassProperties<Scalar>> point_mass(Scalar mass, const Vec3<Scalar>& position_S);
 
-/// Two parts in the same frame as one: masses add, inertias about the common centre (parallel axes).
+/// Two parts in the same frame as one: masses add, inertias about the common centre (parallel axes). A part without
+/// mass changes nothing.
 template <class Scalar>
 MassProperties<Scalar> operator+(const MassProperties<Scalar>& P, const MassProperties<Scalar>& Q);
 
 /// The principal axes: q_SB is a proper rotation, moments ascend, negative rounding residue is cleared to 0.
-/// Bound: kJacobiSweeps sweeps of three plane rotations.
+/// Error of a moment: a few u times the largest one (src/mechanics/mass.md), so make thin bodies in double.
+/// The identity and zero moments where the tensor is zero or not finite.
+/// Bound: kJacobiSweeps = 6 sweeps of three plane rotations.
 template <class Scalar>
 PrincipalFrame<Scalar> principal_frame(const MassProperties<Scalar>& mass);
 

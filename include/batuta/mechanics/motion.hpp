@@ -28,6 +28,8 @@ Motion<Scalar> motion_between(const Pose<Scalar>& X0_WB, const Pose<Scalar>& X1_
 /// Torque-free flight from the body's momenta. Exact for the geometry of an axisymmetric body whose capsules lie
 /// on its axis: the axis turns steadily about the angular momentum at |b| / I_t (src/mechanics/motion.md); spin about
 /// the axis itself, which no capsule shows, is left out. Other bodies: the angular velocity is held over the step.
+/// @pre where exactly two principal moments are equal (to rounding), every capsule lies on the third axis, which is
+/// the one that principal_frame() puts first for slender bodies and last for flat ones
 template <class Scalar>
 Motion<Scalar> free_flight(const Body<Scalar>& body, Scalar duration);
 

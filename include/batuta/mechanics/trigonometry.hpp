@@ -17,15 +17,16 @@ struct SinCos {
   Scalar cos = 1;
 };
 
-/// Sine and cosine. Error <= 1.5 ulp of the result for |angle| <= kMaxAngle, exact at 0.
-/// @pre |angle| <= kMaxAngle, rad
-/// Bound: no loop.
+/// Sine and cosine. Error <= 1.5 ulp of the result for |angle| <= kMaxAngle (measured: 0.98), exact at 0.
+/// @pre |angle| <= kMaxAngle, rad; what a caller's rounding adds to it does no harm
+/// Bound: one polynomial each, at most 6 terms.
 template <class Scalar>
 SinCos<Scalar> sin_cos(Scalar angle);
 
-/// The angle of (x, y) in [-pi, pi]; 0 for x = y = 0. Error <= 2 ulp.
+/// The angle of (x, y) in [-pi, pi]; 0 for x = y = 0; the sign of a zero does not count. Error <= 2 ulp
+/// (measured: 1.54).
 /// @pre finite
-/// Bound: no loop.
+/// Bound: one polynomial, at most 12 terms.
 template <class Scalar>
 Scalar arc_tangent(Scalar y, Scalar x);
 

@@ -20,8 +20,8 @@ class Trace {
   static constexpr std::size_t kCapacity = 3000;
 
   void add(const TracePoint& point) {
-    if (size_ > 0 && (point.p_W - points_[size_ - 1].p_W).norm() < spacing_) return;
     if (size_ == kCapacity) thin_out();
+    if (size_ > 0 && (point.p_W - points_[size_ - 1].p_W).norm() < spacing_) return;
     points_[size_++] = point;
   }
   std::size_t size() const { return size_; }

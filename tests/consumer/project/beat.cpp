@@ -10,7 +10,9 @@ Actor<TwoBlades> blade(Vec3<float> center, Vec3<float> velocity) {
   Actor<TwoBlades> actor;
   actor.capsule_B = {{{0, 0, -0.45F}, {0, 0, 0.45F}}, 0.005F};  // 0.9 m long, 5 mm radius
   const auto mass = solid_capsule(actor.capsule_B, 7850.0F).value;
-  actor.body = make_body<float>({center, Quat<float>::Identity()}, mass.mass, mass.inertia_S.diagonal()).value;
+  actor.body =
+      make_body<float>({center, Quat<float>::Identity()}, mass.mass, mass.inertia_S.diagonal())
+          .value;
   actor.body.momentum.p_W = mass.mass * velocity;
   actor.restitution = 0.6F;
   return actor;

@@ -64,8 +64,9 @@ class GripOf : public ::testing::Test {
 using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(GripOf, Scalars);
 
+/// Rounding of a pose (1.2e-7 at 1 m) over the 100 steps in which the grip forgets.
 template <class S>
-constexpr double kClose = std::is_same_v<S, float> ? 5e-6 : 1e-12;
+constexpr double kClose = std::is_same_v<S, float> ? 1.2e-5 : 1e-12;
 
 TYPED_TEST(GripOf, Held_FollowsTheHand) {
   for (int i = 0; i < 2000; ++i) {

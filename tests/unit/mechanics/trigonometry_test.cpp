@@ -15,7 +15,7 @@ using samples::Real;
 using samples::Source;
 using samples::ulps;
 
-constexpr double kSinCosBound = 1.5;
+constexpr double kSinCosBound = 1.0;  // promised 1.5, measured 0.98: every term of the sums counts
 constexpr double kArcTangentBound = 2.0;
 constexpr Real kHalfPi = 1.57079632679489661923132169163975144L;
 

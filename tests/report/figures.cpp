@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The README's table of sizes and bounds. They follow from the code alone, so that a test can hold
+// the README to them.
+
+#include <cstdio>
+
+#include "batuta/fencing/duel.hpp"
+
+namespace {
+
+using namespace batuta;
+
+struct TwoBlades : Scene {};
+struct Rack : Scene {
+  static constexpr int kMaxBodies = 64;
+  static constexpr int kMaxPairs = 256;
+};
+
+void row(const char* what, std::size_t value, const char* unit) {
+  std::printf("| %s | %zu %s |\n", what, value, unit);
+}
+
+template <class SceneT>
+constexpr std::size_t longest_step() {
+  const SteppingOptions<typename SceneT::Scalar> search;
+  const std::size_t per_search = search.max_steps + static_cast<std::size_t>(search.halvings) + 1;
+  return static_cast<std::size_t>(World<SceneT>::kMaxRounds) * SceneT::kMaxPairs * per_search;
+}
+
+}  // namespace
+
+int main() {
+  std::printf("| figure (float) | value |\n| --- | --- |\n");
+  row("`Capsule`", sizeof(Capsule<float>), "B");
+  row("`Body`: pose, momenta, inverse mass and moments", sizeof(Body<float>), "B");
+  row("`World` of two blades in free flight", sizeof(World<TwoBlades>), "B");
+  row("`World` of 64 bodies, 256 pairs", sizeof(World<Rack>), "B");
+  row("`Duel`: world, two sticks, grids, grips and bodies", sizeof(Duel<float>), "B");
+  row("distance evaluations in the longest step of two blades, default budget",
+      longest_step<TwoBlades>(), "");
+}

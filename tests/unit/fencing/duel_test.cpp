@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+#include "batuta/fencing/duel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <memory>
+
+namespace batuta {
+namespace {
+
+/// Where a stick is, by the number of the step.
+using Script = Vec2<double> (*)(int);
+
+Vec2<double> guard(int) { return {0, 0}; }
+Vec2<double> lunge(int k) { return {0, clamp((k - 100) / 250.0, 0.0, 1.0)}; }
+Vec2<double> late_lunge(int k) { return lunge(k - 20); }
+Vec2<double> very_late_lunge(int k) { return lunge(k - 240); }
+Vec2<double> parry_left(int k) { return {-clamp((k - 100) / 100.0, 0.0, 1.0), -0.2}; }
+Vec2<double> sway(int k) { return {0.8 * std::sin(6e-3 * k), -0.2 + 0.2 * std::sin(3.1e-3 * k)}; }
+Vec2<double> counter_sway(int k) {
+  return {0.9 * std::sin(7.7e-3 * k + 1), -0.3 + 0.3 * std::sin(4.1e-3 * k)};
+}
+Vec2<double> hacking(int k) { return {std::sin(37e-3 * k) > 0 ? 1.0 : -1.0, -0.4}; }
+
+template <class S>
+class DuelOf : public ::testing::Test {
+ protected:
+  std::unique_ptr<Duel<S>> duel = std::make_unique<Duel<S>>();
+  DuelSettings<S> settings = duel_settings<S>();
+  double least_gap = 1e9;
+
+  Status configure() { return duel->configure(settings, first_fencer<S>(), second_fencer<S>()); }
+  void SetUp() override { ASSERT_EQ(configure(), Status::kOk); }
+
+  /// A sample each 10 ms, a step each 1 ms.
+  void run(Script left, Script right, int steps) {
+    for (int k = 0; k < steps && !duel->bout().is_over(); ++k) {
+      const InputSample l = sample(left, k);
+      const InputSample r = sample(right, k);
+      const bool fresh = k % 10 == 0;
+      ASSERT_EQ(duel->step(fresh ? &l : nullptr, fresh ? &r : nullptr), Status::kOk);
+      const double gap = static_cast<double>(
+          capsule_gap(duel->blade_W(Side::kLeft), duel->blade_W(Side::kRight)).gap);
+      least_gap = std::min(least_gap, gap);
+    }
+  }
+  static InputSample sample(Script script, int k) {
+    InputSample s;
+    s.time = static_cast<Microseconds>(k) * 1000U;
+    s.sequence = static_cast<std::uint32_t>(k) / 10U;
+    s.x = static_cast<float>(script(k).x());
+    s.y = static_cast<float>(script(k).y());
+    return s;
+  }
+  const Bout<S>& bout() const { return duel->bout(); }
+  double touch_time(int i) const { return static_cast<double>(duel->time_us(bout().touches[i].when)) * 1e-6; }
+};
+using Scalars = ::testing::Types<float, double>;
+TYPED_TEST_SUITE(DuelOf, Scalars);
+
+TYPED_TEST(DuelOf, BothOnGuard_NothingHappens) {
+  this->run(guard, guard, 2000);
+  EXPECT_EQ(this->bout().state, BoutState::kFencing);
+  EXPECT_EQ(this->duel->steps(), 2000U);
+  EXPECT_EQ(this->duel->report().beats, 0U);
+  EXPECT_EQ(this->duel->report().incomplete_steps, 0U);
+}
+
+TYPED_TEST(DuelOf, LungeAgainstGuard_TouchesTheTorso) {
+  this->run(lunge, guard, 1000);
+  ASSERT_EQ(this->bout().state, BoutState::kTouched);
+  ASSERT_EQ(this->bout().touches.size(), 1);
+  const auto& touch = this->bout().touches[0];
+  EXPECT_EQ(touch.by, Side::kLeft);
+  EXPECT_EQ(touch.part, BodyPart::kTorso);
+  EXPECT_TRUE(touch.certain);
+  EXPECT_GT(touch.place, TypeParam(0.99));
+  EXPECT_LT(touch.contact.normal_BA_W.x(), TypeParam(-0.8));  // out of the right fencer, towards the left one
+  EXPECT_GT(this->touch_time(0), 0.25);
+  EXPECT_LT(this->touch_time(0), 0.37);
+  // The point lies on the torso, up to what the search may miss and a step's movement.
+  const auto& torso = this->duel->body_W(Side::kRight)[static_cast<std::size_t>(BodyPart::kTorso)];
+  const auto on_axis = closest_point(torso.axis, touch.contact.point_W);
+  EXPECT_NEAR(static_cast<double>(on_axis.distance), 0.13 * 1.04, 2e-3);
+}
+
+TYPED_TEST(DuelOf, AfterTheBout_NothingChanges) {
+  this->run(guard, lunge, 1000);
+  ASSERT_EQ(this->bout().state, BoutState::kTouched);
+  EXPECT_EQ(this->bout().touches[0].by, Side::kRight);
+  const auto steps = this->duel->steps();
+  EXPECT_EQ(this->duel->step(nullptr, nullptr), Status::kUnavailable);
+  EXPECT_EQ(this->duel->steps(), steps);
+  ASSERT_EQ(this->configure(), Status::kOk);  // and the next bout
+  EXPECT_EQ(this->bout().state, BoutState::kFencing);
+  EXPECT_EQ(this->duel->world().size(), 2);
+  this->run(guard, lunge, 1000);
+  EXPECT_EQ(this->duel->steps(), steps);
+}
+
+TYPED_TEST(DuelOf, LungesAtTheSameTime_AreADouble) {
+  this->run(lunge, late_lunge, 1000);
+  ASSERT_EQ(this->bout().state, BoutState::kDouble);
+  ASSERT_EQ(this->bout().touches.size(), 2);
+  EXPECT_NE(this->bout().touches[0].by, this->bout().touches[1].by);
+  EXPECT_GE(this->touch_time(1), this->touch_time(0));
+  EXPECT_LE(this->touch_time(1), this->touch_time(0) + 0.04);
+}
+
+TYPED_TEST(DuelOf, LungeAfterTheWindow_IsNoDouble) {
+  this->run(lunge, very_late_lunge, 1000);
+  ASSERT_EQ(this->bout().state, BoutState::kTouched);
+  EXPECT_EQ(this->bout().touches[0].by, Side::kLeft);
+  EXPECT_EQ(this->bout().touches.size(), 1);
+}
+
+TYPED_TEST(DuelOf, NoWindow_EndsWithTheStepOfTheTouch) {
+  this->settings.double_window_us = 0;
+  ASSERT_EQ(this->configure(), Status::kOk);
+  this->run(lunge, guard, 1000);
+  EXPECT_EQ(this->bout().state, BoutState::kTouched);
+  EXPECT_EQ(this->duel->steps(), this->bout().touches[0].when.step + 1);
+}
+
+TYPED_TEST(DuelOf, Parry_BeatsTheEngagedBladeOutOfTheHand) {
+  bool lost = false;
+  for (int k = 0; k < 300; ++k) {
+    const auto s = this->sample(parry_left, k);
+    ASSERT_EQ(this->duel->step(k % 10 == 0 ? &s : nullptr, nullptr), Status::kOk);
+    lost = lost || this->duel->grip(Side::kRight).phase() == GripPhase::kRegaining;
+  }
+  EXPECT_GT(this->duel->report().beats, 0U);
+  EXPECT_TRUE(lost);
+  EXPECT_EQ(this->duel->report().incomplete_steps, 0U);
+}
+
+// A minute of blades beating and leaning on each other: they never pass into each other, and the world answers all.
+TYPED_TEST(DuelOf, LongPhrase_BladesStayApart) {
+  this->run(sway, counter_sway, 60000);
+  EXPECT_EQ(this->duel->steps(), 60000U);
+  EXPECT_GT(this->least_gap, -1e-5);
+  EXPECT_GT(this->duel->report().beats, 50U);
+  EXPECT_LE(this->duel->report().incomplete_steps, 6U);  // 1 in 10000: blades that lean bounce ever faster to rest
+  EXPECT_EQ(this->duel->report().budget_outs, 0U);
+}
+
+TYPED_TEST(DuelOf, SticksThrownFromRimToRim_BladesStayApart) {
+  this->run(hacking, counter_sway, 20000);
+  EXPECT_GT(this->least_gap, -1e-5);
+  EXPECT_GT(this->duel->report().beats, 20U);
+  EXPECT_EQ(this->duel->report().budget_outs, 0U);
+}
+
+TYPED_TEST(DuelOf, NoSamplesAtAll_IsStaleAndStill) {
+  for (int k = 0; k < 500; ++k) ASSERT_EQ(this->duel->step(nullptr, nullptr), Status::kOk);
+  EXPECT_TRUE(this->duel->stick(Side::kLeft).is_stale());
+  EXPECT_EQ(this->duel->stick(Side::kLeft).report().stale_steps, 500U);
+  EXPECT_EQ(this->bout().state, BoutState::kFencing);
+}
+
+// Budget that does not suffice is told: the bout does not run on as if nobody had been touched.
+TYPED_TEST(DuelOf, TouchSearchesWithoutBudget_AreReported) {
+  this->settings.touch.epsilon = TypeParam(1e-6);
+  this->settings.touch.max_steps = 2;
+  ASSERT_EQ(this->configure(), Status::kOk);
+  this->run(lunge, guard, 1000);
+  EXPECT_GT(this->duel->report().budget_outs, 0U);
+}
+
+TYPED_TEST(DuelOf, SettingsOutOfRange_AreRefusedAndStepToo) {
+  const auto refused = [this](auto change) {
+    this->settings = duel_settings<TypeParam>();
+    change(this->settings);
+    const bool no = this->configure() == Status::kInvalidArgument;
+    return no && this->duel->step(nullptr, nullptr) == Status::kInvalidArgument;
+  };
+  EXPECT_TRUE(refused([](auto& s) { s.step_us = 99; }));
+  EXPECT_TRUE(refused([](auto& s) { s.step_us = 20001; }));
+  EXPECT_TRUE(refused([](auto& s) { s.double_window_us = -1; }));
+  EXPECT_TRUE(refused([](auto& s) { s.double_window_us = 10000001; }));
+  EXPECT_TRUE(refused([](auto& s) { s.salle.distance = 0; }));
+  EXPECT_TRUE(refused([](auto& s) { s.stick.min_interval_us = 0; }));
+  EXPECT_TRUE(refused([](auto& s) { s.world.separation = 0; }));
+}
+
+TYPED_TEST(DuelOf, FencerOutOfRange_IsRefused) {
+  using S = TypeParam;
+  const auto refused = [this](auto change) {
+    Fencer<S> bad = first_fencer<S>();
+    change(bad);
+    const auto good = second_fencer<S>();
+    return this->duel->configure(this->settings, bad, good) == Status::kInvalidArgument &&
+           this->duel->configure(this->settings, good, bad) == Status::kInvalidArgument;
+  };
+  const S nan = std::numeric_limits<S>::quiet_NaN();
+  EXPECT_TRUE(refused([nan](auto& f) { f.keys_FH[2].p_W.x() = nan; }));
+  EXPECT_TRUE(refused([](auto& f) { f.weapon.parts[1].mass = 0; }));
+  EXPECT_TRUE(refused([](auto& f) { f.weapon.restitution = 2; }));
+  EXPECT_TRUE(refused([](auto& f) { f.grip.strength = 0; }));
+  ASSERT_EQ(this->configure(), Status::kOk);
+  EXPECT_EQ(this->duel->world().size(), 2);
+}
+
+TYPED_TEST(DuelOf, TimeOfAMoment_IsExactAfterHours) {
+  const Moment<TypeParam> moment{4000000000U, TypeParam(0.00025)};
+  EXPECT_EQ(this->duel->time_us(moment), 4000000000000ULL + 250ULL);
+}
+
+// The same inputs give the same bits.
+TEST(Duel, SameInputs_SameBits) {
+  const auto trace = [] {
+    auto duel = std::make_unique<Duel<float>>();
+    EXPECT_EQ(duel->configure(duel_settings<float>(), first_fencer<float>(), second_fencer<float>()), Status::kOk);
+    std::uint32_t hash = 2166136261U;
+    for (int k = 0; k < 3000; ++k) {
+      InputSample l, r;
+      l.time = r.time = static_cast<Microseconds>(k) * 1000U;
+      l.x = static_cast<float>(sway(k).x());
+      r.x = static_cast<float>(counter_sway(k).x());
+      EXPECT_EQ(duel->step(&l, &r), Status::kOk);
+      std::uint32_t bits = 0;
+      const float x = duel->blade_W(Side::kLeft).axis.b.x();
+      std::memcpy(&bits, &x, sizeof bits);
+      hash = (hash ^ bits) * 16777619U;
+    }
+    return hash;
+  };
+  EXPECT_EQ(trace(), trace());
+}
+
+}  // namespace
+}  // namespace batuta

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "batuta/fencing/fencer.hpp"
+
+#include <gtest/gtest.h>
+
+namespace batuta {
+namespace {
+
+/// Both fencers of the library, each on either side, and what the numbers of fencer.cpp are chosen for.
+class Pairing : public ::testing::TestWithParam<int> {
+ protected:
+  std::array<Fencer<double>, 2> fencers;
+  Salle<double> salle;
+
+  void SetUp() override {
+    fencers[0] = GetParam() % 2 == 0 ? first_fencer<double>() : second_fencer<double>();
+    fencers[1] = GetParam() / 2 == 0 ? first_fencer<double>() : second_fencer<double>();
+  }
+  Pose<double> hand(Side side, double x, double y) const {
+    auto keys = fencers[index_of(side)].keys_FH;
+    for (auto& key : keys) key = chained(salle.X_WF(side), key);
+    FencerGrid<double> grid;
+    EXPECT_EQ(grid.set_keys(keys), Status::kOk);
+    return grid.at({x, y}).X_WH;
+  }
+  Capsule<double> blade(Side side, double x, double y) const {
+    return to_world(hand(side, x, y), fencers[index_of(side)].weapon.parts[0].capsule_H);
+  }
+  BodyShape<double> body(Side side, double x, double y) const {
+    return pose_body(fencers[index_of(side)].build, salle.X_WF(side), hand(side, x, y));
+  }
+  /// Least gap of the blade of `side` at (x, y) to the other, on guard.
+  double gap_to_other(Side side, double x, double y) const {
+    double least = 1e9;
+    for (const auto& part : body(other(side), 0, 0)) {
+      least = std::min(least, capsule_gap(blade(side, x, y), part).gap);
+    }
+    return least;
+  }
+};
+
+TEST_P(Pairing, Guards_AreEngagedWithoutTouching) {
+  const auto gap = capsule_gap(blade(Side::kLeft, 0, 0), blade(Side::kRight, 0, 0));
+  EXPECT_GT(gap.gap, 0.01);
+  EXPECT_LT(gap.gap, 0.04);
+  EXPECT_GT(gap.axes.s, 0.3);  // they cross in the outer parts of the blades, not at the tips
+  EXPECT_LT(gap.axes.s, 0.95);
+  for (const Side side : {Side::kLeft, Side::kRight}) EXPECT_GT(gap_to_other(side, 0, 0), 0.25);
+}
+
+TEST_P(Pairing, OnlyLunges_ReachTheOpponent) {
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    for (double x = -1; x <= 1; x += 0.125) {
+      for (double y = -1; y <= 0.125; y += 0.125) EXPECT_GT(gap_to_other(side, x, y), 0.15);
+    }
+    EXPECT_LT(gap_to_other(side, 0, 1), -0.05);
+    EXPECT_LT(gap_to_other(side, -1, 1), 0.0);
+    EXPECT_LT(gap_to_other(side, 1, 1), 0.0);
+  }
+}
+
+// A parry sweeps across the line of the other's guard: the blades' order changes, so they must meet on the way.
+TEST_P(Pairing, ParryLeft_CrossesTheEngagedBlade) {
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    const auto parry = blade(side, -1, 0);
+    const auto guard = blade(side, 0, 0);
+    const auto engaged = blade(other(side), 0, 0);
+    const auto side_of = [&engaged](const Capsule<double>& mine) {
+      return capsule_gap(mine, engaged).axes.normal_AB.y() > 0;
+    };
+    EXPECT_NE(side_of(parry), side_of(guard));
+  }
+}
+INSTANTIATE_TEST_SUITE_P(All, Pairing, ::testing::Values(0, 1, 2, 3));
+
+TEST(Fencer, Keys_PointTheBladeAtTheOpponentAndLieInTheGridsRange) {
+  for (const auto& fencer : {first_fencer<double>(), second_fencer<double>()}) {
+    FencerGrid<double> grid;
+    EXPECT_EQ(grid.set_keys(fencer.keys_FH), Status::kOk);
+    for (const auto& key : fencer.keys_FH) {
+      EXPECT_NEAR(key.q_WB.norm(), 1.0, 1e-12);
+      EXPECT_GT((key.q_WB * Vec3<double>::UnitX()).x(), 0.9);
+    }
+    EXPECT_EQ(validate(fencer.grip), Status::kOk);
+  }
+}
+
+TEST(Salle, Fencers_FaceEachOther) {
+  const Salle<double> salle;
+  const auto left = salle.X_WF(Side::kLeft);
+  const auto right = salle.X_WF(Side::kRight);
+  EXPECT_NEAR((right.p_W - left.p_W).x(), salle.distance, 1e-15);
+  EXPECT_EQ(left.q_WB * Vec3<double>::UnitX(), Vec3<double>::UnitX());
+  EXPECT_EQ(right.q_WB * Vec3<double>::UnitX(), -Vec3<double>::UnitX());
+  EXPECT_EQ(other(Side::kLeft), Side::kRight);
+  EXPECT_EQ(other(Side::kRight), Side::kLeft);
+}
+
+}  // namespace
+}  // namespace batuta

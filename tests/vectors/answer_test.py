@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: MIT
+"""The program batuta-answer from the outside: a good file, bad lines, a missing file, wrong usage.
+
+usage: answer_test.py PROGRAM
+"""
+import csv
+import math
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = sys.argv.pop()
+
+
+def bits(x):
+    """The float32 bits of x, as the query files write them."""
+    return struct.pack(">f", x).hex().rstrip("0") or "0"
+
+
+def vec(name):
+    return [name + axis for axis in "xyz"]
+
+
+def body_columns(b, ends):
+    columns = vec(b + "c") + [b + "qw"] + vec(b + "q") + vec(b + "v") + vec(b + "w")
+    return columns + (vec(b + "e0") + vec(b + "e1") + [b + "r"] if ends else [])
+
+
+def toc_file(speed, radius=0.1):
+    """T01: two parallel capsules, B comes from x = 3."""
+    header = ["family", "T"] + body_columns("A", True) + body_columns("B", True)
+    pose = [1, 0, 0, 0]
+    ends = [0, -1, 0, 0, 1, 0, radius]
+    A = [0, 0, 0] + pose + [0, 0, 0, 0, 0, 0] + ends
+    B = [3, 0, 0] + pose + [speed, 0, 0, 0, 0, 0] + ends
+    return [header, ["made"] + [bits(x) for x in [1] + A + B]]
+
+
+def distance_file():
+    header = ["family"] + vec("A0") + vec("A1") + vec("B0") + vec("B1")
+    return [header, ["made"] + [bits(x) for x in [0, 0, 0, 1, 0, 0, 0.5, 2, -1, 0.5, 2, 1]]]
+
+
+def impulse_file():
+    """Equal balls head on; then one against a wall of infinite mass."""
+    header = ["family"]
+    for b in "AB":
+        header += [b + "m"] + vec(b + "J") + body_columns(b, False)
+    header += vec("p") + vec("n") + ["e"]
+    pose = [1, 0, 0, 0]
+    A = [2, 1, 1, 1, -1, 0, 0] + pose + [3, 0, 0, 0, 0, 0]
+    B = [2, 1, 1, 1, 1, 0, 0] + pose + [-1, 0, 0, 0, 0, 0]
+    wall = [math.inf] * 4 + [1, 0, 0] + pose + [0, 0, 0, 0, 0, 0]
+    contact = [0, 0, 0, -1, 0, 0, 1]
+    rows = [A + B + contact, A + wall + contact]
+    return [header] + [["made"] + [bits(x) for x in row] for row in rows]
+
+
+class Answer(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def run_program(self, *arguments, text=None):
+        return subprocess.run([PROGRAM, *arguments], input=text, capture_output=True, text=True,
+                              check=False, timeout=60)
+
+    def ask(self, kind, rows, *options, status=0):
+        with open(self.path("in.csv"), "w", encoding="ascii") as file:
+            file.writelines(",".join(row) + "\n" for row in rows)
+        done = self.run_program(kind, "--in", self.path("in.csv"), "--out", self.path("out.csv"),
+                                *options)
+        self.assertEqual(done.returncode, status, done.stderr)
+        with open(self.path("out.csv"), encoding="ascii") as file:
+            return list(csv.reader(file)), done.stderr
+
+    def test_toc(self):
+        radius = struct.unpack(">f", struct.pack(">f", 0.1))[0]
+        truth = (3 - 2 * radius) / 4
+        for scalar, tolerance in (("double", 1e-14), ("float", 1e-6)):
+            rows, _ = self.ask("toc", toc_file(-4), "--scalar", scalar)
+            self.assertEqual(rows[0], ["line", "outcome", "t_free", "t_hit", "steps"])
+            self.assertEqual(rows[1][:2], ["1", "CONTACT"])
+            self.assertAlmostEqual(float(rows[1][2]), truth, delta=tolerance)
+            self.assertAlmostEqual(float(rows[1][3]), truth, delta=tolerance)
+
+    def test_toc_outcomes(self):
+        self.assertEqual(self.ask("toc", toc_file(-1))[0][1][1], "FREE")
+        self.assertEqual(self.ask("toc", toc_file(-1, radius=2))[0][1][1], "TOUCHING")
+        rows, _ = self.ask("toc", toc_file(-4), "--budget", "4")
+        self.assertEqual(rows[1][1], "BUDGET")
+        self.assertGreater(float(rows[1][2]), 0)
+        self.assertEqual(rows[1][3:], ["1", "5"])
+
+    def test_tolerance_sets_the_steps(self):
+        coarse, _ = self.ask("toc", toc_file(-1), "--tolerance", "1")
+        fine, _ = self.ask("toc", toc_file(-1), "--tolerance", "0.01")
+        self.assertLess(int(coarse[1][4]) * 50, int(fine[1][4]))
+
+    def test_zero_radius_is_explained(self):
+        rows, errors = self.ask("toc", toc_file(-4, radius=0), status=1)
+        self.assertEqual(rows[1], ["1", "INVALID"])
+        self.assertIn("line 1", errors)
+
+    def test_distance(self):
+        rows, _ = self.ask("distance", distance_file())
+        self.assertEqual(rows[0], ["line", "d", "s", "u", "nx", "ny", "nz"])
+        self.assertEqual([float(x) for x in rows[1]], [1, 2, 0.5, 0.5, 0, 1, 0])
+
+    def test_impulse(self):
+        rows, _ = self.ask("impulse", impulse_file())
+        self.assertEqual(len(rows[0]), 15)
+        self.assertEqual([float(x) for x in rows[1]], [1, 8, -1] + [0] * 5 + [3] + [0] * 5 + [10])
+        self.assertEqual([float(x) for x in rows[2]], [2, 12, -3] + [0] * 11 + [9])
+
+    def test_bad_lines_are_named_and_the_others_answered(self):
+        good = distance_file()
+        bad = ["made"] + ["xyz"] * 12
+        nan = ["made"] + ["7fc"] + good[1][2:]
+        rows, errors = self.ask("distance", [good[0], bad, good[1], ["short"], nan, good[1]],
+                                status=1)
+        self.assertEqual([row[0] for row in rows[1:]], ["1", "2", "3", "4", "5"])
+        self.assertEqual([row[1:] == ["INVALID"] for row in rows[1:]],
+                         [True, False, True, True, False])
+        self.assertEqual([line.split(":")[0].split(",")[0] for line in errors.splitlines()],
+                         ["line 1", "line 3", "line 4"])
+
+    def test_standard_streams(self):
+        text = "\n".join(",".join(row) for row in distance_file()) + "\n"
+        done = self.run_program("distance", "--in", "-", "--out", "-", text=text)
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual(done.stdout.splitlines()[1], "1,2,0.5,0.5,0,1,0")
+
+    def test_wrong_usage_is_one_line(self):
+        out = self.path("out.csv")
+        with open(self.path("in.csv"), "w", encoding="ascii") as file:
+            file.write("a,b\n1,2\n")
+        files = ["--in", self.path("in.csv"), "--out", out]
+        wrong = [
+            [], ["nonsense"], ["toc"], ["toc", "--in", "x"],
+            ["toc", "--in", self.path("none.csv"), "--out", out],
+            ["toc", "--in", self.path("in.csv"), "--out", self.path("no/such/folder.csv")],
+            ["toc", *files],
+            ["toc", *files, "--method", "advancement"],
+            ["toc", *files, "--scalar", "half"],
+            ["toc", *files, "--budget", "0"],
+            ["toc", *files, "--tolerance", "-1"],
+            ["toc", *files, "--tolerance", "nan"],
+        ]
+        for arguments in wrong:
+            with self.subTest(arguments=arguments):
+                done = self.run_program(*arguments)
+                self.assertEqual(done.returncode, 2)
+                self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+                self.assertEqual(done.stdout, "")
+
+    def test_help(self):
+        self.assertEqual(self.run_program("--help").returncode, 0)
+        done = self.run_program("toc", "--help")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("stepping", done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
