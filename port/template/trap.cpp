@@ -9,6 +9,6 @@
 // blinking light); then stop or reset. Must not return. May be called from whatever context the
 // failing call was in, interrupts included.
 void batuta_trap(std::uint32_t file_id, std::uint32_t line) {
-  volatile std::uint32_t where[2] = {file_id, line};
-  for (;;) where[0] = where[0];  // for ever: the debugger finds `where`
+  const volatile std::uint32_t where[] = {file_id, line};
+  for (;;) (void)where[0];  // for ever: a debugger finds both
 }

@@ -15,7 +15,8 @@ constexpr Scalar kSecondsPerUs = Scalar(1e-6);
 template <class Scalar>
 Status validate(const DuelSettings<Scalar>& settings) {
   const bool times = settings.step_us >= kShortestStepUs && settings.step_us <= kLongestStepUs &&
-                     settings.double_window_us >= 0 && settings.double_window_us <= kLongestWindowUs;
+                     settings.double_window_us >= 0 &&
+                     settings.double_window_us <= kLongestWindowUs;
   const bool place = is_finite(settings.salle.distance) && settings.salle.distance > Scalar(0);
   if (!times || !place) return Status::kInvalidArgument;
   return validate(settings.stick);
@@ -89,7 +90,8 @@ Status Duel<Scalar>::arm(Place& place, const Fencer<Scalar>& fencer) {
   const Pose<Scalar> X_WB = chained(place.hand.X_WH, place.weapon.X_HB);
   const auto body = make_body(X_WB, place.weapon.mass, place.weapon.moments);
   Actor<DuelScene<Scalar>> blade;
-  if (!body.ok() || blade.driver.grip.configure(fencer.grip) != Status::kOk) return Status::kInvalidArgument;
+  if (!body.ok() || blade.driver.grip.configure(fencer.grip) != Status::kOk)
+    return Status::kInvalidArgument;
   blade.body = body.value;
   blade.capsule_B = place.weapon.blade_B;
   blade.restitution = fencer.weapon.restitution;
@@ -138,19 +140,21 @@ void Duel<Scalar>::add_up() {
   if (!step.complete()) ++report_.incomplete_steps;
 }
 
-/// Both blades are looked at before either touch is judged; the earlier one is noted first, the left one of two at once.
+/// Both blades are looked at before either touch is judged; the earlier one is noted first, the
+/// left one of two at once.
 template <class Scalar>
 void Duel<Scalar>::look_for_touches() {
   std::array<TouchSearch<Scalar>, 2> searches;
   for (const Side side : kSides) searches[index_of(side)] = touch_by(side);  // Bound: 2
-  const bool right_first = searches[1].found && (!searches[0].found || searches[1].t_free < searches[0].t_free);
+  const bool right_first =
+      searches[1].found && (!searches[0].found || searches[1].t_free < searches[0].t_free);
   const Side first = right_first ? Side::kRight : Side::kLeft;
   note(first, searches[index_of(first)]);
   note(other(first), searches[index_of(other(first))]);
 }
 
-/// The first touch of a blade on its way through the step: from its start over the corners where contacts were answered
-/// to its end.
+/// The first touch of a blade on its way through the step: from its start over the corners where
+/// contacts were answered to its end.
 template <class Scalar>
 TouchSearch<Scalar> Duel<Scalar>::touch_by(Side side) {
   const Place& place = at(side);
@@ -161,9 +165,12 @@ TouchSearch<Scalar> Duel<Scalar>::touch_by(Side side) {
   Scalar known_until = dt_;
   Waypoint<Scalar> start{Scalar(0), place.start_WB};
   for (int k = 0; k <= corners.size() && !first.found; ++k) {  // Bound: kMaxContacts + 1 pieces
-    const Waypoint<Scalar> end = k < corners.size() ? corners[k] : Waypoint<Scalar>{dt_, actor.body.X_WB};
+    const Waypoint<Scalar> end =
+        k < corners.size() ? corners[k] : Waypoint<Scalar>{dt_, actor.body.X_WB};
     const Piece<Scalar> piece = piece_between(start, end);
-    first = at(other(side)).target.find_touch({actor.capsule_B, piece.motion}, piece.from, settings_.touch);
+    first = at(other(side))
+                .target.find_touch({actor.capsule_B, piece.motion}, piece.from, settings_.touch,
+                                   settings_.target);
     report_.evaluations += first.evaluations;
     report_.touch_searches += first.searches;
     if (!first.complete) ++report_.budget_outs;
@@ -206,7 +213,8 @@ void Duel<Scalar>::close_window() {
 
 template <class Scalar>
 std::uint64_t Duel<Scalar>::time_us(const Moment<Scalar>& moment) const {
-  const auto in_step = static_cast<std::uint64_t>(moment.in_step / kSecondsPerUs<Scalar> + Scalar(0.5F));
+  const auto in_step =
+      static_cast<std::uint64_t>(moment.in_step / kSecondsPerUs<Scalar> + Scalar(0.5F));
   return std::uint64_t{moment.step} * static_cast<std::uint64_t>(settings_.step_us) + in_step;
 }
 
@@ -221,8 +229,8 @@ Capsule<Scalar> Duel<Scalar>::blade_W(Side side) const {
   return to_world(actor.body.X_WB, actor.capsule_B);
 }
 
-#define BATUTA_INSTANTIATE(S)                 \
-  template DuelSettings<S> duel_settings();   \
+#define BATUTA_INSTANTIATE(S)               \
+  template DuelSettings<S> duel_settings(); \
   template class Duel<S>;
 BATUTA_INSTANTIATE(float)
 BATUTA_INSTANTIATE(double)

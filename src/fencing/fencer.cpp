@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "batuta/fencing/fencer.hpp"
 
-// Data only: lengths in m, masses in kg, frame F (x towards the opponent, y to the fencer's left, z up). The tests check what
-// the numbers are chosen for: the guards stand clear of the opponent, the blades overlap, a lunge arrives.
+// Data only: lengths in m, masses in kg, frame F (x towards the opponent, y to the fencer's left, z
+// up). The tests check what the numbers are chosen for: the guards stand clear of the opponent, the
+// blades overlap, a lunge arrives.
 
 namespace batuta {
 namespace {
@@ -62,19 +63,18 @@ void set_bones(const Size<Scalar>& size, FencerBuild<Scalar>& build) {
   constexpr float kUpperArm = 0.30F;
   constexpr float kForearm = 0.28F;
   constexpr float kLeg = 0.45F;  // thigh and shin alike
-  build.bones = {
-      size.trunk(at(0, 0, 0.85F), {at(0, -0.07F, 0), at(0, 0.07F, 0)}, 0.13F),
-      size.trunk(at(0, 0, 0.12F), {at(0, 0, 0.04F), at(0, 0, 0.34F)}, 0.13F),
-      size.trunk(at(0.03F, 0, 0.50F), {at(0, 0, 0.06F), at(0, 0, 0.16F)}, 0.10F),
-      size.limb(at(0.12F, -0.12F, 0.40F), kUpperArm, 0.050F),
-      size.limb(at(kUpperArm, 0, 0), kForearm, 0.042F),
-      size.limb(at(kForearm, 0, 0), 0.07F, 0.045F),
-      size.limb(at(-0.10F, 0.15F, 0.40F), kUpperArm, 0.050F),
-      size.limb(at(kUpperArm, 0, 0), kForearm, 0.042F),
-      size.limb(at(0.05F, -0.10F, -0.05F), kLeg, 0.075F),
-      size.limb(at(kLeg, 0, 0), kLeg, 0.055F),
-      size.limb(at(-0.05F, 0.10F, -0.05F), kLeg, 0.075F),
-      size.limb(at(kLeg, 0, 0), kLeg, 0.055F)};
+  build.bones = {size.trunk(at(0, 0, 0.85F), {at(0, -0.07F, 0), at(0, 0.07F, 0)}, 0.13F),
+                 size.trunk(at(0, 0, 0.12F), {at(0, 0, 0.04F), at(0, 0, 0.34F)}, 0.13F),
+                 size.trunk(at(0.03F, 0, 0.50F), {at(0, 0, 0.06F), at(0, 0, 0.16F)}, 0.10F),
+                 size.limb(at(0.12F, -0.12F, 0.40F), kUpperArm, 0.050F),
+                 size.limb(at(kUpperArm, 0, 0), kForearm, 0.042F),
+                 size.limb(at(kForearm, 0, 0), 0.07F, 0.045F),
+                 size.limb(at(-0.10F, 0.15F, 0.40F), kUpperArm, 0.050F),
+                 size.limb(at(kUpperArm, 0, 0), kForearm, 0.042F),
+                 size.limb(at(0.05F, -0.10F, -0.05F), kLeg, 0.075F),
+                 size.limb(at(kLeg, 0, 0), kLeg, 0.055F),
+                 size.limb(at(-0.05F, 0.10F, -0.05F), kLeg, 0.075F),
+                 size.limb(at(kLeg, 0, 0), kLeg, 0.055F)};
 }
 
 template <class Scalar>
@@ -107,10 +107,14 @@ Weapon<Scalar> epee() {
   const Size<Scalar> size{Scalar(1)};
   Weapon<Scalar> weapon;
   weapon.parts = {
-      WeaponPart<Scalar>{{{size.at(0.10F, 0, 0), size.at(1.00F, 0, 0)}, Scalar(0.0045F)}, Scalar(0.24F)},
-      WeaponPart<Scalar>{Capsule<Scalar>::sphere(size.at(0.08F, 0, 0), Scalar(0.03F)), Scalar(0.20F)},
-      WeaponPart<Scalar>{{{size.at(-0.08F, 0, 0), size.at(0.06F, 0, 0)}, Scalar(0.014F)}, Scalar(0.17F)},
-      WeaponPart<Scalar>{Capsule<Scalar>::sphere(size.at(-0.10F, 0, 0), Scalar(0.012F)), Scalar(0.16F)}};
+      WeaponPart<Scalar>{{{size.at(0.10F, 0, 0), size.at(1.00F, 0, 0)}, Scalar(0.0045F)},
+                         Scalar(0.24F)},
+      WeaponPart<Scalar>{Capsule<Scalar>::sphere(size.at(0.08F, 0, 0), Scalar(0.03F)),
+                         Scalar(0.20F)},
+      WeaponPart<Scalar>{{{size.at(-0.08F, 0, 0), size.at(0.06F, 0, 0)}, Scalar(0.014F)},
+                         Scalar(0.17F)},
+      WeaponPart<Scalar>{Capsule<Scalar>::sphere(size.at(-0.10F, 0, 0), Scalar(0.012F)),
+                         Scalar(0.16F)}};
   weapon.restitution = Scalar(0.6F);
   return weapon;
 }
@@ -143,13 +147,14 @@ template <class Scalar>
 Pose<Scalar> Salle<Scalar>::X_WF(Side side) const {
   const Scalar half = distance / Scalar(2);
   if (side == Side::kLeft) return {{-half, Scalar(0), Scalar(0)}, Quat<Scalar>::Identity()};
-  const Quat<Scalar> facing_back(Scalar(0), Scalar(0), Scalar(0), Scalar(1));  // half a turn about z
+  const Quat<Scalar> facing_back(Scalar(0), Scalar(0), Scalar(0),
+                                 Scalar(1));  // half a turn about z
   return {{half, Scalar(0), Scalar(0)}, facing_back};
 }
 
-#define BATUTA_INSTANTIATE(S)            \
-  template Fencer<S> first_fencer();     \
-  template Fencer<S> second_fencer();    \
+#define BATUTA_INSTANTIATE(S)         \
+  template Fencer<S> first_fencer();  \
+  template Fencer<S> second_fencer(); \
   template struct Salle<S>;
 BATUTA_INSTANTIATE(float)
 BATUTA_INSTANTIATE(double)

@@ -4,8 +4,8 @@
 namespace batuta {
 namespace {
 
-/// A course is aimed at least this share of a step ahead, so that its velocity is a difference of poses over a time in
-/// which rounding does not show (grip.md).
+/// A course is aimed at least this share of a step ahead, so that its velocity is a difference of
+/// poses over a time in which rounding does not show (grip.md).
 template <class Scalar>
 constexpr Scalar kLeastHorizon = Scalar(0.125);
 
@@ -37,7 +37,8 @@ bool is_positive(Scalar x) {
 template <class Scalar>
 Status validate(const GripSettings<Scalar>& settings) {
   const bool good = is_positive(settings.strength) && is_positive(settings.min_regain) &&
-                    is_positive(settings.max_regain) && settings.max_regain >= settings.min_regain &&
+                    is_positive(settings.max_regain) &&
+                    settings.max_regain >= settings.min_regain &&
                     is_positive(settings.recover_speed) && is_positive(settings.recover_time) &&
                     is_positive(settings.lever);
   return good ? Status::kOk : Status::kInvalidArgument;
@@ -83,7 +84,7 @@ template <class Scalar>
 void Grip<Scalar>::command(const Pose<Scalar>& X_WB, Scalar step) {
   BATUTA_ASSERT(is_finite(step) && step > Scalar(0));
   hand_ = motion_between(target_, X_WB, step);
-  hand_.duration = (Scalar(1) + kLeastHorizon<Scalar>) * step;  // a late course looks beyond the step
+  hand_.duration = (Scalar(1) + kLeastHorizon<Scalar>)*step;  // a late course looks beyond the step
   target_ = X_WB;
   step_ = step;
 }
@@ -139,10 +140,10 @@ Scalar Grip<Scalar>::control() const {
   return clamp(-flight_start_ / regain_, Scalar(0), Scalar(1));
 }
 
-#define BATUTA_INSTANTIATE(S)                                                          \
-  template Status validate(const GripSettings<S>&);                                    \
-  template S regain_time(const GripSettings<S>&, S, S);                                \
-  template Pose<S> caught(const Motion<S>&, S, const Pose<S>&, S);                     \
+#define BATUTA_INSTANTIATE(S)                                      \
+  template Status validate(const GripSettings<S>&);                \
+  template S regain_time(const GripSettings<S>&, S, S);            \
+  template Pose<S> caught(const Motion<S>&, S, const Pose<S>&, S); \
   template class Grip<S>;
 BATUTA_INSTANTIATE(float)
 BATUTA_INSTANTIATE(double)

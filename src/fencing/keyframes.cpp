@@ -6,7 +6,8 @@ namespace {
 
 constexpr int kTaps = 4;  ///< keys that a cubic sees along one coordinate
 
-/// How much each of four neighbouring keys counts along one coordinate, and how fast that changes with the stick.
+/// How much each of four neighbouring keys counts along one coordinate, and how fast that changes
+/// with the stick.
 template <class Scalar>
 struct Taps {
   std::array<int, kTaps> index{};
@@ -14,7 +15,8 @@ struct Taps {
   std::array<Scalar, kTaps> rate{};
 };
 
-/// The cubic on [0, 1] by its values f0, f1 and slopes m0, m1; factored so that both ends are exact.
+/// The cubic on [0, 1] by its values f0, f1 and slopes m0, m1; factored so that both ends are
+/// exact.
 template <class Scalar>
 struct Hermite {
   Scalar f0;
@@ -37,8 +39,8 @@ Hermite<Scalar> hermite_rate(Scalar u) {
           u * (Scalar(3) * u - Scalar(2))};
 }
 
-/// The slopes of a cell in terms of its keys and their neighbours: central inside, that of the parabola through three
-/// keys at the rim, the chord where there are only two.
+/// The slopes of a cell in terms of its keys and their neighbours: central inside, that of the
+/// parabola through three keys at the rim, the chord where there are only two.
 template <class Scalar>
 struct Slopes {
   std::array<Scalar, kTaps> m0;
@@ -150,9 +152,9 @@ KeyedPose<Scalar> pose_on(const KeyGridView<Scalar>& grid, const Vec2<Scalar>& s
   return answer;
 }
 
-#define BATUTA_INSTANTIATE(S)                                                              \
-  template Twist<S> hand_twist(const StickJacobian<S>&, const Vec2<S>&);                   \
-  template Status relate_keys(const Pose<S>*, const Quat<S>&, KeyPoint<S>*, int);          \
+#define BATUTA_INSTANTIATE(S)                                                     \
+  template Twist<S> hand_twist(const StickJacobian<S>&, const Vec2<S>&);          \
+  template Status relate_keys(const Pose<S>*, const Quat<S>&, KeyPoint<S>*, int); \
   template KeyedPose<S> pose_on(const KeyGridView<S>&, const Vec2<S>&);
 BATUTA_INSTANTIATE(float)
 BATUTA_INSTANTIATE(double)

@@ -4,14 +4,17 @@
 namespace batuta {
 namespace {
 
-constexpr std::size_t slot(BodyPart part) { return static_cast<std::size_t>(part); }
+constexpr std::size_t slot(BodyPart part) {
+  return static_cast<std::size_t>(part);
+}
 
 template <class Scalar>
 Vec3<Scalar> turned(const Quat<Scalar>& q, const Vec3<Scalar>& x) {
   return q * x;
 }
 
-/// The shortest turn that carries the x axis of `q_WF` into the direction `x_W`. Unit x_W; straight backwards: about z.
+/// The shortest turn that carries the x axis of `q_WF` into the direction `x_W`. Unit x_W; straight
+/// backwards: about z.
 template <class Scalar>
 Quat<Scalar> pointing(const Quat<Scalar>& q_WF, const Vec3<Scalar>& x_W) {
   const Vec3<Scalar> x_F = q_WF.conjugate() * x_W;
@@ -66,9 +69,10 @@ struct Posing {
     const Vec3<Scalar> start = start_of(first);
     const Vec2<Scalar> lengths(length_of(first), length_of(second));
     const Reach<Scalar> limb = two_bone_reach(start, goal_W, lengths, turned(X_WF.q_WB, bend_F));
-    X_WJ[slot(first)] = {start, pointing(X_WF.q_WB, Vec3<Scalar>((limb.middle - start) / lengths.x()))};
-    X_WJ[slot(second)] = {limb.middle,
-                          pointing(X_WF.q_WB, Vec3<Scalar>((limb.end - limb.middle) / lengths.y()))};
+    X_WJ[slot(first)] = {start,
+                         pointing(X_WF.q_WB, Vec3<Scalar>((limb.middle - start) / lengths.x()))};
+    X_WJ[slot(second)] = {
+        limb.middle, pointing(X_WF.q_WB, Vec3<Scalar>((limb.end - limb.middle) / lengths.y()))};
   }
 };
 
@@ -76,9 +80,8 @@ struct Posing {
 
 const char* name_of(BodyPart part) {
   static constexpr std::array<const char*, kBodyParts> kNames = {
-      "pelvis",          "torso",         "head",        "weapon upper arm",
-      "weapon forearm",  "weapon hand",   "upper arm",   "forearm",
-      "front thigh",     "front shin",    "rear thigh",  "rear shin"};
+      "pelvis",    "torso",   "head",        "weapon upper arm", "weapon forearm", "weapon hand",
+      "upper arm", "forearm", "front thigh", "front shin",       "rear thigh",     "rear shin"};
   return slot(part) < kNames.size() ? kNames[slot(part)] : "unknown";
 }
 
@@ -89,11 +92,12 @@ Reach<Scalar> two_bone_reach(const Vec3<Scalar>& start, const Vec3<Scalar>& goal
   const Scalar asked = way.norm();
   const Vec3<Scalar> along = direction_or(way, direction_or<Scalar>(bend, Vec3<Scalar>::UnitX()));
   const Scalar longest = lengths.x() + lengths.y();
-  const Scalar shortest = lengths.x() < lengths.y() ? lengths.y() - lengths.x()
-                                                    : lengths.x() - lengths.y();
+  const Scalar shortest =
+      lengths.x() < lengths.y() ? lengths.y() - lengths.x() : lengths.x() - lengths.y();
   const Scalar distance = clamp(asked, shortest, longest);
 
-  // Foot of the middle joint on the line to the goal, by the law of cosines; its height by Pythagoras, factored.
+  // Foot of the middle joint on the line to the goal, by the law of cosines; its height by
+  // Pythagoras, factored.
   const Scalar a = lengths.x();
   const Scalar foot = distance > Scalar(0)
                           ? (distance + (a - lengths.y()) * (longest / distance)) / Scalar(2)
@@ -137,10 +141,10 @@ BodyShape<Scalar> pose_body(const FencerBuild<Scalar>& build, const Pose<Scalar>
   return shape;
 }
 
-#define BATUTA_INSTANTIATE(S)                                                                   \
-  template Reach<S> two_bone_reach(const Vec3<S>&, const Vec3<S>&, const Vec2<S>&,              \
-                                   const Vec3<S>&);                                             \
-  template S lunge_share(const FencerBuild<S>&, S);                                             \
+#define BATUTA_INSTANTIATE(S)                                                      \
+  template Reach<S> two_bone_reach(const Vec3<S>&, const Vec3<S>&, const Vec2<S>&, \
+                                   const Vec3<S>&);                                \
+  template S lunge_share(const FencerBuild<S>&, S);                                \
   template BodyShape<S> pose_body(const FencerBuild<S>&, const Pose<S>&, const Pose<S>&);
 BATUTA_INSTANTIATE(float)
 BATUTA_INSTANTIATE(double)

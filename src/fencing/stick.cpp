@@ -78,7 +78,8 @@ SampleUse StickTracker<Scalar>::accept(const InputSample& sample) {
   return use;
 }
 
-/// Samples between the last one and this one that never came; 0 where the numbering went back or began anew.
+/// Samples between the last one and this one that never came; 0 where the numbering went back or
+/// began anew.
 template <class Scalar>
 std::uint32_t StickTracker<Scalar>::gap_before(const InputSample& sample) const {
   const std::uint32_t advance = sample.sequence - last_.sequence;

@@ -6,7 +6,8 @@
 namespace batuta {
 namespace {
 
-/// Where the walk goes on when it leaves out a bone and all that it carries: behind the last of them.
+/// Where the walk goes on when it leaves out a bone and all that it carries: behind the last of
+/// them.
 constexpr std::array<std::int8_t, kBodyParts> bones_behind() {
   std::array<std::int8_t, kBodyParts> behind{};
   for (std::size_t i = 0; i < behind.size(); ++i) behind[i] = static_cast<std::int8_t>(i + 1);
@@ -27,8 +28,9 @@ static_assert(parents_come_first(), "kBodyParent: a bone is carried by an earlie
 
 constexpr std::array<std::int8_t, kBodyParts> kBehind = bones_behind();
 
-/// The constant twist of the shortest turn that carries one capsule into another of the same length. The body's frame
-/// sits in the middle of the capsule with the axes of W; a turn about the capsule's own axis would not show.
+/// The constant twist of the shortest turn that carries one capsule into another of the same
+/// length. The body's frame sits in the middle of the capsule with the axes of W; a turn about the
+/// capsule's own axis would not show.
 template <class Scalar>
 MovingCapsule<Scalar> between(const Capsule<Scalar>& start_W, const Capsule<Scalar>& end_W,
                               Scalar dt) {
@@ -39,7 +41,8 @@ MovingCapsule<Scalar> between(const Capsule<Scalar>& start_W, const Capsule<Scal
 
   MovingCapsule<Scalar> moving;
   moving.capsule_B = {{start_W.axis.a - p0, start_W.axis.b - p0}, start_W.radius};
-  moving.motion = linear(Pose<Scalar>{p0, Quat<Scalar>::Identity()}, Vec3<Scalar>((p1 - p0) / dt), dt);
+  moving.motion =
+      linear(Pose<Scalar>{p0, Quat<Scalar>::Identity()}, Vec3<Scalar>((p1 - p0) / dt), dt);
   const Vec3<Scalar> normal = d0.cross(d1);
   const Scalar sine = normal.norm();
   if (sine > Scalar(0)) {

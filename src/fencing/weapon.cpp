@@ -9,8 +9,10 @@ namespace {
 template <class Scalar>
 Result<MassProperties<Scalar>> mass_of(const WeaponPart<Scalar>& part) {
   if (!is_valid(part.capsule_H)) return failure<MassProperties<Scalar>>(Status::kInvalidArgument);
-  if (part.capsule_H.radius == Scalar(0)) return point_mass(part.mass, part.capsule_H.axis.at(Scalar(0.5)));
-  const auto of_water = solid_capsule(part.capsule_H, Scalar(1000));  // kg/m^3; the true density follows
+  if (part.capsule_H.radius == Scalar(0))
+    return point_mass(part.mass, part.capsule_H.axis.at(Scalar(0.5)));
+  const auto of_water =
+      solid_capsule(part.capsule_H, Scalar(1000));  // kg/m^3; the true density follows
   if (!of_water.ok() || !(part.mass > Scalar(0))) {
     return failure<MassProperties<Scalar>>(Status::kInvalidArgument);
   }
@@ -45,8 +47,8 @@ Pose<Scalar> chained(const Pose<Scalar>& X_AB, const Pose<Scalar>& X_BC) {
   return {to_world(X_AB, X_BC.p_W), renewed<Scalar>(X_AB.q_WB * X_BC.q_WB)};
 }
 
-#define BATUTA_INSTANTIATE(S)                                          \
-  template Result<WeaponBody<S>> weapon_body(const Weapon<S>&);        \
+#define BATUTA_INSTANTIATE(S)                                   \
+  template Result<WeaponBody<S>> weapon_body(const Weapon<S>&); \
   template Pose<S> chained(const Pose<S>&, const Pose<S>&);
 BATUTA_INSTANTIATE(float)
 BATUTA_INSTANTIATE(double)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Time of contact between a free and a colliding instant by a fixed number of halvings [Kavan §3.3].
+// Time of contact between a free and a colliding instant by a fixed number of halvings [Kavan
+// §3.3].
 
 #include "batuta/detection/moving_pair.hpp"
 
@@ -11,15 +12,16 @@ inline constexpr int kMaxHalvings = 64;
 
 template <class Scalar>
 struct Bracket {
-  Scalar t_free = 0;  ///< collision-free
-  Scalar t_hit = 0;   ///< in collision
+  Scalar t_free = 0;           ///< collision-free
+  Scalar t_hit = 0;            ///< in collision
   CapsuleGap<Scalar> witness;  ///< at t_free
   std::uint32_t evaluations = 0;
 };
 
 /// Invariant [Kavan §3.3]: the gap is > 0 at t_free and <= 0 at t_hit.
-/// @pre gap > 0 at start.t_free, with start.witness taken there; gap <= 0 at start.t_hit; 0 <= halvings <= kMaxHalvings
-/// Bound: `halvings` evaluations; width = start width / 2^halvings, or neighbouring numbers.
+/// @pre gap > 0 at start.t_free, with start.witness taken there; gap <= 0 at start.t_hit; 0 <=
+/// halvings <= kMaxHalvings Bound: `halvings` evaluations; width = start width / 2^halvings, or
+/// neighbouring numbers.
 template <class Scalar>
 Bracket<Scalar> bisect(const MovingPair<Scalar>& pair, const Bracket<Scalar>& start, int halvings);
 

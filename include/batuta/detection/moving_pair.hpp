@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What a search is asked and what it answers: two capsules, each on a body that moves with a constant twist.
-// Frame P of a pair: axes of W, origin at origin_W + origin_v_W t, where A's centre of mass is at time t. Neither the
-// distance from the world's origin nor a velocity that both bodies share costs digits.
+// What a search is asked and what it answers: two capsules, each on a body that moves with a
+// constant twist. Frame P of a pair: axes of W, origin at origin_W + origin_v_W t, where A's centre
+// of mass is at time t. Neither the distance from the world's origin nor a velocity that both
+// bodies share costs digits.
 
 #include <array>
 
@@ -18,13 +19,15 @@ struct MovingCapsule {
   Motion<Scalar> motion;
 };
 
-/// Path of one end of a moving axis: start + v t + (cos(w t) - 1) arm + sin(w t) side. At t = 0 it is `start` to the
-/// last bit, and what a slow turn adds is as small as the turn (src/detection/moving_pair.md).
+/// Path of one end of a moving axis: start + v t + (cos(w t) - 1) arm + sin(w t) side. At t = 0 it
+/// is `start` to the last bit, and what a slow turn adds is as small as the turn
+/// (src/detection/moving_pair.md).
 template <class Scalar>
 struct EndPath {
   Vec3<Scalar> start = Vec3<Scalar>::Zero();  ///< the end at t = 0, m
-  Vec3<Scalar> arm = Vec3<Scalar>::Zero();    ///< from the axis of rotation to `start`, perpendicular to that axis, m
-  Vec3<Scalar> side = Vec3<Scalar>::Zero();   ///< axis of rotation x arm, m
+  Vec3<Scalar> arm = Vec3<Scalar>::Zero();  ///< from the axis of rotation to `start`, perpendicular
+                                            ///< to that axis, m
+  Vec3<Scalar> side = Vec3<Scalar>::Zero();  ///< axis of rotation x arm, m
 };
 
 template <class Scalar>
@@ -57,15 +60,18 @@ struct MovingPair {
   Vec3<Scalar> origin_W = Vec3<Scalar>::Zero();    ///< A's centre of mass at t = 0, m
   Vec3<Scalar> origin_v_W = Vec3<Scalar>::Zero();  ///< and its velocity, m/s
   Scalar duration = 0;                             ///< s
-  Scalar scale = 0;  ///< S: distance of the centres + relative travel + reaches + radii, m (an upper bound)
+  Scalar scale =
+      0;  ///< S: distance of the centres + relative travel + reaches + radii, m (an upper bound)
 };
 
 /// Puts two moving capsules into their common frame.
 /// @pre unit quaternions
-/// @returns kOk | kInvalidArgument: not finite, negative radius or duration, unequal durations, turn beyond kMaxAngle,
+/// @returns kOk | kInvalidArgument: not finite, negative radius or duration, unequal durations,
+/// turn beyond kMaxAngle,
 ///   or S not finite
 template <class Scalar>
-Result<MovingPair<Scalar>> make_moving_pair(const MovingCapsule<Scalar>& A, const MovingCapsule<Scalar>& B);
+Result<MovingPair<Scalar>> make_moving_pair(const MovingCapsule<Scalar>& A,
+                                            const MovingCapsule<Scalar>& B);
 
 /// Both capsules at time t.
 template <class Scalar>
@@ -78,13 +84,14 @@ struct CapsulesAt {
 template <class Scalar>
 CapsulesAt<Scalar> capsules_at(const MovingPair<Scalar>& pair, Scalar t);
 
-/// One distance evaluation. The points are relative to origin_W (the place of the frame's origin at t = 0), ready for
-/// contact_from(). Error of the gap: src/detection/moving_pair.md.
+/// One distance evaluation. The points are relative to origin_W (the place of the frame's origin at
+/// t = 0), ready for contact_from(). Error of the gap: src/detection/moving_pair.md.
 /// @pre 0 <= t <= duration
 template <class Scalar>
 CapsuleGap<Scalar> gap_at(const MovingPair<Scalar>& pair, Scalar t);
 
-/// d gap / dt, m/s: how fast the material points at the closest parameters of `witness` part along its normal.
+/// d gap / dt, m/s: how fast the material points at the closest parameters of `witness` part along
+/// its normal.
 /// @pre witness == gap_at(pair, t)
 template <class Scalar>
 Scalar gap_rate_at(const MovingPair<Scalar>& pair, const CapsuleGap<Scalar>& witness, Scalar t);
@@ -102,7 +109,8 @@ struct SearchResult {
   Outcome outcome = Outcome::kInvalid;
   Scalar t_free = 0;  ///< s, collision-free there
   Scalar t_hit = 0;   ///< s, >= t_free; duration for kFree and kBudget
-  /// At t_free (kContact, kBudget, kFree) or at 0 (kTouching); points relative to the pair's origin_W, axes of W.
+  /// At t_free (kContact, kBudget, kFree) or at 0 (kTouching); points relative to the pair's
+  /// origin_W, axes of W.
   CapsuleGap<Scalar> witness;
   /// d gap / dt of the witness, m/s; negative: approaching.
   Scalar gap_rate = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The paper's search [Kavan §3.2, eq. 16-18]: steps so small that a missed touch is shallower than epsilon, then
-// bisection. Easy to trust; the reference for every other search.
+// The paper's search [Kavan §3.2, eq. 16-18]: steps so small that a missed touch is shallower than
+// epsilon, then bisection. Easy to trust; the reference for every other search.
 
 #include "batuta/detection/bisection.hpp"
 #include "batuta/detection/moving_pair.hpp"
@@ -22,17 +22,20 @@ struct SteppingOptions {
   int halvings = 24;               ///< 0 ... kMaxHalvings
 };
 
-/// First contact in [0, duration], up to touches shallower than epsilon: n = ceil(duration V / epsilon) equal steps
-/// [Kavan eq. 17], V = closing_speed_bound(), then bisection. Contact means gap <= 0.
+/// First contact in [0, duration], up to touches shallower than epsilon: n = ceil(duration V /
+/// epsilon) equal steps [Kavan eq. 17], V = closing_speed_bound(), then bisection. Contact means
+/// gap <= 0.
 /// @returns SearchResult:
 ///   kFree: no overlap deeper than epsilon / 2 (src/detection/stepping.md);
 ///   kContact: t_hit - t_free <= step / 2^halvings, or neighbouring numbers;
 ///   kTouching: gap <= 0 at t = 0;
-///   kBudget: n > max_steps, and no contact at the end of any of the first max_steps steps; t_free is the last of these;
-///   kInvalid: options out of range, or an epsilon of 0 (relative to a thinner radius of 0: give it in metres).
-///   `t_free` is always an instant at which the gap was evaluated and positive, or 0; for kFree it is duration.
+///   kBudget: n > max_steps, and no contact at the end of any of the first max_steps steps; t_free
+///   is the last of these; kInvalid: options out of range, or an epsilon of 0 (relative to a
+///   thinner radius of 0: give it in metres). `t_free` is always an instant at which the gap was
+///   evaluated and positive, or 0; for kFree it is duration.
 /// Bound: max_steps + halvings + 1 evaluations; one if nothing moves.
 template <class Scalar>
-SearchResult<Scalar> search_stepping(const MovingPair<Scalar>& pair, const SteppingOptions<Scalar>& options);
+SearchResult<Scalar> search_stepping(const MovingPair<Scalar>& pair,
+                                     const SteppingOptions<Scalar>& options);
 
 }  // namespace batuta

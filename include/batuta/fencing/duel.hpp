@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Two fencers, two sticks, one bout [Kavan §5]: stick -> keyframes -> hand -> grip -> blade in the world; then each blade
-// against the other fencer's body, until somebody is touched. Frame W (salle), SI units. Time is a count of steps and a
-// time within the step, so that it is as fine after an hour as at the start.
+// Two fencers, two sticks, one bout [Kavan §5]: stick -> keyframes -> hand -> grip -> blade in the
+// world; then each blade against the other fencer's body, until somebody is touched. Frame W
+// (salle), SI units. Time is a count of steps and a time within the step, so that it is as fine
+// after an hour as at the start.
 
 #include "batuta/fencing/fencer.hpp"
 #include "batuta/fencing/stick.hpp"
@@ -21,7 +22,7 @@ struct Moment {
 /// Where a blade was when a contact of the step was answered, for the touches of the same step.
 template <class Scalar>
 struct Waypoint {
-  Scalar time = 0;     ///< in the step, s
+  Scalar time = 0;  ///< in the step, s
   Pose<Scalar> X_WB;
 };
 
@@ -35,7 +36,8 @@ struct BladeDriver {
     return grip.course(body, t, duration);
   }
   void on_contact(const Body<Scalar>& body, const Feedback<Scalar>& feedback) {
-    corners.push({feedback.time, body.X_WB});  // never full: the world answers at most N contacts in a step
+    corners.push(
+        {feedback.time, body.X_WB});  // never full: the world answers at most N contacts in a step
     grip.on_contact(body, feedback);
   }
   void on_step_end(const Body<Scalar>& body, Scalar dt) { grip.on_step_end(body, dt); }
@@ -53,11 +55,13 @@ struct DuelScene : Scene {
 
 template <class Scalar>
 struct DuelSettings {
-  std::int32_t step_us = 1000;             ///< length of a step, us, 100 ... 20000
-  std::int32_t double_window_us = 40000;   ///< a second touch within this time counts as double, us, >= 0
+  std::int32_t step_us = 1000;  ///< length of a step, us, 100 ... 20000
+  std::int32_t double_window_us =
+      40000;  ///< a second touch within this time counts as double, us, >= 0
   StickSettings stick;
-  WorldSettings<Scalar> world;             ///< blades: defaults of duel_settings()
-  SteppingOptions<Scalar> touch;           ///< search for touches
+  WorldSettings<Scalar> world;    ///< blades: defaults of duel_settings()
+  SteppingOptions<Scalar> touch;  ///< search for touches
+  PartMask target = kAllParts;    ///< parts where a touch counts: the weapon's convention
   Salle<Scalar> salle;
 };
 
@@ -74,12 +78,13 @@ enum class BoutState : std::uint8_t {
 
 template <class Scalar>
 struct Touch {
-  Side by = Side::kLeft;        ///< whose blade
+  Side by = Side::kLeft;              ///< whose blade
   BodyPart part = BodyPart::kPelvis;  ///< where on the other
   Moment<Scalar> when;
-  Contact<Scalar> contact;      ///< the normal points out of the one who is touched
-  Scalar place = 0;             ///< on the blade: 0 guard ... 1 tip
-  bool certain = true;          ///< false: a search ended without an answer at an earlier time; it may not be the first
+  Contact<Scalar> contact;  ///< the normal points out of the one who is touched
+  Scalar place = 0;         ///< on the blade: 0 guard ... 1 tip
+  bool certain = true;  ///< false: a search ended without an answer at an earlier time; it may not
+                        ///< be the first
 };
 
 template <class Scalar>
@@ -92,10 +97,10 @@ struct Bout {
 
 /// Sums over the bout. The lower half is zero in a healthy bout.
 struct DuelReport {
-  std::uint32_t beats = 0;        ///< colliding contacts of the blades
-  std::uint32_t rests = 0;        ///< resting contacts: blades leaning on each other
-  std::uint64_t evaluations = 0;  ///< distance evaluations of all searches
-  std::uint32_t touch_searches = 0;   ///< body parts that the hierarchy could not rule out
+  std::uint32_t beats = 0;             ///< colliding contacts of the blades
+  std::uint32_t rests = 0;             ///< resting contacts: blades leaning on each other
+  std::uint64_t evaluations = 0;       ///< distance evaluations of all searches
+  std::uint32_t touch_searches = 0;    ///< body parts that the hierarchy could not rule out
   std::uint32_t incomplete_steps = 0;  ///< the world's report was not complete(): blades were held
   std::uint32_t budget_outs = 0;       ///< searches that ended without an answer, blade or touch
 };
@@ -111,7 +116,8 @@ class Duel {
 
   /// Puts both fencers on guard and starts a new bout.
   /// @returns kOk | kInvalidArgument (settings or data out of range); then step() refuses
-  Status configure(const DuelSettings<Scalar>& settings, const Fencer<Scalar>& left, const Fencer<Scalar>& right);
+  Status configure(const DuelSettings<Scalar>& settings, const Fencer<Scalar>& left,
+                   const Fencer<Scalar>& right);
 
   /// One step. After the bout is over it changes nothing.
   /// @param left, right  a new sample of the fencer's device, or null where there is none
@@ -133,7 +139,9 @@ class Duel {
   const StickTracker<Scalar>& stick(Side side) const { return at(side).stick; }
   /// @pre configured
   const Grip<Scalar>& grip(Side side) const;
-  const KeyedPose<Scalar>& hand(Side side) const { return at(side).hand; }  ///< pose and Jacobian of the hand
+  const KeyedPose<Scalar>& hand(Side side) const {
+    return at(side).hand;
+  }  ///< pose and Jacobian of the hand
   Capsule<Scalar> blade_W(Side side) const;
   const BodyShape<Scalar>& body_W(Side side) const { return at(side).target.shape(); }
 

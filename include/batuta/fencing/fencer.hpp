@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A fencer as data: what the stick means, weapon, grip and body. Frame F (skeleton.hpp). Two fencers come with the
-// library; a new one is a new value of this struct.
+// A fencer as data: what the stick means, weapon, grip and body. Frame F (skeleton.hpp). Two
+// fencers come with the library; a new one is a new value of this struct.
 //
 // What the stick means (both fencers, seen by themselves; stick right = the fencer's own right):
 //   ( 0,  0)  guard: the blades are engaged, a finger's breadth apart
 //   ( 0, +1)  full lunge, straight; reaches the opponent's chest
 //   (-1, +1), (+1, +1)  lunge into the left (high) and the right (low) line
-//   (-1, -1 ... 0)  parry left: the blade sweeps to the fencer's left, and beats what is engaged on that side
+//   (-1, -1 ... 0)  parry left: the blade sweeps to the fencer's left, and beats what is engaged on
+//   that side
 //   (+1, -1 ... 0)  parry right
 //   ( 0, -1)  back guard: out of the opponent's reach, blade high
 
@@ -23,7 +24,8 @@ using FencerGrid = KeyframeGrid<Scalar, 3, 3>;
 
 template <class Scalar>
 struct Fencer {
-  typename FencerGrid<Scalar>::Keys keys_FH;  ///< hand poses; row by row from the back, left to right
+  typename FencerGrid<Scalar>::Keys
+      keys_FH;  ///< hand poses; row by row from the back, left to right
   Weapon<Scalar> weapon;
   GripSettings<Scalar> grip;
   FencerBuild<Scalar> build;
@@ -39,13 +41,19 @@ Fencer<Scalar> second_fencer();
 
 enum class Side : std::uint8_t { kLeft, kRight };
 
-constexpr Side other(Side side) { return side == Side::kLeft ? Side::kRight : Side::kLeft; }
-constexpr std::size_t index_of(Side side) { return static_cast<std::size_t>(side); }
+constexpr Side other(Side side) {
+  return side == Side::kLeft ? Side::kRight : Side::kLeft;
+}
+constexpr std::size_t index_of(Side side) {
+  return static_cast<std::size_t>(side);
+}
 
-/// Where the fencers stand. W: x along the piste from the left fencer to the right one, origin midway on the floor, z up.
+/// Where the fencers stand. W: x along the piste from the left fencer to the right one, origin
+/// midway on the floor, z up.
 template <class Scalar>
 struct Salle {
-  /// Between the origins of the two F, m: guards do not reach the opponent, blades overlap, a full lunge hits.
+  /// Between the origins of the two F, m: guards do not reach the opponent, blades overlap, a full
+  /// lunge hits.
   Scalar distance = Scalar(2.25);
 
   Pose<Scalar> X_WF(Side side) const;

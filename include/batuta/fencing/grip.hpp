@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A hand that holds a blade, loses it to a blow and catches it again [Kavan §5, eq. 32]. A driver (world/driver.hpp).
-// Frames: W world, B the blade's body frame. Mathematics: src/fencing/grip.md.
+// A hand that holds a blade, loses it to a blow and catches it again [Kavan §5, eq. 32]. A driver
+// (world/driver.hpp). Frames: W world, B the blade's body frame. Mathematics: src/fencing/grip.md.
 
 #include "batuta/world/driver.hpp"
 
@@ -10,40 +10,46 @@ namespace batuta {
 /// How firmly a hand holds.
 template <class Scalar>
 struct GripSettings {
-  Scalar strength = Scalar(4);          ///< N, > 0: a blow of j N s is caught in j / strength seconds
-  Scalar min_regain = Scalar(0.02);     ///< s, > 0; shortest t_b - t_a after a blow
-  Scalar max_regain = Scalar(0.4);      ///< s, >= min_regain; longest
-  Scalar recover_speed = Scalar(0.5);   ///< m/s, > 0: a blade that a blow finds away from the hand is not fetched faster
-  Scalar recover_time = Scalar(0.1);    ///< s, > 0: time constant in which a blade that was pushed away returns
-  Scalar lever = Scalar(0.5);           ///< m, > 0: a turn of 1 rad counts as a lag of this length
+  Scalar strength = Scalar(4);       ///< N, > 0: a blow of j N s is caught in j / strength seconds
+  Scalar min_regain = Scalar(0.02);  ///< s, > 0; shortest t_b - t_a after a blow
+  Scalar max_regain = Scalar(0.4);   ///< s, >= min_regain; longest
+  Scalar recover_speed = Scalar(
+      0.5);  ///< m/s, > 0: a blade that a blow finds away from the hand is not fetched faster
+  Scalar recover_time =
+      Scalar(0.1);  ///< s, > 0: time constant in which a blade that was pushed away returns
+  Scalar lever = Scalar(0.5);  ///< m, > 0: a turn of 1 rad counts as a lag of this length
 };
 
-/// @returns kOk | kInvalidArgument: an option is not positive and finite, or max_regain < min_regain
+/// @returns kOk | kInvalidArgument: an option is not positive and finite, or max_regain <
+/// min_regain
 template <class Scalar>
 Status validate(const GripSettings<Scalar>& settings);
 
-/// t_b - t_a: clamp(max(impulse / strength, lag / recover_speed), min_regain, max_regain), s; 0 for no impulse.
+/// t_b - t_a: clamp(max(impulse / strength, lag / recover_speed), min_regain, max_regain), s; 0 for
+/// no impulse.
 /// @param impulse  j, N s, >= 0
 /// @param lag      distance from the blade to where the hand wants it, m, >= 0
 template <class Scalar>
 Scalar regain_time(const GripSettings<Scalar>& settings, Scalar impulse, Scalar lag);
 
-/// [Kavan eq. 32]: between the free flight P and the hand H. Parameter 0: P; 1: H, to the last bit. The weight of H is
-/// s^2 (3 - 2 s), so that also the velocity is that of P at t_a and that of H at t_b. The turn is taken back along the
-/// way on which the flight made it: it does not jump however far a blade turns.
+/// [Kavan eq. 32]: between the free flight P and the hand H. Parameter 0: P; 1: H, to the last bit.
+/// The weight of H is s^2 (3 - 2 s), so that also the velocity is that of P at t_a and that of H at
+/// t_b. The turn is taken back along the way on which the flight made it: it does not jump however
+/// far a blade turns.
 /// @param flight  from t_a on; @param elapsed  t - t_a, s, >= 0
 /// @param parameter  s = (t - t_a) / (t_b - t_a), in [0, 1]
 template <class Scalar>
-Pose<Scalar> caught(const Motion<Scalar>& flight, Scalar elapsed, const Pose<Scalar>& hand, Scalar parameter);
+Pose<Scalar> caught(const Motion<Scalar>& flight, Scalar elapsed, const Pose<Scalar>& hand,
+                    Scalar parameter);
 
 enum class GripPhase : std::uint8_t {
   kHeld,       ///< the blade follows the hand
   kRegaining,  ///< between free flight and hand
 };
 
-/// The driver. Where the world kept the blade from going where the plan wants it (separation, holds), it follows the
-/// plan from where it is, and the difference fades with recover_time: it never snaps back.
-/// Allocates: never.
+/// The driver. Where the world kept the blade from going where the plan wants it (separation,
+/// holds), it follows the plan from where it is, and the difference fades with recover_time: it
+/// never snaps back. Allocates: never.
 template <class Scalar>
 class Grip {
  public:
@@ -71,12 +77,13 @@ class Grip {
   Pose<Scalar> planned_at(Scalar t) const;
 
   GripSettings<Scalar> settings_;
-  Motion<Scalar> hand_;        ///< of the hand over the current step
-  Pose<Scalar> target_;        ///< at its end
-  Scalar step_ = 0;            ///< s; 0: nothing commanded
-  Motion<Scalar> flight_;      ///< P, from t_a
-  Scalar flight_start_ = 0;    ///< t_a on the clock of the current step, s: <= 0 after the step in which it happened
-  Scalar regain_ = 0;          ///< t_b - t_a, s
+  Motion<Scalar> hand_;    ///< of the hand over the current step
+  Pose<Scalar> target_;    ///< at its end
+  Scalar step_ = 0;        ///< s; 0: nothing commanded
+  Motion<Scalar> flight_;  ///< P, from t_a
+  Scalar flight_start_ =
+      0;  ///< t_a on the clock of the current step, s: <= 0 after the step in which it happened
+  Scalar regain_ = 0;  ///< t_b - t_a, s
   GripPhase phase_ = GripPhase::kHeld;
 };
 

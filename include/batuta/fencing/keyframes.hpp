@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The map from the stick's two coordinates to the hand's six [Kavan §5, Fig. 5]: key poses on a grid over the square
-// [-1, 1]^2, and a continuously differentiable surface through them. Frames: W, or any other in which the keys are
-// given; H the hand. Mathematics: src/fencing/keyframes.md.
+// The map from the stick's two coordinates to the hand's six [Kavan §5, Fig. 5]: key poses on a
+// grid over the square
+// [-1, 1]^2, and a continuously differentiable surface through them. Frames: W, or any other in
+// which the keys are given; H the hand. Mathematics: src/fencing/keyframes.md.
 
 #include <array>
 
@@ -10,12 +11,13 @@
 
 namespace batuta {
 
-/// Largest turn of a key against the central key, rad. At pi the shortest way from one to the other is not unique; a
-/// grid that comes close to it would turn the hand through an arbitrary side.
+/// Largest turn of a key against the central key, rad. At pi the shortest way from one to the other
+/// is not unique; a grid that comes close to it would turn the hand through an arbitrary side.
 template <class Scalar>
 inline constexpr Scalar kMaxKeyTurn = Scalar(3);
 
-/// Rows 0-2: velocity of H's origin, m; rows 3-5: angular velocity, rad; each per unit rate of the stick, axes of W.
+/// Rows 0-2: velocity of H's origin, m; rows 3-5: angular velocity, rad; each per unit rate of the
+/// stick, axes of W.
 template <class Scalar>
 using StickJacobian = Eigen::Matrix<Scalar, 6, 2>;
 
@@ -30,12 +32,13 @@ struct KeyedPose {
 template <class Scalar>
 Twist<Scalar> hand_twist(const StickJacobian<Scalar>& jacobian, const Vec2<Scalar>& stick_rate);
 
-/// A key as the surface wants it: rows 0-2 the place in W, m; rows 3-5 the turn log(q_ref^-1 q), rad.
+/// A key as the surface wants it: rows 0-2 the place in W, m; rows 3-5 the turn log(q_ref^-1 q),
+/// rad.
 template <class Scalar>
 using KeyPoint = Eigen::Matrix<Scalar, 6, 1>;
 
-/// A grid of any size: what the kernels work on. Keys row by row: index = column + columns * row; column 0 is x = -1 (left),
-/// row 0 is y = -1 (back).
+/// A grid of any size: what the kernels work on. Keys row by row: index = column + columns * row;
+/// column 0 is x = -1 (left), row 0 is y = -1 (back).
 template <class Scalar>
 struct KeyGridView {
   const KeyPoint<Scalar>* keys = nullptr;
@@ -45,19 +48,21 @@ struct KeyGridView {
 };
 
 /// Turns key poses into points relative to the central one.
-/// @returns kOk | kInvalidArgument (a key is not finite, or turned by more than kMaxKeyTurn against the central key);
+/// @returns kOk | kInvalidArgument (a key is not finite, or turned by more than kMaxKeyTurn against
+/// the central key);
 ///   `points` may then be partly written
 /// Bound: `count` keys.
 template <class Scalar>
-Status relate_keys(const Pose<Scalar>* poses, const Quat<Scalar>& q_ref, KeyPoint<Scalar>* points, int count);
+Status relate_keys(const Pose<Scalar>* poses, const Quat<Scalar>& q_ref, KeyPoint<Scalar>* points,
+                   int count);
 
-/// Pose and Jacobian at a stick position; clamped at the rim. @pre stick finite; the grid has at least 2 x 2 keys
-/// Bound: 16 keys are looked at, whatever the size of the grid.
+/// Pose and Jacobian at a stick position; clamped at the rim. @pre stick finite; the grid has at
+/// least 2 x 2 keys Bound: 16 keys are looked at, whatever the size of the grid.
 template <class Scalar>
 KeyedPose<Scalar> pose_on(const KeyGridView<Scalar>& grid, const Vec2<Scalar>& stick);
 
-/// M columns and N rows of keys, evenly spaced over the square. C1 everywhere; passes through every key; three keys in
-/// a row give the parabola through them. RAM: 24 M N + 24 bytes in float.
+/// M columns and N rows of keys, evenly spaced over the square. C1 everywhere; passes through every
+/// key; three keys in a row give the parabola through them. RAM: 24 M N + 24 bytes in float.
 template <class Scalar, int M, int N>
 class KeyframeGrid {
   static_assert(M >= 2 && N >= 2, "KeyframeGrid: at least 2 x 2 keys");
@@ -72,7 +77,8 @@ class KeyframeGrid {
   Status set_keys(const Keys& keys_WH) {
     const Quat<Scalar> q_ref = renewed(keys_WH[kCentre].q_WB);
     std::array<KeyPoint<Scalar>, kKeys> points{};
-    const Status status = relate_keys(keys_WH.data(), q_ref, points.data(), static_cast<int>(kKeys));
+    const Status status =
+        relate_keys(keys_WH.data(), q_ref, points.data(), static_cast<int>(kKeys));
     if (status != Status::kOk) return status;
     points_ = points;
     q_ref_ = q_ref;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A fencer's body as capsules on bones, posed by where the weapon hand is: the trunk advances and leans, arms and legs
-// reach for hands and feet. Frames: W world; F fencer: origin on the floor below the pelvis in guard, x towards the
-// opponent, y to the left, z up; J a bone: trunk bones have the axes of F when upright, limbs have x along the limb.
-// Mathematics: src/fencing/target.md.
+// A fencer's body as capsules on bones, posed by where the weapon hand is: the trunk advances and
+// leans, arms and legs reach for hands and feet. Frames: W world; F fencer: origin on the floor
+// below the pelvis in guard, x towards the opponent, y to the left, z up; J a bone: trunk bones
+// have the axes of F when upright, limbs have x along the limb. Mathematics: src/fencing/target.md.
 
 #include <array>
 
@@ -27,9 +27,10 @@ enum class BodyPart : std::uint8_t {
 };
 inline constexpr int kBodyParts = 12;
 
-/// The bone that carries each bone: always an earlier one, and depth first, so that one forward pass poses a body and one
-/// backward pass refits what bounds it. -1: the root.
-inline constexpr std::array<std::int8_t, kBodyParts> kBodyParent = {-1, 0, 1, 1, 3, 4, 1, 6, 0, 8, 0, 10};
+/// The bone that carries each bone: always an earlier one, and depth first, so that one forward
+/// pass poses a body and one backward pass refits what bounds it. -1: the root.
+inline constexpr std::array<std::int8_t, kBodyParts> kBodyParent = {-1, 0, 1, 1, 3, 4,
+                                                                    1,  6, 0, 8, 0, 10};
 
 /// Lower case, for people; never null.
 const char* name_of(BodyPart part);
@@ -52,14 +53,14 @@ template <class Scalar>
 struct FencerBuild {
   std::array<Bone<Scalar>, kBodyParts> bones;
   Limb<Scalar> weapon_arm;
-  Limb<Scalar> other_arm;   ///< goal relative to the torso's frame: the arm is carried along
+  Limb<Scalar> other_arm;  ///< goal relative to the torso's frame: the arm is carried along
   Limb<Scalar> front_leg;
   Limb<Scalar> rear_leg;
   Scalar guard_hand_x = 0;  ///< x of the hand in F at which the trunk stands as in guard
   Scalar lunge_hand_x = 1;  ///< and at which the lunge is full; > guard_hand_x
   Vec3<Scalar> lunge_shift_F = Vec3<Scalar>::Zero();  ///< of the pelvis in a full lunge
   Vec3<Scalar> stride_F = Vec3<Scalar>::Zero();       ///< of the front foot in a full lunge
-  Scalar lunge_lean = 0;    ///< of the torso in a full lunge, forward, rad, |lean| <= 1
+  Scalar lunge_lean = 0;  ///< of the torso in a full lunge, forward, rad, |lean| <= 1
 };
 
 /// A body at one instant, in W.
@@ -70,18 +71,20 @@ using BodyShape = std::array<Capsule<Scalar>, static_cast<std::size_t>(kBodyPart
 template <class Scalar>
 struct Reach {
   Vec3<Scalar> middle = Vec3<Scalar>::Zero();  ///< elbow or knee
-  Vec3<Scalar> end = Vec3<Scalar>::Zero();     ///< the goal, or the point in its direction that can be reached
+  Vec3<Scalar> end =
+      Vec3<Scalar>::Zero();  ///< the goal, or the point in its direction that can be reached
   bool in_reach = true;
 };
 
-/// Two bones of given lengths from `start` to `goal`, the middle joint on the side of `bend`. Closed form, one square root
-/// for each side of the triangle. Beyond reach the limb is straight; too close it is folded.
+/// Two bones of given lengths from `start` to `goal`, the middle joint on the side of `bend`.
+/// Closed form, one square root for each side of the triangle. Beyond reach the limb is straight;
+/// too close it is folded.
 /// @param lengths  of the first and the second bone, > 0
 /// @pre finite; bend not zero
 /// Bound: no loop. Both lengths are kept to rounding.
 template <class Scalar>
-Reach<Scalar> two_bone_reach(const Vec3<Scalar>& start, const Vec3<Scalar>& goal, const Vec2<Scalar>& lengths,
-                             const Vec3<Scalar>& bend);
+Reach<Scalar> two_bone_reach(const Vec3<Scalar>& start, const Vec3<Scalar>& goal,
+                             const Vec2<Scalar>& lengths, const Vec3<Scalar>& bend);
 
 /// The share of a full lunge that a hand position means, 0 ... 1.
 template <class Scalar>
@@ -91,6 +94,7 @@ Scalar lunge_share(const FencerBuild<Scalar>& build, Scalar hand_x_F);
 /// @pre finite poses
 /// Bound: one forward pass over kBodyParts bones.
 template <class Scalar>
-BodyShape<Scalar> pose_body(const FencerBuild<Scalar>& build, const Pose<Scalar>& X_WF, const Pose<Scalar>& X_WH);
+BodyShape<Scalar> pose_body(const FencerBuild<Scalar>& build, const Pose<Scalar>& X_WF,
+                            const Pose<Scalar>& X_WH);
 
 }  // namespace batuta

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// From time-stamped samples of a device, as irregular as they come, to the stick's position and velocity at every step
-// of the simulation: "the velocities are estimated using the elapsed time" [Kavan §5], one sample late and without the
-// spikes that a difference over one step would have. Stick coordinates: the square [-1, 1]^2. Times: src/fencing/stick.md.
+// From time-stamped samples of a device, as irregular as they come, to the stick's position and
+// velocity at every step of the simulation: "the velocities are estimated using the elapsed time"
+// [Kavan §5], one sample late and without the spikes that a difference over one step would have.
+// Stick coordinates: the square [-1, 1]^2. Times: src/fencing/stick.md.
 
 #include "batuta/core/types.hpp"
 #include "batuta/port/input.hpp"
@@ -10,40 +11,46 @@
 namespace batuta {
 
 struct StickSettings {
-  std::int32_t min_interval_us = 1000;   ///< shortest time in which the stick goes to a new sample, us, > 0
+  std::int32_t min_interval_us =
+      1000;  ///< shortest time in which the stick goes to a new sample, us, > 0
   std::int32_t max_interval_us = 40000;  ///< longest, us, >= min_interval_us
-  std::int32_t stale_after_us = 250000;  ///< silence after which the stick counts as stale, us, >= max_interval_us
-  /// Fastest movement along each axis, 1/s, > 0. Whatever the device claims: it bounds the blade's speed.
+  std::int32_t stale_after_us =
+      250000;  ///< silence after which the stick counts as stale, us, >= max_interval_us
+  /// Fastest movement along each axis, 1/s, > 0. Whatever the device claims: it bounds the blade's
+  /// speed.
   float max_speed = 16;
 };
 
-/// @returns kOk | kInvalidArgument: out of range, or a full movement at max_speed would last beyond stale_after_us
+/// @returns kOk | kInvalidArgument: out of range, or a full movement at max_speed would last beyond
+/// stale_after_us
 Status validate(const StickSettings& settings);
 
 /// What became of a sample.
 enum class SampleUse : std::uint8_t {
   kUsed,      ///< the stick is on its way to it
-  kRestart,   ///< the same, but its time says nothing: it is the first one, or the first after a silence
+  kRestart,   ///< the same, but its time says nothing: it is the first one, or the first after a
+              ///< silence
   kRepeated,  ///< the time stamp of the last one: the goal is corrected, the timing stays
   kBackward,  ///< refused: older than the last one
   kInvalid,   ///< refused: a coordinate is not finite
 };
 
 struct StickReport {
-  std::uint32_t used = 0;      ///< with those of kRestart
+  std::uint32_t used = 0;  ///< with those of kRestart
   std::uint32_t restarts = 0;
   std::uint32_t repeated = 0;
   std::uint32_t backward = 0;
   std::uint32_t invalid = 0;
-  std::uint32_t lost = 0;      ///< gaps of the sequence numbers
-  std::uint32_t clamped = 0;   ///< used, but a coordinate was outside [-1, 1]
-  std::uint32_t slowed = 0;    ///< used, but faster than max_speed
-  std::uint32_t stale_steps = 0;  ///< steps without any sign of life for stale_after_us, or before the first sample
+  std::uint32_t lost = 0;     ///< gaps of the sequence numbers
+  std::uint32_t clamped = 0;  ///< used, but a coordinate was outside [-1, 1]
+  std::uint32_t slowed = 0;   ///< used, but faster than max_speed
+  std::uint32_t stale_steps =
+      0;  ///< steps without any sign of life for stale_after_us, or before the first sample
 };
 
-/// After a sample the stick goes from where it is to where the sample says, at constant velocity, in the time between
-/// the last two samples.
-/// Allocates: never. ISR-safe: from one context at a time.
+/// After a sample the stick goes from where it is to where the sample says, at constant velocity,
+/// in the time between the last two samples. Allocates: never. ISR-safe: from one context at a
+/// time.
 template <class Scalar>
 class StickTracker {
  public:

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What a blade wants to hit: a moving body under a hierarchy of k-DOPs that is refitted each step [Kavan §5, refs 10 and
-// 16], and the search for the first touch. Frame W, SI units; times run from 0 to the step's length.
+// What a blade wants to hit: a moving body under a hierarchy of k-DOPs that is refitted each step
+// [Kavan §5, refs 10 and 16], and the search for the first touch. Frame W, SI units; times run from
+// 0 to the step's length.
 
 #include "batuta/detection/stepping.hpp"
 #include "batuta/fencing/skeleton.hpp"
@@ -26,11 +27,11 @@ struct TouchSearch {
   Scalar t_hit = 0;                   ///< and touch here
   Contact<Scalar> contact;            ///< at t_free; the normal points out of the body
   Scalar place = 0;                   ///< on the blade's axis: 0 at axis.a ... 1 at axis.b
-  /// Every part has been searched up to here; the end of the motion if all searches were finished. A touch found
-  /// later than this may not have been the first; none found means none *up to here*.
+  /// Every part has been searched up to here; the end of the motion if all searches were finished.
+  /// A touch found later than this may not have been the first; none found means none *up to here*.
   Scalar known_until = 0;
-  bool complete = false;              ///< known_until is the end of the motion
-  std::uint16_t searches = 0;         ///< parts that the hierarchy could not rule out
+  bool complete = false;       ///< known_until is the end of the motion
+  std::uint16_t searches = 0;  ///< parts that the hierarchy could not rule out
   std::uint32_t evaluations = 0;
 
   bool certain() const { return found ? known_until >= t_free : complete; }
@@ -44,21 +45,27 @@ class Target {
   /// The body stands still as given.
   void place(const BodyShape<Scalar>& shape_W);
 
-  /// The body goes to `shape_W` in `dt`: every bone with the constant twist of the shortest turn. Refits the hierarchy.
+  /// The body goes to `shape_W` in `dt`: every bone with the constant twist of the shortest turn.
+  /// Refits the hierarchy.
   /// @pre dt > 0; finite
   /// Bound: one forward and one backward pass over kBodyParts bones.
   void move_to(const BodyShape<Scalar>& shape_W, Scalar dt);
 
   /// The first touch of a blade that moves over [from, from + blade.motion.duration] of the step.
   /// Bound: kBodyParts searches; no recursion, no stack.
-  TouchSearch<Scalar> find_touch(const MovingCapsule<Scalar>& blade, Scalar from, const SteppingOptions<Scalar>& options,
+  TouchSearch<Scalar> find_touch(const MovingCapsule<Scalar>& blade, Scalar from,
+                                 const SteppingOptions<Scalar>& options,
                                  PartMask parts = kAllParts) const;
 
   /// Where the body is at the end of the step.
   const BodyShape<Scalar>& shape() const { return shape_W_; }
-  const MovingCapsule<Scalar>& part(BodyPart part) const { return moving_[static_cast<std::size_t>(part)]; }
+  const MovingCapsule<Scalar>& part(BodyPart part) const {
+    return moving_[static_cast<std::size_t>(part)];
+  }
   /// Holds the part and all that it carries during the whole step.
-  const Kdop<Scalar, kTargetK>& hull(BodyPart part) const { return hulls_[static_cast<std::size_t>(part)]; }
+  const Kdop<Scalar, kTargetK>& hull(BodyPart part) const {
+    return hulls_[static_cast<std::size_t>(part)];
+  }
 
  private:
   static constexpr auto kParts = static_cast<std::size_t>(kBodyParts);
@@ -71,7 +78,8 @@ class Target {
   void refit();
   PartSearch search_part(std::size_t part, const MovingCapsule<Scalar>& blade, Scalar from,
                          const SteppingOptions<Scalar>& options) const;
-  static void take(const PartSearch& search, BodyPart part, Scalar from, TouchSearch<Scalar>& first);
+  static void take(const PartSearch& search, BodyPart part, Scalar from,
+                   TouchSearch<Scalar>& first);
 
   BodyShape<Scalar> shape_W_{};
   std::array<MovingCapsule<Scalar>, kParts> moving_{};

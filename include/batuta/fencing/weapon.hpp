@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A weapon as the sum of its parts. Frame H: the hand, origin in the middle of the grip, x along the blade to the tip.
+// A weapon as the sum of its parts. Frame H: the hand, origin in the middle of the grip, x along
+// the blade to the tip.
 
 #include <array>
 
@@ -27,7 +28,7 @@ template <class Scalar>
 struct WeaponBody {
   Scalar mass = 0;
   Vec3<Scalar> moments = Vec3<Scalar>::Zero();
-  Pose<Scalar> X_HB;         ///< fixed
+  Pose<Scalar> X_HB;  ///< fixed
   Capsule<Scalar> blade_B;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The one shape of batuta: all points within a radius of a segment [Kavan eq. 30]. A sphere is the capsule
-// whose segment has no length. Frame: any, the same for all arguments; unit m.
+// The one shape of batuta: all points within a radius of a segment [Kavan eq. 30]. A sphere is the
+// capsule whose segment has no length. Frame: any, the same for all arguments; unit m.
 
 #include "batuta/core/status.hpp"
 #include "batuta/geometry/segment.hpp"
@@ -13,7 +13,9 @@ struct Capsule {
   Segment<Scalar> axis;
   Scalar radius = 0;  ///< >= 0
 
-  static Capsule sphere(const Vec3<Scalar>& center, Scalar radius) { return {{center, center}, radius}; }
+  static Capsule sphere(const Vec3<Scalar>& center, Scalar radius) {
+    return {{center, center}, radius};
+  }
 };
 
 template <class Scalar>
@@ -35,9 +37,9 @@ template <class Scalar>
 struct CapsuleGap {
   Proximity proximity = Proximity::kInvalid;
   Scalar gap = 0;  ///< distance of the surfaces, m; negative: depth of the overlap along normal_AB
-  ClosestPoints<Scalar> axes;                           ///< closest points of the two axes, with normal_AB
-  Vec3<Scalar> surface_A = Vec3<Scalar>::Zero();        ///< point of A's surface furthest towards B
-  Vec3<Scalar> surface_B = Vec3<Scalar>::Zero();        ///< point of B's surface furthest towards A
+  ClosestPoints<Scalar> axes;  ///< closest points of the two axes, with normal_AB
+  Vec3<Scalar> surface_A = Vec3<Scalar>::Zero();  ///< point of A's surface furthest towards B
+  Vec3<Scalar> surface_B = Vec3<Scalar>::Zero();  ///< point of B's surface furthest towards A
 };
 
 /// Finite coordinates and a finite radius >= 0, none beyond kLargestCoordinate.
@@ -50,7 +52,8 @@ bool is_valid(const Capsule<Scalar>& capsule);
 template <class Scalar>
 CapsuleGap<Scalar> capsule_gap(const Capsule<Scalar>& A, const Capsule<Scalar>& B);
 
-/// dist(axis A, axis B) <= r_A + r_B [Kavan eq. 31]. False for invalid input (ask is_valid() first).
+/// dist(axis A, axis B) <= r_A + r_B [Kavan eq. 31]. False for invalid input (ask is_valid()
+/// first).
 template <class Scalar>
 bool overlaps(const Capsule<Scalar>& A, const Capsule<Scalar>& B);
 
@@ -58,8 +61,9 @@ bool overlaps(const Capsule<Scalar>& A, const Capsule<Scalar>& B);
 template <class Scalar>
 Scalar penetration_depth(const Capsule<Scalar>& A, const Capsule<Scalar>& B);
 
-/// Outward unit normal at the point of the surface nearest to `point` [Kavan §5]. On the axis: a fixed perpendicular
-/// of the axis (x for a sphere), status kDegenerate. kInvalidArgument for an invalid capsule or point.
+/// Outward unit normal at the point of the surface nearest to `point` [Kavan §5]. On the axis: a
+/// fixed perpendicular of the axis (x for a sphere), status kDegenerate. kInvalidArgument for an
+/// invalid capsule or point.
 template <class Scalar>
 Result<Vec3<Scalar>> surface_normal(const Capsule<Scalar>& capsule, const Vec3<Scalar>& point);
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Discrete orientation polytopes [Kavan §5, refs 10 and 16]: the intersection of k half-spaces with fixed normals,
-// in opposite pairs. k = 6 is the axis-aligned box. Frame: any, the same for all arguments; unit m.
-// Directions have integer components (unnormalised): 3 axes, 4 cube diagonals, 6 edge diagonals.
+// Discrete orientation polytopes [Kavan §5, refs 10 and 16]: the intersection of k half-spaces with
+// fixed normals, in opposite pairs. k = 6 is the axis-aligned box. Frame: any, the same for all
+// arguments; unit m. Directions have integer components (unnormalised): 3 axes, 4 cube diagonals, 6
+// edge diagonals.
 
 #include <array>
 
@@ -24,7 +25,8 @@ struct Kdop {
  private:
   static constexpr std::array<Scalar, kDirections> filled(Scalar x) {
     std::array<Scalar, kDirections> values{};
-    for (int i = 0; i < kDirections; ++i) values[static_cast<std::size_t>(i)] = x;  // Bound: kDirections
+    for (int i = 0; i < kDirections; ++i)
+      values[static_cast<std::size_t>(i)] = x;  // Bound: kDirections
     return values;
   }
 };
@@ -46,7 +48,8 @@ Kdop<Scalar, K> kdop_of(const Capsule<Scalar>& capsule);
 template <class Scalar, int K>
 Kdop<Scalar, K> merge(const Kdop<Scalar, K>& P, const Kdop<Scalar, K>& Q);
 
-/// True where no direction separates the two; touching counts. False may be trusted, true is a maybe.
+/// True where no direction separates the two; touching counts. False may be trusted, true is a
+/// maybe.
 template <class Scalar, int K>
 bool overlaps(const Kdop<Scalar, K>& P, const Kdop<Scalar, K>& Q);
 

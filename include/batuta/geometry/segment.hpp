@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Closest points of a point and a segment, and of two segments: the one kernel that all detection stands on.
-// Frame: any, the same for all arguments; unit m. Recipe and error bound: src/geometry/segment.md.
+// Closest points of a point and a segment, and of two segments: the one kernel that all detection
+// stands on. Frame: any, the same for all arguments; unit m. Recipe and error bound:
+// src/geometry/segment.md.
 
 #include "batuta/core/types.hpp"
 
@@ -36,30 +37,36 @@ struct ClosestPoints {
   Scalar u = 0;  ///< parameter on B in [0, 1]
   Vec3<Scalar> p_A = Vec3<Scalar>::Zero();
   Vec3<Scalar> p_B = Vec3<Scalar>::Zero();
-  /// Unit, from p_A to p_B. Where the points coincide (to 4 u of the largest component): perpendicular to both segments if they are not parallel,
-  /// else a fixed perpendicular of the longer one, else (two points) the x axis; then `arbitrary` is set.
+  /// Unit, from p_A to p_B. Where the points coincide (to 4 u of the largest component):
+  /// perpendicular to both segments if they are not parallel, else a fixed perpendicular of the
+  /// longer one, else (two points) the x axis; then `arbitrary` is set.
   Vec3<Scalar> normal_AB = Vec3<Scalar>::UnitX();
   Scalar distance = 0;
-  bool arbitrary = false;  ///< the sign or the whole direction of normal_AB is a convention, not geometry
+  /// The sign or the whole direction of normal_AB is a convention, not geometry.
+  bool arbitrary = false;
 };
 
 /// Coordinates up to here keep every difference and distance finite.
 template <class Scalar>
 inline constexpr Scalar kLargestCoordinate = std::numeric_limits<Scalar>::max() / 8;
 
-/// The point of `segment` closest to `point`. Swapping the ends gives the same point and distance, bit for bit.
+/// The point of `segment` closest to `point`. Swapping the ends gives the same point and distance,
+/// bit for bit.
 /// @pre no coordinate is NaN or beyond kLargestCoordinate; any scale
-/// Bound: no loop but the choice of a scale. Error of the distance <= 4 u S, S the largest length in the query.
+/// Bound: no loop but the choice of a scale. Error of the distance <= 4 u S, S the largest length
+/// in the query.
 template <class Scalar>
 PointOnSegment<Scalar> closest_point(const Segment<Scalar>& segment, const Vec3<Scalar>& point);
 
 /// A closest pair of points of A and B [Kavan §5, the distance in eq. 31].
-/// Where a whole range of pairs is closest (parallel, side by side; within u S counts): the middle of the range.
-/// Swapping A and B, or the ends of either, gives the same points, distance and normal (turned round with A and B)
-/// bit for bit; a parameter s becomes 1 - s up to u (0 on a point). Identical segments have one arbitrary normal either way.
+/// Where a whole range of pairs is closest (parallel, side by side; within u S counts): the middle
+/// of the range. Swapping A and B, or the ends of either, gives the same points, distance and
+/// normal (turned round with A and B) bit for bit; a parameter s becomes 1 - s up to u (0 on a
+/// point). Identical segments have one arbitrary normal either way.
 /// @pre no coordinate is NaN or beyond kLargestCoordinate; any scale; zero length allowed
-/// Bound: no loop but the choice of a scale. Excess of the distance over the minimum, and error of `distance`,
-/// <= 4 u S, S the largest length in the query (src/geometry/segment.md). p_A and p_B are rounded where they lie.
+/// Bound: no loop but the choice of a scale. Excess of the distance over the minimum, and error of
+/// `distance`, <= 4 u S, S the largest length in the query (src/geometry/segment.md). p_A and p_B
+/// are rounded where they lie.
 template <class Scalar>
 ClosestPoints<Scalar> closest_points(const Segment<Scalar>& A, const Segment<Scalar>& B);
 

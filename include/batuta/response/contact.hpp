@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A contact of two bodies at one instant, and what kind it is [Kavan §4, eq. 21-23]. Frame W, SI units.
+// A contact of two bodies at one instant, and what kind it is [Kavan §4, eq. 21-23]. Frame W, SI
+// units.
 
 #include "batuta/detection/moving_pair.hpp"
 
 namespace batuta {
 
-/// Where two bodies meet. One point serves both bodies (midway between the surfaces), so that equal and opposite
-/// impulses conserve angular momentum exactly.
+/// Where two bodies meet. One point serves both bodies (midway between the surfaces), so that equal
+/// and opposite impulses conserve angular momentum exactly.
 template <class Scalar>
 struct Contact {
   Vec3<Scalar> point_W = Vec3<Scalar>::Zero();
   Vec3<Scalar> normal_BA_W = Vec3<Scalar>::UnitX();  ///< the paper's n_B: unit, out of B, towards A
-  Scalar gap = 0;                                    ///< m, at this instant; may be slightly positive
+  Scalar gap = 0;  ///< m, at this instant; may be slightly positive
 };
 
 enum class ContactKind : std::uint8_t {
@@ -27,8 +28,9 @@ Contact<Scalar> contact_from(const CapsuleGap<Scalar>& witness, const Vec3<Scala
 
 /// v_rel = n_B . (r'_A - r'_B) [Kavan eq. 21-23], m/s; negative: approaching.
 template <class Scalar>
-Scalar relative_velocity(const Contact<Scalar>& contact, const Pose<Scalar>& X_WA, const Twist<Scalar>& twist_A,
-                         const Pose<Scalar>& X_WB, const Twist<Scalar>& twist_B);
+Scalar relative_velocity(const Contact<Scalar>& contact, const Pose<Scalar>& X_WA,
+                         const Twist<Scalar>& twist_A, const Pose<Scalar>& X_WB,
+                         const Twist<Scalar>& twist_B);
 
 /// @pre eps_r >= 0, m/s
 template <class Scalar>

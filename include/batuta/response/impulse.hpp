@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Colliding contact: the impulse along the normal that turns v_rel into -C v_rel [Kavan §4.1, eq. 24-29].
+// Colliding contact: the impulse along the normal that turns v_rel into -C v_rel [Kavan §4.1, eq.
+// 24-29].
 
 #include "batuta/response/contact.hpp"
 
 namespace batuta {
 
-/// What the impulse needs to know of one body. The twist is given apart from the body's momenta because a body that a
-/// hand moves has a velocity although nothing can push it (inverse mass 0).
+/// What the impulse needs to know of one body. The twist is given apart from the body's momenta
+/// because a body that a hand moves has a velocity although nothing can push it (inverse mass 0).
 template <class Scalar>
 struct Collider {
   Pose<Scalar> X_WB;
@@ -21,11 +22,11 @@ Collider<Scalar> collider_of(const Body<Scalar>& body);
 
 template <class Scalar>
 struct Impulse {
-  Scalar magnitude = 0;              ///< j >= 0, N s [Kavan eq. 24]
-  Scalar v_rel = 0;                  ///< before, m/s [Kavan eq. 23]
-  Momentum<Scalar> on_A;             ///< J and r_A x J; B gets exactly the opposite J at the same point
+  Scalar magnitude = 0;   ///< j >= 0, N s [Kavan eq. 24]
+  Scalar v_rel = 0;       ///< before, m/s [Kavan eq. 23]
+  Momentum<Scalar> on_A;  ///< J and r_A x J; B gets exactly the opposite J at the same point
   Momentum<Scalar> on_B;
-  Twist<Scalar> twist_A;             ///< after [Kavan eq. 26, 27]
+  Twist<Scalar> twist_A;  ///< after [Kavan eq. 26, 27]
   Twist<Scalar> twist_B;
 };
 

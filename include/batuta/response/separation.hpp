@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Resting contact: push the bodies apart along the normal until the gap is D, and charge time for it [Kavan §4.2].
+// Resting contact: push the bodies apart along the normal until the gap is D, and charge time for
+// it [Kavan §4.2].
 
 #include "batuta/response/contact.hpp"
 
@@ -16,8 +17,8 @@ struct SeparationOptions {
   Scalar limit_B = std::numeric_limits<Scalar>::max();
 };
 
-/// The paper's separation by D, made safe: the gap is restored *to* D, because adding D each time would lift
-/// a resting body step by step (src/response/separation.md).
+/// The paper's separation by D, made safe: the gap is restored *to* D, because adding D each time
+/// would lift a resting body step by step (src/response/separation.md).
 template <class Scalar>
 struct Separation {
   Vec3<Scalar> shift_A_W = Vec3<Scalar>::Zero();  ///< m, along +n_B, share m_B / (m_A + m_B)
@@ -25,13 +26,14 @@ struct Separation {
   Scalar duration = 0;                            ///< f(D), s
 };
 
-/// Shares by inverse masses, which is the paper's rule and also serves a fixed body (share 0); both fixed: no shift.
-/// f(D) = max(min_duration, D / (2 max(|v_rel|, rest_speed))): the time in which a resting contact uses up half of D.
-/// A gap that is already D or more: no shift.
-/// @returns kOk | kInvalidArgument (an option out of range, contact or v_rel not finite, negative inverse mass)
-/// Bound: no loop.
+/// Shares by inverse masses, which is the paper's rule and also serves a fixed body (share 0); both
+/// fixed: no shift. f(D) = max(min_duration, D / (2 max(|v_rel|, rest_speed))): the time in which a
+/// resting contact uses up half of D. A gap that is already D or more: no shift.
+/// @returns kOk | kInvalidArgument (an option out of range, contact or v_rel not finite, negative
+/// inverse mass) Bound: no loop.
 template <class Scalar>
-Result<Separation<Scalar>> separate(const Contact<Scalar>& contact, Scalar v_rel, Scalar inverse_mass_A,
-                                    Scalar inverse_mass_B, const SeparationOptions<Scalar>& options);
+Result<Separation<Scalar>> separate(const Contact<Scalar>& contact, Scalar v_rel,
+                                    Scalar inverse_mass_A, Scalar inverse_mass_B,
+                                    const SeparationOptions<Scalar>& options);
 
 }  // namespace batuta

@@ -16,7 +16,7 @@ constexpr std::array<ScriptMove, 4> kGuard = {{
     {900, -0.04F, 0.00F},
 }};
 
-// A parry draws the hand back a little, so that it does not run into the blade that it sweeps aside.
+// A parry draws the hand back, so that it does not run into the blade that it sweeps aside.
 constexpr std::array<ScriptMove, 8> kParry = {{
     {500, 0.04F, -0.10F},
     {180, -0.70F, -0.45F},

@@ -12,16 +12,30 @@ namespace {
 /// Where a stick is, by the number of the step.
 using Script = Vec2<double> (*)(int);
 
-Vec2<double> guard(int) { return {0, 0}; }
-Vec2<double> lunge(int k) { return {0, clamp((k - 100) / 250.0, 0.0, 1.0)}; }
-Vec2<double> late_lunge(int k) { return lunge(k - 20); }
-Vec2<double> very_late_lunge(int k) { return lunge(k - 240); }
-Vec2<double> parry_left(int k) { return {-clamp((k - 100) / 100.0, 0.0, 1.0), -0.2}; }
-Vec2<double> sway(int k) { return {0.8 * std::sin(6e-3 * k), -0.2 + 0.2 * std::sin(3.1e-3 * k)}; }
+Vec2<double> guard(int) {
+  return {0, 0};
+}
+Vec2<double> lunge(int k) {
+  return {0, clamp((k - 100) / 250.0, 0.0, 1.0)};
+}
+Vec2<double> late_lunge(int k) {
+  return lunge(k - 20);
+}
+Vec2<double> very_late_lunge(int k) {
+  return lunge(k - 240);
+}
+Vec2<double> parry_left(int k) {
+  return {-clamp((k - 100) / 100.0, 0.0, 1.0), -0.2};
+}
+Vec2<double> sway(int k) {
+  return {0.8 * std::sin(6e-3 * k), -0.2 + 0.2 * std::sin(3.1e-3 * k)};
+}
 Vec2<double> counter_sway(int k) {
   return {0.9 * std::sin(7.7e-3 * k + 1), -0.3 + 0.3 * std::sin(4.1e-3 * k)};
 }
-Vec2<double> hacking(int k) { return {std::sin(37e-3 * k) > 0 ? 1.0 : -1.0, -0.4}; }
+Vec2<double> hacking(int k) {
+  return {std::sin(37e-3 * k) > 0 ? 1.0 : -1.0, -0.4};
+}
 
 template <class S>
 class DuelOf : public ::testing::Test {
@@ -54,7 +68,9 @@ class DuelOf : public ::testing::Test {
     return s;
   }
   const Bout<S>& bout() const { return duel->bout(); }
-  double touch_time(int i) const { return static_cast<double>(duel->time_us(bout().touches[i].when)) * 1e-6; }
+  double touch_time(int i) const {
+    return static_cast<double>(duel->time_us(bout().touches[i].when)) * 1e-6;
+  }
 };
 using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(DuelOf, Scalars);
@@ -76,7 +92,8 @@ TYPED_TEST(DuelOf, LungeAgainstGuard_TouchesTheTorso) {
   EXPECT_EQ(touch.part, BodyPart::kTorso);
   EXPECT_TRUE(touch.certain);
   EXPECT_GT(touch.place, TypeParam(0.99));
-  EXPECT_LT(touch.contact.normal_BA_W.x(), TypeParam(-0.8));  // out of the right fencer, towards the left one
+  EXPECT_LT(touch.contact.normal_BA_W.x(),
+            TypeParam(-0.8));  // out of the right fencer, towards the left one
   EXPECT_GT(this->touch_time(0), 0.25);
   EXPECT_LT(this->touch_time(0), 0.37);
   // The point lies on the torso, up to what the search may miss and a step's movement.
@@ -135,13 +152,15 @@ TYPED_TEST(DuelOf, Parry_BeatsTheEngagedBladeOutOfTheHand) {
   EXPECT_EQ(this->duel->report().incomplete_steps, 0U);
 }
 
-// A minute of blades beating and leaning on each other: they never pass into each other, and the world answers all.
+// A minute of blades beating and leaning on each other: they never pass into each other, and the
+// world answers all.
 TYPED_TEST(DuelOf, LongPhrase_BladesStayApart) {
   this->run(sway, counter_sway, 60000);
   EXPECT_EQ(this->duel->steps(), 60000U);
   EXPECT_GT(this->least_gap, -1e-5);
   EXPECT_GT(this->duel->report().beats, 50U);
-  EXPECT_LE(this->duel->report().incomplete_steps, 6U);  // 1 in 10000: blades that lean bounce ever faster to rest
+  EXPECT_LE(this->duel->report().incomplete_steps,
+            6U);  // 1 in 10000: blades that lean bounce ever faster to rest
   EXPECT_EQ(this->duel->report().budget_outs, 0U);
 }
 
@@ -166,6 +185,13 @@ TYPED_TEST(DuelOf, TouchSearchesWithoutBudget_AreReported) {
   ASSERT_EQ(this->configure(), Status::kOk);
   this->run(lunge, guard, 1000);
   EXPECT_GT(this->duel->report().budget_outs, 0U);
+}
+
+TYPED_TEST(DuelOf, PartsThatDoNotCount_AreNotTouched) {
+  this->settings.target = PartMask{1} << static_cast<int>(BodyPart::kHead);
+  ASSERT_EQ(this->configure(), Status::kOk);
+  this->run(lunge, guard, 600);
+  EXPECT_EQ(this->bout().state, BoutState::kFencing);
 }
 
 TYPED_TEST(DuelOf, SettingsOutOfRange_AreRefusedAndStepToo) {
@@ -211,7 +237,9 @@ TYPED_TEST(DuelOf, TimeOfAMoment_IsExactAfterHours) {
 TEST(Duel, SameInputs_SameBits) {
   const auto trace = [] {
     auto duel = std::make_unique<Duel<float>>();
-    EXPECT_EQ(duel->configure(duel_settings<float>(), first_fencer<float>(), second_fencer<float>()), Status::kOk);
+    EXPECT_EQ(
+        duel->configure(duel_settings<float>(), first_fencer<float>(), second_fencer<float>()),
+        Status::kOk);
     std::uint32_t hash = 2166136261U;
     for (int k = 0; k < 3000; ++k) {
       InputSample l, r;

@@ -6,7 +6,8 @@
 namespace batuta {
 namespace {
 
-/// Both fencers of the library, each on either side, and what the numbers of fencer.cpp are chosen for.
+/// Both fencers of the library, each on either side, and what the numbers of fencer.cpp are chosen
+/// for.
 class Pairing : public ::testing::TestWithParam<int> {
  protected:
   std::array<Fencer<double>, 2> fencers;
@@ -59,7 +60,8 @@ TEST_P(Pairing, OnlyLunges_ReachTheOpponent) {
   }
 }
 
-// A parry sweeps across the line of the other's guard: the blades' order changes, so they must meet on the way.
+// A parry sweeps across the line of the other's guard: the blades' order changes, so they must meet
+// on the way.
 TEST_P(Pairing, ParryLeft_CrossesTheEngagedBlade) {
   for (const Side side : {Side::kLeft, Side::kRight}) {
     const auto parry = blade(side, -1, 0);

@@ -92,7 +92,8 @@ TYPED_TEST(GripOf, NothingCommanded_StandsStill) {
   EXPECT_EQ(course.motion.duration, TypeParam(0.5));
 }
 
-// 0.4 N s against 4 N: caught in 0.1 s. Pose and velocity are continuous throughout, and at the end the hand has it.
+// 0.4 N s against 4 N: caught in 0.1 s. Pose and velocity are continuous throughout, and at the end
+// the hand has it.
 TYPED_TEST(GripOf, Blow_IsCaughtAfterImpulseOverStrength) {
   using S = TypeParam;
   for (int i = 0; i < 5; ++i) this->step();
@@ -144,7 +145,8 @@ TYPED_TEST(GripOf, SecondBlow_StartsAgainFromThePresent) {
   EXPECT_NEAR((this->body.X_WB.p_W - before.p_W).y(), 2e-3, 1e-4);
 }
 
-// A huge blow: the time is clamped, the blade comes back, and turning many times over does not make it jump.
+// A huge blow: the time is clamped, the blade comes back, and turning many times over does not make
+// it jump.
 TYPED_TEST(GripOf, HugeBlow_IsCaughtInTheLongestTimeWithoutJumps) {
   using S = TypeParam;
   this->step_with_blow(0, 1e6, vec<S>(0, -8, 0), vec<S>(0, 0, 60));
@@ -179,7 +181,8 @@ TYPED_TEST(GripOf, Separation_KeepsTheShiftAndFades) {
   EXPECT_NEAR(static_cast<double>(this->body.X_WB.p_W.y()), at_shift, 2e-5);
   this->finish();
   for (int i = 0; i < 100; ++i) this->step();  // the time constant
-  const double left = static_cast<double>(this->body.X_WB.p_W.y() - this->hand(this->now()).p_W.y());
+  const double left =
+      static_cast<double>(this->body.X_WB.p_W.y() - this->hand(this->now()).p_W.y());
   EXPECT_NEAR(left, 1e-3 * std::exp(-1.0), 1e-5);
   for (int i = 0; i < 1000; ++i) this->step();
   EXPECT_LE(distance(this->body.X_WB, this->hand(this->now())), 1e-7 + kClose<S>);

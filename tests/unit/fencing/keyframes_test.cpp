@@ -34,7 +34,6 @@ typename KeyframeGrid<S, M, N>::Keys random_keys(unsigned seed) {
   return keys;
 }
 
-
 template <int M, int N>
 void expect_exact_at_keys(unsigned seed) {
   KeyframeGrid<double, M, N> grid;
@@ -67,7 +66,8 @@ TEST(KeyframeGrid, AtKeysInFloat_PlacesAreTheKeysToTheBit) {
   for (int k = 0; k < 9; ++k) {
     const auto at = grid.at({static_cast<float>(k % 3 - 1), static_cast<float>(k / 3 - 1)});
     EXPECT_EQ(at.X_WH.p_W, keys[static_cast<std::size_t>(k)].p_W);
-    EXPECT_LE((at.X_WH.q_WB.coeffs() - keys[static_cast<std::size_t>(k)].q_WB.coeffs()).norm(), 4e-7F);
+    EXPECT_LE((at.X_WH.q_WB.coeffs() - keys[static_cast<std::size_t>(k)].q_WB.coeffs()).norm(),
+              4e-7F);
   }
 }
 

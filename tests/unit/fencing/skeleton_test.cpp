@@ -27,7 +27,8 @@ TEST(TwoBoneReach, InReach_KeepsLengthsAndArrives) {
     ASSERT_NEAR((limb.end - limb.middle).norm(), lengths.y(), 1e-7);
     const V way = goal - start;
     ASSERT_LE((limb.end - start).cross(way).norm(), 1e-12 * way.norm());  // in the goal's direction
-    const bool can = way.norm() <= lengths.sum() && way.norm() >= std::abs(lengths.x() - lengths.y());
+    const bool can =
+        way.norm() <= lengths.sum() && way.norm() >= std::abs(lengths.x() - lengths.y());
     ASSERT_EQ(limb.in_reach, can);
     if (!can) continue;
     ++reached;
@@ -120,10 +121,12 @@ TEST_P(Body, RearFoot_StaysWhereItIs) {
 TEST_P(Body, Lunge_GoesTowardsTheOpponentAndDown) {
   const auto guard = at(0, 0);
   const auto lunge = at(0, 1);
-  const double forward = (GetParam() == 0 ? 1.0 : -1.0) *
-                         (part(lunge, BodyPart::kTorso).axis.b - part(guard, BodyPart::kTorso).axis.b).x();
+  const double forward =
+      (GetParam() == 0 ? 1.0 : -1.0) *
+      (part(lunge, BodyPart::kTorso).axis.b - part(guard, BodyPart::kTorso).axis.b).x();
   EXPECT_GT(forward, 0.4);
-  EXPECT_LT(part(lunge, BodyPart::kPelvis).axis.a.z(), part(guard, BodyPart::kPelvis).axis.a.z() - 0.2);
+  EXPECT_LT(part(lunge, BodyPart::kPelvis).axis.a.z(),
+            part(guard, BodyPart::kPelvis).axis.a.z() - 0.2);
 }
 
 // No jumps: a small movement of the stick moves every joint a little.
@@ -144,7 +147,8 @@ INSTANTIATE_TEST_SUITE_P(Both, Body, ::testing::Values(0, 1));
 
 TEST(PoseBody, HandBehindTheBack_IsStillFinite) {
   const auto fencer = first_fencer<float>();
-  for (const auto& p : {Vec3<float>(-3, 0, 1), Vec3<float>(0.12F, -0.12F, 1.37F), Vec3<float>(0, 0, -2)}) {
+  for (const auto& p :
+       {Vec3<float>(-3, 0, 1), Vec3<float>(0.12F, -0.12F, 1.37F), Vec3<float>(0, 0, -2)}) {
     const auto shape = pose_body(fencer.build, Pose<float>{}, {p, Quat<float>(0, 0, 0, 1)});
     for (const auto& capsule : shape) EXPECT_TRUE(is_valid(capsule));
   }

@@ -41,13 +41,15 @@ TYPED_TEST(StickOf, NoSample_RestsAtTheCentreAndIsStale) {
   EXPECT_EQ(this->stick.report().stale_steps, 10U);
 }
 
-// A ramp of 3 / s, sampled each 10 ms, stepped each 1 ms: velocity without spikes, position one sample late.
+// A ramp of 3 / s, sampled each 10 ms, stepped each 1 ms: velocity without spikes, position one
+// sample late.
 TYPED_TEST(StickOf, RampAtTenSteps_VelocityIsTheRamps) {
   (void)this->stick.accept(sample(0, -0.9F, 0, 1));
   this->run(200);
   for (unsigned k = 1; k <= 60; ++k) {
     const double ramp = -0.9 + 3.0 * 0.01 * k;
-    const auto use = this->stick.accept(sample(1000000U + k * 10000U, static_cast<float>(ramp), 0, 1 + k));
+    const auto use =
+        this->stick.accept(sample(1000000U + k * 10000U, static_cast<float>(ramp), 0, 1 + k));
     EXPECT_EQ(use, SampleUse::kUsed);
     for (int i = 1; i <= 10; ++i) {
       this->run(1);
@@ -173,7 +175,8 @@ TEST(StickSettings, OutOfRange_IsRefusedAndChangesNothing) {
   EXPECT_TRUE(refused([](StickSettings& s) { s.min_interval_us = 0; }));
   EXPECT_TRUE(refused([](StickSettings& s) { s.max_interval_us = s.min_interval_us - 1; }));
   EXPECT_TRUE(refused([](StickSettings& s) { s.stale_after_us = s.max_interval_us - 1; }));
-  EXPECT_TRUE(refused([](StickSettings& s) { s.max_speed = 7; }));  // 2 / 7 s is longer than the silence
+  EXPECT_TRUE(
+      refused([](StickSettings& s) { s.max_speed = 7; }));  // 2 / 7 s is longer than the silence
   EXPECT_TRUE(refused([](StickSettings& s) { s.max_speed = kNan; }));
   EXPECT_EQ(stick.report().used, 1U);
   EXPECT_EQ(stick.configure(StickSettings{}), Status::kOk);

@@ -40,7 +40,8 @@ Target<double> moving_target(Dice& dice) {
   return target;
 }
 
-MovingCapsule<double> blade_at(const V& hilt, const V& direction, const V& v, const V& w, double duration) {
+MovingCapsule<double> blade_at(const V& hilt, const V& direction, const V& v, const V& w,
+                               double duration) {
   MovingCapsule<double> blade;
   blade.capsule_B = {{V(0, 0, 0), V(0.9 * direction.normalized())}, 0.0045};
   blade.motion = {{hilt, Quat<double>::Identity()}, {v, w}, duration};
@@ -103,9 +104,11 @@ TEST(Target, Hulls_HoldTheMovingBodyAtEveryTime) {
       const auto& moving = target.part(static_cast<BodyPart>(p));
       for (int i = 0; i <= 20; ++i) {
         const auto c = to_world(pose_at(moving.motion, kStep * i / 20), moving.capsule_B);
-        const V on_surface = c.axis.at(0.5 + 0.5 * dice.unit()) + c.radius * dice.vec().normalized();
+        const V on_surface =
+            c.axis.at(0.5 + 0.5 * dice.unit()) + c.radius * dice.vec().normalized();
         for (int q = p; q >= 0; q = kBodyParent[static_cast<std::size_t>(q)]) {
-          ASSERT_TRUE(contains(target.hull(static_cast<BodyPart>(q)), on_surface)) << p << " in " << q;
+          ASSERT_TRUE(contains(target.hull(static_cast<BodyPart>(q)), on_surface))
+              << p << " in " << q;
           if (q == 0) break;
         }
       }
@@ -113,7 +116,8 @@ TEST(Target, Hulls_HoldTheMovingBodyAtEveryTime) {
   }
 }
 
-// Random blades through a moving body: found touches are real, come first, and none deeper than epsilon is missed.
+// Random blades through a moving body: found touches are real, come first, and none deeper than
+// epsilon is missed.
 TEST(FindTouch, RandomBlades_AgreeWithSamplingOfAllParts) {
   Dice dice(8);
   int touches = 0;
@@ -122,8 +126,9 @@ TEST(FindTouch, RandomBlades_AgreeWithSamplingOfAllParts) {
     const auto target = moving_target(dice);
     const V hilt(1.25 + 0.3 * dice.unit(), 0.5 * dice.unit(), 1 + 0.8 * dice.unit());
     const V aim = V(0.3 * dice.unit(), 0.3 * dice.unit(), 1 + 0.7 * dice.unit()) - hilt;
-    const auto blade = blade_at(hilt, aim, V(-15 + 10 * dice.unit(), 5 * dice.unit(), 5 * dice.unit()),
-                                10 * dice.vec(), kStep / 2);
+    const auto blade =
+        blade_at(hilt, aim, V(-15 + 10 * dice.unit(), 5 * dice.unit(), 5 * dice.unit()),
+                 10 * dice.vec(), kStep / 2);
     const double from = kStep / 4;
     const auto found = target.find_touch(blade, from, fine());
     const auto truth = by_sampling(target, blade, from);
@@ -169,7 +174,8 @@ TEST(FindTouch, HandInFrontOfTheTorso_IsHitFirst) {
   ASSERT_TRUE(touch.found);
   EXPECT_EQ(touch.part, BodyPart::kWeaponHand);
   EXPECT_GT(touch.searches, 1);
-  const PartMask without_arm = kAllParts & ~(PartMask{7} << static_cast<int>(BodyPart::kWeaponUpperArm));
+  const PartMask without_arm =
+      kAllParts & ~(PartMask{7} << static_cast<int>(BodyPart::kWeaponUpperArm));
   const auto behind = target.find_touch(blade, 0.0, fine(), without_arm);
   ASSERT_TRUE(behind.found);
   EXPECT_EQ(behind.part, BodyPart::kTorso);
@@ -180,7 +186,8 @@ TEST(FindTouch, FarAway_CostsNoSearch) {
   Target<double> target;
   target.place(shape_at(0, 0));
   target.move_to(shape_at(0, 0.1), kStep);
-  const auto touch = target.find_touch(blade_at({4, 0, 1}, {1, 0, 0}, {1, 0, 0}, {0, 0, 0}, kStep), 0.0, fine());
+  const auto touch =
+      target.find_touch(blade_at({4, 0, 1}, {1, 0, 0}, {1, 0, 0}, {0, 0, 0}, kStep), 0.0, fine());
   EXPECT_FALSE(touch.found);
   EXPECT_TRUE(touch.complete);
   EXPECT_EQ(touch.searches, 0);
@@ -194,7 +201,8 @@ TEST(FindTouch, InsideAtTheStart_IsATouchAtTheStart) {
   target.place(shape);
   target.move_to(shape, kStep);
   const V chest = shape[static_cast<std::size_t>(BodyPart::kTorso)].axis.at(0.5);
-  const auto touch = target.find_touch(blade_at(chest, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}, kStep), 0.0, fine());
+  const auto touch =
+      target.find_touch(blade_at(chest, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}, kStep), 0.0, fine());
   ASSERT_TRUE(touch.found);
   EXPECT_EQ(touch.t_free, 0.0);
   EXPECT_EQ(touch.part, BodyPart::kTorso);
@@ -234,15 +242,18 @@ TEST(FindTouch, Float_AgreesWithDouble) {
   ASSERT_EQ(grid.set_keys(fencer_f.keys_FH), Status::kOk);
   Target<float> in_float;
   in_float.place(pose_body(fencer_f.build, Pose<float>{}, grid.at({0, 0}).X_WH));
-  in_float.move_to(pose_body(fencer_f.build, Pose<float>{}, grid.at({0.1F, 0.2F}).X_WH), float(kStep));
+  in_float.move_to(pose_body(fencer_f.build, Pose<float>{}, grid.at({0.1F, 0.2F}).X_WH),
+                   float(kStep));
   Target<double> in_double;
   in_double.place(shape_at(0, 0));
   in_double.move_to(shape_at(0.1F, 0.2F), kStep);
   const auto blade = blade_at({1.6, 0.02, 1.2}, {-1, 0, 0}, {-40, 0, 0}, {0, 1, 0}, kStep);
   MovingCapsule<float> blade_f;
-  blade_f.capsule_B = {{blade.capsule_B.axis.a.cast<float>(), blade.capsule_B.axis.b.cast<float>()}, 0.0045F};
+  blade_f.capsule_B = {{blade.capsule_B.axis.a.cast<float>(), blade.capsule_B.axis.b.cast<float>()},
+                       0.0045F};
   blade_f.motion = {{blade.motion.X_WB.p_W.cast<float>(), Quat<float>::Identity()},
-                    {blade.motion.twist.v_W.cast<float>(), blade.motion.twist.w_W.cast<float>()}, float(kStep)};
+                    {blade.motion.twist.v_W.cast<float>(), blade.motion.twist.w_W.cast<float>()},
+                    float(kStep)};
   SteppingOptions<float> options;
   options.epsilon = 0.0005F;
   options.unit = EpsilonIn::kMetres;

@@ -8,7 +8,8 @@
 namespace batuta {
 namespace {
 
-/// Mass, centre and transverse moment of the epee by sums over thin slices in long double, for the parts on the x axis.
+/// Mass, centre and transverse moment of the epee by sums over thin slices in long double, for the
+/// parts on the x axis.
 struct Sliced {
   long double mass = 0;
   long double center = 0;
@@ -18,7 +19,8 @@ struct Sliced {
 
 long double slice_area(const Capsule<double>& c, long double x) {
   const long double beyond = std::max<long double>({c.axis.a.x() - x, x - c.axis.b.x(), 0.0L});
-  return std::max(0.0L, static_cast<long double>(c.radius) * c.radius - beyond * beyond);  // over pi
+  return std::max(0.0L,
+                  static_cast<long double>(c.radius) * c.radius - beyond * beyond);  // over pi
 }
 
 Sliced slice(const Weapon<double>& weapon) {
