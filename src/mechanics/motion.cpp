@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "batuta/mechanics/motion.hpp"
 
+#include "batuta/geometry/direction.hpp"
+
 namespace batuta {
 namespace {
 
@@ -16,16 +18,33 @@ bool are_equal_moments(Scalar inverse_a, Scalar inverse_b) {
   return high - low <= kEqualMoments<Scalar> * high;
 }
 
-/// 1 / I_t of a body of revolution, whichever of its axes is the odd one; 0 for every other
-/// body, and for one that turns about one axis only.
+/// A body of revolution: 1 / I_t, and which of its axes is the odd one.
 template <class Scalar>
-Scalar inverse_transverse_moment(const Vec3<Scalar>& inverse_moments) {
+struct Revolution {
+  Scalar inverse_transverse = 0;  ///< 0: it is none
+  int axis = 0;
+};
+
+template <class Scalar>
+Revolution<Scalar> revolution_of(const Vec3<Scalar>& inverse_moments) {
   for (int i = 0; i < 3; ++i) {  // Bound: three pairs
     const Scalar a = inverse_moments(i);
     const Scalar b = inverse_moments((i + 1) % 3);
-    if (are_equal_moments(a, b)) return a + (b - a) / 2;
+    if (are_equal_moments(a, b)) return {a + (b - a) / 2, (i + 2) % 3};
   }
-  return Scalar(0);
+  return {};
+}
+
+/// How far an end may be from the axis, relative to its distance from the centre, for rounding of
+/// the principal axes alone (motion.md).
+template <class Scalar>
+constexpr Scalar kOnAxis = 64 * kRoundOff<Scalar>;
+
+template <class Scalar>
+bool is_on_axis(const Vec3<Scalar>& point, int axis) {
+  const Scalar reach = length(point);
+  const Scalar across = max_of(std::abs(point((axis + 1) % 3)), std::abs(point((axis + 2) % 3)));
+  return across <= kOnAxis<Scalar> * reach;
 }
 
 }  // namespace
@@ -52,9 +71,17 @@ Motion<Scalar> motion_between(const Pose<Scalar>& X0_WB, const Pose<Scalar>& X1_
 template <class Scalar>
 Motion<Scalar> free_flight(const Body<Scalar>& body, Scalar duration) {
   Twist<Scalar> twist = twist_of(body);
-  const Scalar inverse_transverse = inverse_transverse_moment(body.inverse_moments);
+  const Scalar inverse_transverse = revolution_of(body.inverse_moments).inverse_transverse;
   if (inverse_transverse > Scalar(0)) twist.w_W = inverse_transverse * body.momentum.b_W;
   return {body.X_WB, twist, duration};
+}
+
+template <class Scalar>
+bool hides_spin(const Body<Scalar>& body, const Capsule<Scalar>& capsule_B) {
+  const Revolution<Scalar> revolution = revolution_of(body.inverse_moments);
+  return revolution.inverse_transverse > Scalar(0) &&
+         is_on_axis(capsule_B.axis.a, revolution.axis) &&
+         is_on_axis(capsule_B.axis.b, revolution.axis);
 }
 
 template <class Scalar>
@@ -80,6 +107,7 @@ bool is_valid(const Motion<Scalar>& motion) {
   template Motion<Scalar> linear(const Pose<Scalar>&, const Vec3<Scalar>&, Scalar);         \
   template Motion<Scalar> motion_between(const Pose<Scalar>&, const Pose<Scalar>&, Scalar); \
   template Motion<Scalar> free_flight(const Body<Scalar>&, Scalar);                         \
+  template bool hides_spin(const Body<Scalar>&, const Capsule<Scalar>&);                    \
   template Pose<Scalar> pose_at(const Motion<Scalar>&, Scalar);                             \
   template bool is_valid(const Motion<Scalar>&);
 BATUTA_INSTANTIATE(float)

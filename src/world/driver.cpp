@@ -31,11 +31,13 @@ void FreeFlight<Scalar>::on_step_end(const Body<Scalar>& /*body*/, Scalar /*dt*/
 
 template <class Scalar>
 Course<Scalar> Hand<Scalar>::course(const Body<Scalar>& body, Scalar t, Scalar duration) const {
-  // Where rounding, or a step shorter than announced, leaves less time than the course lasts, the
-  // hand takes the longer one: it is late rather than past its target.
-  const Scalar remaining = max_of(step - t, duration);
-  if (!(remaining > Scalar(0))) return {still(body.X_WB, duration), false};
-  Course<Scalar> answer = {motion_between(body.X_WB, target_W, remaining), false};
+  // A body that was pushed aside late in the step is not fetched back at any speed: the hand aims
+  // at least this share of a step ahead, and at least as far as the course lasts. It is then late
+  // rather than fast.
+  constexpr Scalar kLeastHorizon = Scalar(0.125);
+  const Scalar horizon = max_of(max_of(step - t, kLeastHorizon * step), duration);
+  if (!(horizon > Scalar(0))) return {still(body.X_WB, duration), false};
+  Course<Scalar> answer = {motion_between(body.X_WB, target_W, horizon), false};
   answer.motion.duration = duration;
   return answer;
 }

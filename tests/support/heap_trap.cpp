@@ -47,7 +47,8 @@ void on_malloc(const volatile void* /*block*/, std::size_t /*size*/) {
 void on_free(const volatile void* /*block*/) {
   count_release();
 }
-[[maybe_unused]] const int hooks_installed = __sanitizer_install_malloc_and_free_hooks(on_malloc, on_free);
+[[maybe_unused]] const int hooks_installed =
+    __sanitizer_install_malloc_and_free_hooks(on_malloc, on_free);
 }  // namespace
 
 #else

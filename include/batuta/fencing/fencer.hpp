@@ -7,9 +7,8 @@
 //   ( 0,  0)  guard: the blades are engaged, a finger's breadth apart
 //   ( 0, +1)  full lunge, straight; reaches the opponent's chest
 //   (-1, +1), (+1, +1)  lunge into the left (high) and the right (low) line
-//   (-1, -1 ... 0)  parry left: the blade sweeps to the fencer's left, and beats what is engaged on
-//   that side
-//   (+1, -1 ... 0)  parry right
+//   (-1, -1 ... 0)  parry left: the hand goes to the left, the point stays in; beats the guard
+//   (+1, -1 ... 0)  parry right: the same; the guard is not on that side
 //   ( 0, -1)  back guard: out of the opponent's reach, blade high
 
 #include "batuta/fencing/grip.hpp"

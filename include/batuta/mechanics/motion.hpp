@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Where a body is during a step: what the paper's black box answers [Kavan §2.1]. Over one step every motion is a
-// constant twist; still, linear and turning motion are the special cases with zero terms.
+// Where a body is during a step: what the paper's black box answers [Kavan §2.1]. Over one step
+// every motion is a constant twist; still, linear and turning motion are the special cases with
+// zero terms.
 
 #include "batuta/mechanics/body.hpp"
 
@@ -10,9 +11,9 @@ namespace batuta {
 /// Pose at t in [0, duration]: p_W + v_W t, exp(w_W t) q_WB.
 template <class Scalar>
 struct Motion {
-  Pose<Scalar> X_WB;       ///< at t = 0
+  Pose<Scalar> X_WB;  ///< at t = 0
   Twist<Scalar> twist;
-  Scalar duration = 0;     ///< s, >= 0
+  Scalar duration = 0;  ///< s, >= 0
 };
 
 template <class Scalar>
@@ -23,15 +24,22 @@ Motion<Scalar> linear(const Pose<Scalar>& X_WB, const Vec3<Scalar>& v_W, Scalar 
 /// The constant twist that carries X0 into X1 in `duration` on the shortest way.
 /// @pre duration > 0
 template <class Scalar>
-Motion<Scalar> motion_between(const Pose<Scalar>& X0_WB, const Pose<Scalar>& X1_WB, Scalar duration);
+Motion<Scalar> motion_between(const Pose<Scalar>& X0_WB, const Pose<Scalar>& X1_WB,
+                              Scalar duration);
 
-/// Torque-free flight from the body's momenta. Exact for the geometry of an axisymmetric body whose capsules lie
-/// on its axis: the axis turns steadily about the angular momentum at |b| / I_t (src/mechanics/motion.md); spin about
-/// the axis itself, which no capsule shows, is left out. Other bodies: the angular velocity is held over the step.
-/// @pre where exactly two principal moments are equal (to rounding), every capsule lies on the third axis, which is
-/// the one that principal_frame() puts first for slender bodies and last for flat ones
+/// Torque-free flight from the body's momenta. Exact for the geometry of an axisymmetric body whose
+/// capsules lie on its axis: the axis turns steadily about the angular momentum at |b| / I_t
+/// (src/mechanics/motion.md); spin about the axis itself, which no capsule shows, is left out.
+/// Other bodies: the angular velocity is held over the step.
+/// @pre what is seen of the body hides its spin, or all moments are unlike: see hides_spin(). A
+/// World looks after it.
 template <class Scalar>
 Motion<Scalar> free_flight(const Body<Scalar>& body, Scalar duration);
+
+/// Whether the capsule lies on the axis of an axisymmetric body (to rounding), so that spin about
+/// the axis does not show. False where all three moments are unlike or one is zero. Bound: no loop.
+template <class Scalar>
+bool hides_spin(const Body<Scalar>& body, const Capsule<Scalar>& capsule_B);
 
 /// The pose at time t, the quaternion renewed; exactly X_WB at t = 0.
 /// @pre 0 <= t <= duration; |w| t <= kMaxAngle

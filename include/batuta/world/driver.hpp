@@ -47,7 +47,7 @@ struct FreeFlight {
 };
 
 /// A body that a hand carries to `target_W` by the end of the step, whatever it weighs; after a
-/// contact it starts again from where it was put.
+/// contact it starts again from where it was put, and may then arrive an eighth of a step late.
 template <class Scalar>
 struct Hand {
   Pose<Scalar> target_W;  ///< of the body's frame at the end of the coming step

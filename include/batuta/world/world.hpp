@@ -116,6 +116,7 @@ class World {
   Scalar end_of_round() const;
   void plan(Scalar until);
   void plan_course(std::size_t slot, Scalar duration);
+  void show_spin(std::size_t slot);
   void find_pairs();
   Hit first_hit();
   Hit search(BodyPair pair);

@@ -82,11 +82,22 @@ void World<SceneT>::plan_course(std::size_t slot, Scalar duration) {
   Track& track = tracks_[slot];
   if (!is_held(slot)) {
     track.course = actor.driver.course(actor.body, now_, duration);
+    show_spin(slot);
     if (is_valid(track.course.motion)) return;
     ++report_.courses_invalid;
     hold(slot, dt_);
   }
   track.course.motion = still(actor.body.X_WB, duration);
+}
+
+/// Free flight leaves out spin about the axis of an axisymmetric body. A capsule off that axis
+/// shows it.
+template <class SceneT>
+void World<SceneT>::show_spin(std::size_t slot) {
+  const ActorType& actor = actor_at(slot);
+  Course<Scalar>& course = tracks_[slot].course;
+  if (!course.by_momentum || hides_spin(actor.body, actor.capsule_B)) return;
+  course.motion.twist.w_W = twist_of(actor.body).w_W;
 }
 
 /// Between two held bodies nothing changes before one of them is released: such a pair waits.

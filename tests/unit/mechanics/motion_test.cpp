@@ -261,5 +261,26 @@ TYPED_TEST(MotionOf, IsValid_RefusesWhatIsNotFiniteOrTurnsTooFar) {
   EXPECT_TRUE(is_valid(motion)) << "no time, no turn";
 }
 
+TYPED_TEST(MotionOf, HidesSpin_OnlyOfCapsulesOnTheOddAxisOfAnAxisymmetricBody) {
+  using S = TypeParam;
+  const Capsule<S> along_x{{Vec3<S>(-1, 0, 0), Vec3<S>(2, 0, 0)}, S(0.1)};
+  const Capsule<S> along_z{{Vec3<S>(0, 0, -1), Vec3<S>(0, 0, 2)}, S(0.1)};
+  const Capsule<S> beside{{Vec3<S>(-1, S(0.001), 0), Vec3<S>(2, 0, 0)}, S(0.1)};
+  Body<S> body;
+  body.inverse_moments = Vec3<S>(8, 1, 1);
+  EXPECT_TRUE(hides_spin(body, along_x));
+  EXPECT_FALSE(hides_spin(body, along_z));
+  EXPECT_FALSE(hides_spin(body, beside));
+  body.inverse_moments = Vec3<S>(4, 4, 1);
+  EXPECT_TRUE(hides_spin(body, along_z));
+  EXPECT_FALSE(hides_spin(body, along_x));
+  body.inverse_moments = Vec3<S>(4, 1, 4);
+  EXPECT_FALSE(hides_spin(body, along_x));
+  body.inverse_moments = Vec3<S>(3, 2, 1);
+  EXPECT_FALSE(hides_spin(body, along_x));
+  body.inverse_moments = Vec3<S>(0, 0, 1);
+  EXPECT_FALSE(hides_spin(body, along_z));
+}
+
 }  // namespace
 }  // namespace batuta

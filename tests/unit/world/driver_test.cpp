@@ -104,12 +104,22 @@ TYPED_TEST(Driver, HandAskedForMoreThanItsStep_NeverGoesPastItsTarget) {
   }
 }
 
-TYPED_TEST(Driver, HandWithNoTimeLeft_StandsStill) {
+TYPED_TEST(Driver, HandPushedAsideAtTheEndOfItsStep_IsLateRatherThanFast) {
   const Body<TypeParam> body = flying_body<TypeParam>();
   const Hand<TypeParam> hand = {target_of(body.X_WB), TypeParam(1)};
-  const Course<TypeParam> course = hand.course(body, TypeParam(1), TypeParam(0));
+  const TypeParam way = (hand.target_W.p_W - body.X_WB.p_W).norm();
+  for (const TypeParam left : {TypeParam(0), TypeParam(1e-6)}) {
+    const Course<TypeParam> course = hand.course(body, TypeParam(1) - left, left);
+    EXPECT_LE(course.motion.twist.v_W.norm(), TypeParam(8.001) * way);
+    EXPECT_TRUE(is_valid(course.motion));
+  }
+}
+
+TYPED_TEST(Driver, HandWithoutAStep_StandsStill) {
+  const Body<TypeParam> body = flying_body<TypeParam>();
+  const Hand<TypeParam> hand = {target_of(body.X_WB), TypeParam(0)};
+  const Course<TypeParam> course = hand.course(body, TypeParam(0), TypeParam(0));
   EXPECT_EQ(course.motion.twist.v_W, Vec3<TypeParam>(0, 0, 0));
-  EXPECT_EQ(course.motion.twist.w_W, Vec3<TypeParam>(0, 0, 0));
   EXPECT_TRUE(is_valid(course.motion));
 }
 

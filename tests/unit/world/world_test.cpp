@@ -192,6 +192,21 @@ TYPED_TEST(WorldOf, PressedTogetherByHands_NeverOverlaps) {
       << "hands that do not give way use up the contacts of a step, and the report says so";
 }
 
+// A disc whose only capsule is a spoke: the spin about the disc's axis shows, and must not be left
+// out.
+TYPED_TEST(WorldOf, SpinOfACapsuleOffTheAxis_IsShown) {
+  using S = TypeParam;
+  auto disc = ball<FlightScene<S>>(0, 0.1, 0);
+  disc.body = make_body<S>({}, S(1), Vec3<S>(1, 1, 2)).value;
+  disc.body.momentum.b_W = vec<S>(0, 0, 2);  // one radian a second
+  disc.capsule_B = {{vec<S>(0, 0, 0), vec<S>(1, 0, 0)}, S(0.01)};
+  const auto id = this->world.add(disc).value;
+  ASSERT_EQ(this->world.step(S(1)), Status::kOk);
+  const Vec3<S> tip_W = to_world(this->at(id).body.X_WB, vec<S>(1, 0, 0));
+  EXPECT_NEAR(tip_W.x(), std::cos(1.0), 1e-6);
+  EXPECT_NEAR(tip_W.y(), std::sin(1.0), 1e-6);
+}
+
 // Two rods, a hit near an end: float follows the double oracle through the contact and after it.
 TEST(World, FloatAgreesWithDouble) {
   World<FlightScene<float>> single;
