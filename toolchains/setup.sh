@@ -5,7 +5,7 @@
 # Exit codes: 0 everything is there, 1 it could not be installed, 2 wrong use.
 set -u
 
-HOST_PACKAGES="g++ cmake ninja-build pkg-config libeigen3-dev libgtest-dev libgmock-dev librapidcheck-dev \
+HOST_PACKAGES="g++ cmake ninja-build pkg-config libeigen3-dev libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev \
 libevdev-dev libevemu-dev libcli11-dev cppcheck clang-tidy clang-format gcovr python3 git"
 TARGET_PACKAGES="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm"
 

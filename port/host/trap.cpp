@@ -7,7 +7,7 @@
 #include "batuta/core/assert.hpp"
 
 void batuta_trap(std::uint32_t file_id, std::uint32_t line) {
-  std::fprintf(stderr, "batuta: assertion failed, file id %08x, line %u\n", static_cast<unsigned>(file_id),
-               static_cast<unsigned>(line));
+  (void)std::fprintf(stderr, "batuta: assertion failed, file id %08x, line %u\n",
+                     static_cast<unsigned>(file_id), static_cast<unsigned>(line));
   std::abort();
 }

@@ -82,7 +82,8 @@ const char* name_of(BodyPart part) {
   static constexpr std::array<const char*, kBodyParts> kNames = {
       "pelvis",    "torso",   "head",        "weapon upper arm", "weapon forearm", "weapon hand",
       "upper arm", "forearm", "front thigh", "front shin",       "rear thigh",     "rear shin"};
-  return slot(part) < kNames.size() ? kNames[slot(part)] : "unknown";
+  if (slot(part) >= kNames.size()) return "unknown";
+  return kNames[slot(part)];
 }
 
 template <class Scalar>

@@ -211,8 +211,9 @@ Candidate<Scalar> closest_pair(const Query<Scalar>& q) {
   const Vec3<Scalar> n = q.d_A.cross(q.d_B);
   const Scalar nn = n.squaredNorm();
   const Scalar s0 = nn > 0 ? crossing(q, n, nn) : Scalar(0);
-  return nn * q.inv_AA * q.inv_BB > kClearAngle2<Scalar> ? around_crossing(q, s0)
-                                                         : closest_near_parallel(q, s0);
+  const Scalar sine2 = nn * q.inv_AA * q.inv_BB;
+  if (sine2 > kClearAngle2<Scalar>) return around_crossing(q, s0);
+  return closest_near_parallel(q, s0);
 }
 
 /// The normal of points that coincide, as the header promises.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A rigid body [Kavan eq. 4-15]. State: pose and momenta, because they are what is conserved; velocities follow.
-// Only inverse mass and inverse inertia are kept: zero means "cannot be moved" [Kavan §4.1].
-// Frames: W world; B body: origin in the centre of mass, axes the principal axes of inertia. SI units.
+// A rigid body [Kavan eq. 4-15]. State: pose and momenta, because they are what is conserved;
+// velocities follow. Only inverse mass and inverse inertia are kept: zero means "cannot be moved"
+// [Kavan §4.1]. Frames: W world; B body: origin in the centre of mass, axes the principal axes of
+// inertia. SI units.
 
 #include "batuta/core/status.hpp"
 #include "batuta/geometry/capsule.hpp"
@@ -25,7 +26,8 @@ struct Twist {
   Vec3<Scalar> w_W = Vec3<Scalar>::Zero();  ///< rad/s
 };
 
-/// Linear and angular momentum about the centre of mass, or a change of them (impulse and impulsive torque), in W.
+/// Linear and angular momentum about the centre of mass, or a change of them (impulse and impulsive
+/// torque), in W.
 template <class Scalar>
 struct Momentum {
   Vec3<Scalar> p_W = Vec3<Scalar>::Zero();  ///< kg m/s
@@ -36,12 +38,14 @@ template <class Scalar>
 struct Body {
   Pose<Scalar> X_WB;
   Momentum<Scalar> momentum;
-  Scalar inverse_mass = 0;                                ///< 1/kg; 0: fixed in place
-  Vec3<Scalar> inverse_moments = Vec3<Scalar>::Zero();    ///< 1/(kg m^2), along the axes of B; 0: does not turn
+  Scalar inverse_mass = 0;  ///< 1/kg; 0: fixed in place
+  Vec3<Scalar> inverse_moments =
+      Vec3<Scalar>::Zero();  ///< 1/(kg m^2), along the axes of B; 0: does not turn
 };
 
 /// A body at rest with the inverse of `mass` and `moments`; infinity gives zero, that is fixed.
-/// @returns kOk | kInvalidArgument (mass or a moment is not positive, NaN, or too small for its inverse; pose not finite)
+/// @returns kOk | kInvalidArgument (mass or a moment is not positive, NaN, or too small for its
+/// inverse; pose not finite)
 template <class Scalar>
 Result<Body<Scalar>> make_body(const Pose<Scalar>& X_WB, Scalar mass, const Vec3<Scalar>& moments);
 
@@ -62,7 +66,8 @@ Capsule<Scalar> to_world(const Pose<Scalar>& X_WB, const Capsule<Scalar>& capsul
 template <class Scalar>
 Mat3<Scalar> inverse_inertia_W(const Body<Scalar>& body);
 
-/// v = p / m, w = I^-1 b [Kavan eq. 7, 8]. Computed in B, so that strongly unequal moments lose nothing.
+/// v = p / m, w = I^-1 b [Kavan eq. 7, 8]. Computed in B, so that strongly unequal moments lose
+/// nothing.
 template <class Scalar>
 Twist<Scalar> twist_of(const Body<Scalar>& body);
 
@@ -72,18 +77,21 @@ Momentum<Scalar> momentum_of(const Body<Scalar>& body, const Twist<Scalar>& twis
 
 /// Velocity of the body's point at x_W [Kavan eq. 6].
 template <class Scalar>
-Vec3<Scalar> velocity_at(const Pose<Scalar>& X_WB, const Twist<Scalar>& twist, const Vec3<Scalar>& x_W);
+Vec3<Scalar> velocity_at(const Pose<Scalar>& X_WB, const Twist<Scalar>& twist,
+                         const Vec3<Scalar>& x_W);
 
-/// Torque about the centre of mass of a force at x_W [Kavan eq. 10]; also the impulsive torque of an impulse
-/// of force [Kavan eq. 14].
+/// Torque about the centre of mass of a force at x_W [Kavan eq. 10]; also the impulsive torque of
+/// an impulse of force [Kavan eq. 14].
 template <class Scalar>
-Vec3<Scalar> torque_of(const Pose<Scalar>& X_WB, const Vec3<Scalar>& force_W, const Vec3<Scalar>& x_W);
+Vec3<Scalar> torque_of(const Pose<Scalar>& X_WB, const Vec3<Scalar>& force_W,
+                       const Vec3<Scalar>& x_W);
 
-/// Force and torque over dt [Kavan eq. 9, 11], or an impulse and impulsive torque with dt = 1 [Kavan eq. 12-15].
-/// What cannot be moved stays as it is. @returns kOk | kInvalidArgument (not finite, also in its result; dt < 0);
-/// then nothing is changed
+/// Force and torque over dt [Kavan eq. 9, 11], or an impulse and impulsive torque with dt = 1
+/// [Kavan eq. 12-15]. What cannot be moved stays as it is. @returns kOk | kInvalidArgument (not
+/// finite, also in its result; dt < 0); then nothing is changed
 template <class Scalar>
-Status apply(Body<Scalar>& body, const Vec3<Scalar>& force_W, const Vec3<Scalar>& torque_W, Scalar dt);
+Status apply(Body<Scalar>& body, const Vec3<Scalar>& force_W, const Vec3<Scalar>& torque_W,
+             Scalar dt);
 
 /// Impulse J_F at the point x_W: p += J_F, b += (x - c) x J_F [Kavan eq. 12-15].
 /// @returns kOk | kInvalidArgument (not finite); then nothing is changed

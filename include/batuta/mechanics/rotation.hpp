@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The three ways to write a rotation [Kavan §2] and all ways between them. Convention: R_WB, q_WB turn components in
-// B into components in W; a rotation vector is axis times angle, rad, and the same in both frames.
-// Unit quaternions q and -q are one rotation; where a unique answer is needed, the one with w >= 0.
+// The three ways to write a rotation [Kavan §2] and all ways between them. Convention: R_WB, q_WB
+// turn components in B into components in W; a rotation vector is axis times angle, rad, and the
+// same in both frames. Unit quaternions q and -q are one rotation; where a unique answer is needed,
+// the one with w >= 0.
 
 #include "batuta/mechanics/trigonometry.hpp"
 
@@ -24,7 +25,8 @@ Mat3<Scalar> to_matrix(const Quat<Scalar>& q);
 template <class Scalar>
 Mat3<Scalar> to_matrix(const AxisAngle<Scalar>& turn);
 
-/// @pre R is a rotation to within rounding. The largest of the four components is computed first: no cancellation.
+/// @pre R is a rotation to within rounding. The largest of the four components is computed first:
+/// no cancellation.
 template <class Scalar>
 Quat<Scalar> to_quaternion(const Mat3<Scalar>& R);
 template <class Scalar>
@@ -44,12 +46,14 @@ Quat<Scalar> exp_map(const Vec3<Scalar>& rotation_vector);
 template <class Scalar>
 Vec3<Scalar> log_map(const Quat<Scalar>& q);
 
-/// The matrix J with exp_map(r + dr) = exp_map(J dr) exp_map(r) to first order: the angular velocity, in the frame
-/// that exp_map(r) turns into, is J r'. Used for the Jacobian of the keyframe grid.
+/// The matrix J with exp_map(r + dr) = exp_map(J dr) exp_map(r) to first order: the angular
+/// velocity, in the frame that exp_map(r) turns into, is J r'. Used for the Jacobian of the
+/// keyframe grid.
 template <class Scalar>
 Mat3<Scalar> left_jacobian(const Vec3<Scalar>& rotation_vector);
 
-/// The rotation on the shortest way from q0 (t = 0) to q1 (t = 1) at a constant rate; exact at both ends.
+/// The rotation on the shortest way from q0 (t = 0) to q1 (t = 1) at a constant rate; exact at both
+/// ends.
 template <class Scalar>
 Quat<Scalar> interpolated(const Quat<Scalar>& q0, const Quat<Scalar>& q1, Scalar t);
 

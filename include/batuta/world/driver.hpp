@@ -65,8 +65,8 @@ class AnyDriver {
  public:
   AnyDriver() = default;
   template <class Driver>
-  AnyDriver(const Driver& driver)
-      : driver_(driver) {}  // NOLINT(google-explicit-constructor): a driver is one of these
+  // cppcheck-suppress noExplicitConstructor ; deviation: any-driver
+  AnyDriver(const Driver& driver) : driver_(driver) {}
 
   /// The driver if it is a `Driver` at present, else null.
   template <class Driver>

@@ -17,13 +17,13 @@ namespace {
 class QuietStandardError {
  public:
   QuietStandardError() : saved_(dup(STDERR_FILENO)), nowhere_(open("/dev/null", O_WRONLY)) {
-    std::fflush(stderr);
+    (void)std::fflush(stderr);
     if (saved_ >= 0 && nowhere_ >= 0) dup2(nowhere_, STDERR_FILENO);
   }
   QuietStandardError(const QuietStandardError&) = delete;
   QuietStandardError& operator=(const QuietStandardError&) = delete;
   ~QuietStandardError() {
-    std::fflush(stderr);
+    (void)std::fflush(stderr);
     if (saved_ >= 0) {
       dup2(saved_, STDERR_FILENO);
       close(saved_);
@@ -49,7 +49,7 @@ std::optional<Description> Description::parse(const std::string& text) {
     const QuietStandardError quiet;
     read = evemu_read(description.device_, file);
   }
-  std::fclose(file);
+  (void)std::fclose(file);
   if (read <= 0) return std::nullopt;
   return description;
 }
