@@ -44,6 +44,7 @@ DuelSettings<Scalar> duel_settings() {
   settings.world.rest_speed = Scalar(0.05F);
   settings.world.separation = Scalar(2e-4F);
   settings.world.min_separation_time = Scalar(1e-4F);
+  settings.target = kAllParts & ~mask_of(BodyPart::kWeaponHand);  // the bell guard covers it
   settings.touch.epsilon = Scalar(0.001F);
   settings.touch.unit = EpsilonIn::kMetres;
   return settings;

@@ -39,16 +39,19 @@ Status validate(const GripSettings<Scalar>& settings) {
   const bool good = is_positive(settings.strength) && is_positive(settings.min_regain) &&
                     is_positive(settings.max_regain) &&
                     settings.max_regain >= settings.min_regain &&
-                    is_positive(settings.recover_speed) && is_positive(settings.recover_time) &&
-                    is_positive(settings.lever);
+                    is_positive(settings.recover_time) && is_positive(settings.lever);
   return good ? Status::kOk : Status::kInvalidArgument;
 }
 
 template <class Scalar>
-Scalar regain_time(const GripSettings<Scalar>& settings, Scalar impulse, Scalar lag) {
+Scalar regain_time(const GripSettings<Scalar>& settings, Scalar impulse, Scalar lag,
+                   Scalar inverse_mass) {
   if (!(impulse > Scalar(0))) return Scalar(0);
-  const Scalar wanted = max_of(impulse / settings.strength, lag / settings.recover_speed);
-  return clamp(wanted, settings.min_regain, settings.max_regain);
+  const Scalar acceleration = settings.strength * inverse_mass;
+  const Scalar fetching = std::sqrt(Scalar(6) * lag / acceleration);
+  if (!is_finite(fetching)) return settings.max_regain;  // nothing moves such a blade
+  return clamp(max_of(impulse / settings.strength, fetching), settings.min_regain,
+               settings.max_regain);
 }
 
 template <class Scalar>
@@ -118,7 +121,7 @@ void Grip<Scalar>::on_contact(const Body<Scalar>& body, const Feedback<Scalar>& 
   if (!(feedback.impulse > Scalar(0))) return;  // a separation shows in the body's pose, and fades
   const Offset<Scalar> offset = offset_of(body.X_WB, hand_at(feedback.time));
   const Scalar lag = offset.shift_W.norm() + settings_.lever * offset.turn_W.norm();
-  regain_ = regain_time(settings_, feedback.impulse, lag);
+  regain_ = regain_time(settings_, feedback.impulse, lag, body.inverse_mass);
   flight_ = free_flight(body, regain_);
   if (!is_valid(flight_)) flight_ = still(body.X_WB, regain_);  // turns beyond what can be told
   flight_start_ = feedback.time;
@@ -142,7 +145,7 @@ Scalar Grip<Scalar>::control() const {
 
 #define BATUTA_INSTANTIATE(S)                                      \
   template Status validate(const GripSettings<S>&);                \
-  template S regain_time(const GripSettings<S>&, S, S);            \
+  template S regain_time(const GripSettings<S>&, S, S, S);         \
   template Pose<S> caught(const Motion<S>&, S, const Pose<S>&, S); \
   template class Grip<S>;
 BATUTA_INSTANTIATE(float)

@@ -10,11 +10,9 @@ namespace batuta {
 /// How firmly a hand holds.
 template <class Scalar>
 struct GripSettings {
-  Scalar strength = Scalar(4);       ///< N, > 0: a blow of j N s is caught in j / strength seconds
+  Scalar strength = Scalar(4);       ///< N, > 0: the force with which the hand takes a blade back
   Scalar min_regain = Scalar(0.02);  ///< s, > 0; shortest t_b - t_a after a blow
   Scalar max_regain = Scalar(0.4);   ///< s, >= min_regain; longest
-  Scalar recover_speed = Scalar(
-      0.5);  ///< m/s, > 0: a blade that a blow finds away from the hand is not fetched faster
   Scalar recover_time =
       Scalar(0.1);  ///< s, > 0: time constant in which a blade that was pushed away returns
   Scalar lever = Scalar(0.5);  ///< m, > 0: a turn of 1 rad counts as a lag of this length
@@ -25,12 +23,15 @@ struct GripSettings {
 template <class Scalar>
 Status validate(const GripSettings<Scalar>& settings);
 
-/// t_b - t_a: clamp(max(impulse / strength, lag / recover_speed), min_regain, max_regain), s; 0 for
-/// no impulse.
-/// @param impulse  j, N s, >= 0
-/// @param lag      distance from the blade to where the hand wants it, m, >= 0
+/// t_b - t_a: the longer of impulse / strength, in which that force takes up the blow, and
+/// sqrt(6 lag mass / strength), in which it fetches the blade back; within [min_regain,
+/// max_regain], s. 0 for no impulse.
+/// @param impulse       j, N s, >= 0
+/// @param lag           distance from the blade to where the hand wants it, m, >= 0
+/// @param inverse_mass  of the blade, 1/kg, >= 0
 template <class Scalar>
-Scalar regain_time(const GripSettings<Scalar>& settings, Scalar impulse, Scalar lag);
+Scalar regain_time(const GripSettings<Scalar>& settings, Scalar impulse, Scalar lag,
+                   Scalar inverse_mass);
 
 /// [Kavan eq. 32]: between the free flight P and the hand H. Parameter 0: P; 1: H, to the last bit.
 /// The weight of H is s^2 (3 - 2 s), so that also the velocity is that of P at t_a and that of H at

@@ -17,6 +17,9 @@ inline constexpr int kTargetK = 14;
 /// Which parts a search may leave out.
 using PartMask = std::uint32_t;
 inline constexpr PartMask kAllParts = (PartMask{1} << kBodyParts) - 1;
+constexpr PartMask mask_of(BodyPart part) {
+  return PartMask{1} << static_cast<unsigned>(part);
+}
 
 /// The first touch of a blade, and how far the answer reaches.
 template <class Scalar>

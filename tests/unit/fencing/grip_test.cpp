@@ -214,20 +214,22 @@ TEST(Caught, EndsAreFlightAndHand) {
   EXPECT_LE((middle - (pose_at(flight, 0.3).p_W + hand.p_W) / 2).norm(), 1e-14);
 }
 
-TEST(RegainTime, IsImpulseOverStrengthWithinItsLimits) {
+TEST(RegainTime, IsThatOfAForceWithinItsLimits) {
   GripSettings<double> s;
   s.strength = 5;
   s.min_regain = 0.02;
   s.max_regain = 0.4;
-  s.recover_speed = 2;
-  EXPECT_EQ(regain_time(s, 0.0, 0.3), 0.0);
-  EXPECT_EQ(regain_time(s, -1.0, 0.3), 0.0);
-  EXPECT_DOUBLE_EQ(regain_time(s, 0.5, 0.0), 0.1);
-  EXPECT_DOUBLE_EQ(regain_time(s, 0.5, 0.4), 0.2);
-  EXPECT_EQ(regain_time(s, 1e-9, 0.0), 0.02);
-  EXPECT_EQ(regain_time(s, 1e30, 0.0), 0.4);
-  EXPECT_EQ(regain_time(s, std::numeric_limits<double>::infinity(), 0.0), 0.4);
-  EXPECT_EQ(regain_time(s, std::numeric_limits<double>::quiet_NaN(), 0.0), 0.0);
+  const double inf = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(regain_time(s, 0.0, 0.3, 2.0), 0.0);
+  EXPECT_EQ(regain_time(s, -1.0, 0.3, 2.0), 0.0);
+  EXPECT_DOUBLE_EQ(regain_time(s, 0.5, 0.0, 2.0), 0.1);
+  EXPECT_DOUBLE_EQ(regain_time(s, 0.5, 0.15, 10.0), std::sqrt(6 * 0.15 / 50));
+  EXPECT_EQ(regain_time(s, 1e-9, 0.0, 2.0), 0.02);
+  EXPECT_EQ(regain_time(s, 1e30, 0.0, 2.0), 0.4);
+  EXPECT_EQ(regain_time(s, inf, 0.0, 2.0), 0.4);
+  EXPECT_EQ(regain_time(s, 0.1, 0.1, 0.0), 0.4) << "a blade that nothing moves";
+  EXPECT_EQ(regain_time(s, 0.1, 0.0, 0.0), 0.4);
+  EXPECT_EQ(regain_time(s, inf - inf, 0.0, 2.0), 0.0);
 }
 
 TEST(GripSettings, OutOfRange_IsRefused) {
@@ -239,8 +241,7 @@ TEST(GripSettings, OutOfRange_IsRefused) {
   };
   using G = GripSettings<double>;
   const double inf = std::numeric_limits<double>::infinity();
-  for (auto member : {&G::strength, &G::min_regain, &G::max_regain, &G::recover_speed,
-                      &G::recover_time, &G::lever}) {
+  for (auto member : {&G::strength, &G::min_regain, &G::max_regain, &G::recover_time, &G::lever}) {
     EXPECT_TRUE(refused(member, 0));
     EXPECT_TRUE(refused(member, -1));
     EXPECT_TRUE(refused(member, inf));
