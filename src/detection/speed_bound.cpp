@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "batuta/detection/speed_bound.hpp"
 
-#include "length.hpp"
+#include "round_up.hpp"
 
 namespace batuta {
 

@@ -12,11 +12,11 @@
 
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 
 #include "batuta/detection/speed_bound.hpp"
 #include "batuta/detection/stepping.hpp"
 #include "host/answer/fields.hpp"
+#include "judge_file.hpp"
 
 namespace batuta {
 namespace {
@@ -171,23 +171,11 @@ class Judge {
   double deepest_missed_ = 0;
 };
 
-template <class Scalar>
-void judge_file(const char* scalar) {
-  std::ifstream in(BATUTA_SHARED_DIR "/vectors/toc.csv");
-  if (!in) GTEST_SKIP() << "there is no " BATUTA_SHARED_DIR "/vectors/toc.csv";
-  host::QueryFile file(in);
-  ASSERT_TRUE(file.ok()) << file.error();
-  Judge<Scalar> judge;
-  host::QueryRow row;
-  while (file.next(row)) judge.judge(row);  // Bound: the length of the file
-  judge.report(scalar);
-}
-
 TEST(ContactVectors, Double_EveryDeepContactFoundInItsBracket) {
-  judge_file<double>("double");
+  test::judge_file<Judge<double>>("toc.csv", "double");
 }
 TEST(ContactVectors, Float_EveryDeepContactFoundInItsBracket) {
-  judge_file<float>("float");
+  test::judge_file<Judge<float>>("toc.csv", "float");
 }
 
 }  // namespace

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 
 #include "batuta/response/impulse.hpp"
 #include "host/answer/fields.hpp"
+#include "judge_file.hpp"
 
 namespace batuta {
 namespace {
@@ -263,23 +263,11 @@ class Judge {
   long momentum_line_ = 0;
 };
 
-template <class Scalar>
-void judge_file(const char* scalar) {
-  std::ifstream in(BATUTA_SHARED_DIR "/vectors/resp.csv");
-  if (!in) GTEST_SKIP() << "there is no " BATUTA_SHARED_DIR "/vectors/resp.csv";
-  host::QueryFile file(in);
-  ASSERT_TRUE(file.ok()) << file.error();
-  Judge<Scalar> judge;
-  host::QueryRow row;
-  while (file.next(row)) judge.judge(row);  // Bound: the length of the file
-  judge.report(scalar);
-}
-
 TEST(ResponseVectors, Double_ConservesAndIsAccurate) {
-  judge_file<double>("double");
+  test::judge_file<Judge<double>>("resp.csv", "double");
 }
 TEST(ResponseVectors, Float_ConservesAndIsAccurate) {
-  judge_file<float>("float");
+  test::judge_file<Judge<float>>("resp.csv", "float");
 }
 
 }  // namespace

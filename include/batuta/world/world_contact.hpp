@@ -3,6 +3,7 @@
 // World, second half: what happens at a contact, and the begin, persist and end of contacts.
 // Included by world.hpp.
 
+#include "batuta/geometry/direction.hpp"
 #include "batuta/world/world.hpp"
 
 namespace batuta {
@@ -62,7 +63,7 @@ EncounterOptions<typename World<SceneT>::Scalar> World<SceneT>::options_for(cons
   constexpr Scalar kMarginInUlps = 64;  // src/world/encounter.md
   const ActorType& A = actor_at(hit.pair.first);
   const ActorType& B = actor_at(hit.pair.second);
-  const Scalar size = A.body.X_WB.p_W.norm() + B.body.X_WB.p_W.norm() + hit.scale;
+  const Scalar size = length(A.body.X_WB.p_W) + length(B.body.X_WB.p_W) + hit.scale;
   EncounterOptions<Scalar> options;
   options.restitution = pair_restitution(A.restitution, B.restitution);
   options.rest_speed = settings_.rest_speed;
