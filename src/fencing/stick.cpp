@@ -4,16 +4,14 @@
 namespace batuta {
 namespace {
 
-template <class Scalar>
-constexpr Scalar kSecondsPerUs = Scalar(1e-6);
-
 /// Longest way along one axis of the square.
 template <class Scalar>
 constexpr Scalar kFullMovement = Scalar(2);
 
 template <class Scalar>
 constexpr Scalar seconds(std::int32_t time_us) {
-  return static_cast<Scalar>(time_us) * kSecondsPerUs<Scalar>;
+  constexpr Scalar kSecondsPerUs = Scalar(1e-6);
+  return static_cast<Scalar>(time_us) * kSecondsPerUs;
 }
 
 }  // namespace

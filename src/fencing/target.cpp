@@ -8,9 +8,9 @@ namespace {
 
 /// Where the walk goes on when it leaves out a bone and all that it carries: behind the last of
 /// them.
-constexpr std::array<std::int8_t, kBodyParts> bones_behind() {
-  std::array<std::int8_t, kBodyParts> behind{};
-  for (std::size_t i = 0; i < behind.size(); ++i) behind[i] = static_cast<std::int8_t>(i + 1);
+constexpr std::array<std::uint8_t, kBodyParts> bones_behind() {
+  std::array<std::uint8_t, kBodyParts> behind{};
+  for (std::size_t i = 0; i < behind.size(); ++i) behind[i] = static_cast<std::uint8_t>(i + 1);
   for (std::size_t i = behind.size() - 1; i > 0; --i) {  // Bound: kBodyParts
     const auto parent = static_cast<std::size_t>(kBodyParent[i]);
     if (behind[parent] < behind[i]) behind[parent] = behind[i];
@@ -26,7 +26,7 @@ constexpr bool parents_come_first() {
 }
 static_assert(parents_come_first(), "kBodyParent: a bone is carried by an earlier one");
 
-constexpr std::array<std::int8_t, kBodyParts> kBehind = bones_behind();
+constexpr std::array<std::uint8_t, kBodyParts> kBehind = bones_behind();
 
 /// The constant twist of the shortest turn that carries one capsule into another of the same
 /// length. The body's frame sits in the middle of the capsule with the axes of W; a turn about the
@@ -102,7 +102,7 @@ TouchSearch<Scalar> Target<Scalar>::find_touch(const MovingCapsule<Scalar>& blad
   std::size_t i = 0;
   for (int visit = 0; visit < kBodyParts && i < kParts; ++visit) {  // Bound: kBodyParts
     if (!overlaps(swept, hulls_[i])) {
-      i = static_cast<std::size_t>(kBehind[i]);
+      i = kBehind[i];
       continue;
     }
     const bool wanted = (parts >> i & 1U) != 0;

@@ -37,6 +37,7 @@ Result<Body<Scalar>> make_body(const Pose<Scalar>& X_WB, Scalar mass, const Vec3
   Body<Scalar> body;
   body.X_WB = {X_WB.p_W, renewed(X_WB.q_WB)};
   body.inverse_mass = inverse_or_nan(mass);
+  // Bound: three axes
   for (int i = 0; i < 3; ++i) body.inverse_moments(i) = inverse_or_nan(moments(i));
   const bool usable =
       is_finite_pose(X_WB) && is_finite(body.inverse_mass) && is_finite(body.inverse_moments);
@@ -62,7 +63,7 @@ template <class Scalar>
 Mat3<Scalar> inverse_inertia_W(const Body<Scalar>& body) {
   const Mat3<Scalar> R = to_matrix(body.X_WB.q_WB);
   Mat3<Scalar> sum = Mat3<Scalar>::Zero();
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; ++i) {                                   // Bound: three axes
     const Mat3<Scalar> square = R.col(i) * R.col(i).transpose();  // symmetric to the last bit
     sum += body.inverse_moments(i) * square;
   }
@@ -78,6 +79,7 @@ Twist<Scalar> twist_of(const Body<Scalar>& body) {
 template <class Scalar>
 Momentum<Scalar> momentum_of(const Body<Scalar>& body, const Twist<Scalar>& twist) {
   Vec3<Scalar> moments;
+  // Bound: three axes
   for (int i = 0; i < 3; ++i) moments(i) = inverse_or_zero(body.inverse_moments(i));
   return {inverse_or_zero(body.inverse_mass) * twist.v_W,
           scaled_in_body(body.X_WB.q_WB, moments, twist.w_W)};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "batuta/mechanics/motion.hpp"
 
+#include <array>
+
 #include "batuta/geometry/direction.hpp"
 
 namespace batuta {
@@ -47,6 +49,62 @@ bool is_on_axis(const Vec3<Scalar>& point, int axis) {
   return across <= kOnAxis<Scalar> * reach;
 }
 
+template <class Scalar>
+bool turns_about_one_axis(const Vec3<Scalar>& inverse_moments) {
+  const Vec3<Scalar>& m = inverse_moments;
+  return m.x() * m.y() == Scalar(0) && m.y() * m.z() == Scalar(0) && m.z() * m.x() == Scalar(0);
+}
+
+/// q turned about its own axis i.
+template <class Scalar>
+Quat<Scalar> turned(const Quat<Scalar>& q_WB, int i, Scalar angle) {
+  const Vec3<Scalar> turn_B = angle * Vec3<Scalar>::Unit(i);
+  return q_WB * exp_map(turn_B);
+}
+
+/// An axisymmetric body: steadily about the angular momentum, and about its own axis by the spin
+/// that is left.
+template <class Scalar>
+Quat<Scalar> flown(const Body<Scalar>& body, const Revolution<Scalar>& top, Scalar duration) {
+  const Quat<Scalar>& q_WB = body.X_WB.q_WB;
+  const Vec3<Scalar> b_B = q_WB.conjugate() * body.momentum.b_W;
+  const Scalar spin = (body.inverse_moments(top.axis) - top.inverse_transverse) * b_B(top.axis);
+  const Vec3<Scalar> steady_W = (top.inverse_transverse * duration) * body.momentum.b_W;
+  return exp_map(steady_W) * turned(q_WB, top.axis, spin * duration);
+}
+
+/// Any body: the turns that the three parts b_i^2 / (2 I_i) of the energy would make alone, one
+/// after the other and back. Each keeps the angular momentum; the symmetric order makes the whole
+/// of second order and free of drift.
+template <class Scalar>
+Quat<Scalar> flown(const Body<Scalar>& body, Scalar duration) {
+  constexpr std::array<int, 5> kOrder = {0, 1, 2, 1, 0};
+  Quat<Scalar> q_WB = body.X_WB.q_WB;
+  for (const int i : kOrder) {  // Bound: five turns
+    const Vec3<Scalar> b_B = q_WB.conjugate() * body.momentum.b_W;
+    const Scalar share = i == 2 ? duration : duration / 2;
+    q_WB = turned(q_WB, i, share * (body.inverse_moments(i) * b_B(i)));
+  }
+  return q_WB;
+}
+
+/// Flight to an orientation at the end; not valid where the way there might not be the shortest
+/// one.
+template <class Scalar>
+Motion<Scalar> flight_to(const Body<Scalar>& body, const Quat<Scalar>& q_end_WB, Scalar duration) {
+  constexpr Scalar kHalfTurn = Scalar(3.14159265358979323846);
+  const Vec3<Scalar> v_W = body.inverse_mass * body.momentum.p_W;
+  const Scalar fastest = body.inverse_moments.maxCoeff() * length(body.momentum.b_W);
+  if (!(fastest * duration < kHalfTurn)) {
+    const Scalar none = std::numeric_limits<Scalar>::quiet_NaN();
+    return {body.X_WB, {v_W, Vec3<Scalar>::Constant(none)}, duration};
+  }
+  const Pose<Scalar> end{body.X_WB.p_W + duration * v_W, renewed(q_end_WB)};
+  Motion<Scalar> motion = motion_between(body.X_WB, end, duration);
+  motion.twist.v_W = v_W;
+  return motion;
+}
+
 }  // namespace
 
 template <class Scalar>
@@ -70,10 +128,13 @@ Motion<Scalar> motion_between(const Pose<Scalar>& X0_WB, const Pose<Scalar>& X1_
 
 template <class Scalar>
 Motion<Scalar> free_flight(const Body<Scalar>& body, Scalar duration) {
+  const Revolution<Scalar> top = revolution_of(body.inverse_moments);
+  const bool is_top = top.inverse_transverse > Scalar(0);
   Twist<Scalar> twist = twist_of(body);
-  const Scalar inverse_transverse = revolution_of(body.inverse_moments).inverse_transverse;
-  if (inverse_transverse > Scalar(0)) twist.w_W = inverse_transverse * body.momentum.b_W;
-  return {body.X_WB, twist, duration};
+  if (is_top && !body.spin_shows) twist.w_W = top.inverse_transverse * body.momentum.b_W;
+  const bool steady = (is_top && !body.spin_shows) || turns_about_one_axis(body.inverse_moments);
+  if (steady || !(duration > Scalar(0))) return {body.X_WB, twist, duration};
+  return flight_to(body, is_top ? flown(body, top, duration) : flown(body, duration), duration);
 }
 
 template <class Scalar>

@@ -91,7 +91,9 @@ class KeyframeGrid {
   }
 
  private:
-  static constexpr std::size_t kCentre = static_cast<std::size_t>((M - 1) / 2 + M * ((N - 1) / 2));
+  static constexpr std::size_t kCentre =
+      static_cast<std::size_t>((M - 1) / 2) +
+      static_cast<std::size_t>(M) * static_cast<std::size_t>((N - 1) / 2);
 
   std::array<KeyPoint<Scalar>, kKeys> points_{};
   Quat<Scalar> q_ref_ = Quat<Scalar>::Identity();

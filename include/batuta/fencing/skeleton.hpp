@@ -29,8 +29,7 @@ inline constexpr int kBodyParts = 12;
 
 /// The bone that carries each bone: always an earlier one, and depth first, so that one forward
 /// pass poses a body and one backward pass refits what bounds it. -1: the root.
-inline constexpr std::array<std::int8_t, kBodyParts> kBodyParent = {-1, 0, 1, 1, 3, 4,
-                                                                    1,  6, 0, 8, 0, 10};
+inline constexpr std::array<int, kBodyParts> kBodyParent = {-1, 0, 1, 1, 3, 4, 1, 6, 0, 8, 0, 10};
 
 /// Lower case, for people; never null.
 const char* name_of(BodyPart part);

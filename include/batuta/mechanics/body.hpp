@@ -41,6 +41,10 @@ struct Body {
   Scalar inverse_mass = 0;  ///< 1/kg; 0: fixed in place
   Vec3<Scalar> inverse_moments =
       Vec3<Scalar>::Zero();  ///< 1/(kg m^2), along the axes of B; 0: does not turn
+  /// Something seen of it lies off its axis of symmetry, so that its orientation about that axis
+  /// matters to free_flight(). A World sets it from the capsule; without meaning for a body that is
+  /// not axisymmetric.
+  bool spin_shows = false;
 };
 
 /// A body at rest with the inverse of `mass` and `moments`; infinity gives zero, that is fixed.

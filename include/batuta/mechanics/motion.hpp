@@ -27,12 +27,17 @@ template <class Scalar>
 Motion<Scalar> motion_between(const Pose<Scalar>& X0_WB, const Pose<Scalar>& X1_WB,
                               Scalar duration);
 
-/// Torque-free flight from the body's momenta. Exact for the geometry of an axisymmetric body whose
-/// capsules lie on its axis: the axis turns steadily about the angular momentum at |b| / I_t
-/// (src/mechanics/motion.md); spin about the axis itself, which no capsule shows, is left out.
-/// Other bodies: the angular velocity is held over the step.
-/// @pre what is seen of the body hides its spin, or all moments are unlike: see hides_spin(). A
-/// World looks after it.
+/// Torque-free flight from the body's momenta (src/mechanics/motion.md).
+/// Exact for the geometry of an axisymmetric body whose spin does not show: the axis turns steadily
+/// about the angular momentum at |b| / I_t, and spin about the axis itself, which no capsule on it
+/// shows, is left out. Exact at the end of the motion for an axisymmetric body whose spin shows;
+/// other bodies: of second order in the duration, and energy does not drift. Between the ends these
+/// move with the constant twist that joins them.
+/// @pre duration >= 0
+/// @returns a motion that is not valid (see is_valid()) where such a body turns by pi or more in
+/// the time, because that
+///   could not be told from a shorter turn
+/// Bound: five turns.
 template <class Scalar>
 Motion<Scalar> free_flight(const Body<Scalar>& body, Scalar duration);
 

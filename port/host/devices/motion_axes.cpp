@@ -29,6 +29,15 @@ constexpr std::array<Candidate, 3> kCandidates = {{
     {EV_ABS, ABS_MT_POSITION_X, ABS_MT_POSITION_Y, true},
 }};
 
+MotionAxes uncalibrated(const Candidate& candidate) {
+  MotionAxes axes;
+  axes.type = candidate.type;
+  axes.code_x = candidate.code_x;
+  axes.code_y = candidate.code_y;
+  axes.fingers = candidate.fingers;
+  return axes;
+}
+
 bool moves(const std::vector<DeviceEvent>& events, const Candidate& axes) {
   return std::any_of(events.begin(), events.end(), [&](const DeviceEvent& event) {
     return event.type == axes.type && (event.code == axes.code_x || event.code == axes.code_y);
@@ -109,11 +118,7 @@ std::optional<MotionAxes> find_motion_axes(const std::vector<DeviceEvent>& event
   const auto* found = std::find_if(kCandidates.begin(), kCandidates.end(),
                                    [&](const Candidate& axes) { return moves(events, axes); });
   if (found == kCandidates.end()) return std::nullopt;
-  MotionAxes axes;
-  axes.type = found->type;
-  axes.code_x = found->code_x;
-  axes.code_y = found->code_y;
-  axes.fingers = found->fingers;
+  MotionAxes axes = uncalibrated(*found);
   if (axes.type == EV_REL) {
     calibrate_relative(axes, events);
   } else {
