@@ -11,6 +11,8 @@ Bracket<Scalar> bisect(const MovingPair<Scalar>& pair, const Bracket<Scalar>& st
     if (!(bracket.t_free < middle && middle < bracket.t_hit)) break;  // neighbouring numbers
     const CapsuleGap<Scalar> gap = gap_at(pair, middle);
     ++bracket.evaluations;
+    bracket.valid = gap.proximity != Proximity::kInvalid;
+    if (!bracket.valid) break;
     if (gap.gap > Scalar(0)) {
       bracket.t_free = middle;
       bracket.witness = gap;

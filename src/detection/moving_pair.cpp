@@ -93,7 +93,7 @@ Result<MovingPair<Scalar>> make_moving_pair(const MovingCapsule<Scalar>& A,
   const Scalar travel = length(pair.B.v) * pair.duration;
   const Scalar sizes = reach(A.capsule_B) + reach(B.capsule_B) + (pair.A.radius + pair.B.radius);
   pair.scale = kRoundUp<Scalar> * (apart + travel + sizes);
-  if (!is_finite(pair.scale)) return failure<Answer>(Status::kInvalidArgument);
+  if (!(pair.scale <= kLargestCoordinate<Scalar>)) return failure<Answer>(Status::kInvalidArgument);
   return success(pair);
 }
 

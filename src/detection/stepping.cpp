@@ -17,10 +17,9 @@ struct Steps {
   Scalar end_of(std::uint32_t i) const { return static_cast<Scalar>(i) / count * duration; }
 };
 
-/// Absolute epsilon, m; 0 if the options make no sense for this pair.
+/// Absolute epsilon, m; 0 if there is none for this pair. @pre valid options
 template <class Scalar>
 Scalar epsilon_of(const MovingPair<Scalar>& pair, const SteppingOptions<Scalar>& options) {
-  if (!(options.epsilon > Scalar(0)) || !is_finite(options.epsilon)) return Scalar(0);
   if (options.unit == EpsilonIn::kMetres) return options.epsilon;
   const Scalar epsilon = options.epsilon * min_of(pair.A.radius, pair.B.radius);
   return is_finite(epsilon) ? epsilon : Scalar(0);
@@ -44,7 +43,8 @@ Steps<Scalar> steps_for(const MovingPair<Scalar>& pair, Scalar epsilon) {
   return {pair.duration, round_up(kUp * (travel / epsilon))};
 }
 
-/// Last free instant, and whether the step after it ends in contact or there was none left.
+/// Last free instant, and whether the step after it ends in contact or there was none left. The
+/// bracket is not valid where a gap could not be told.
 template <class Scalar>
 struct Walk {
   Bracket<Scalar> bracket;
@@ -63,6 +63,8 @@ Walk<Scalar> walk(const MovingPair<Scalar>& pair, const Steps<Scalar>& steps,
     const Scalar t = steps.end_of(i + 1);
     const CapsuleGap<Scalar> gap = gap_at(pair, t);
     ++walk.bracket.evaluations;
+    walk.bracket.valid = gap.proximity != Proximity::kInvalid;
+    if (!walk.bracket.valid) break;
     walk.bracket.t_hit = t;
     walk.hit = !(gap.gap > Scalar(0));
     if (walk.hit) break;
@@ -75,6 +77,7 @@ Walk<Scalar> walk(const MovingPair<Scalar>& pair, const Steps<Scalar>& steps,
 template <class Scalar>
 SearchResult<Scalar> answer(const MovingPair<Scalar>& pair, Outcome outcome,
                             const Bracket<Scalar>& bracket) {
+  if (!bracket.valid) return {};
   SearchResult<Scalar> result;
   result.outcome = outcome;
   result.t_free = bracket.t_free;
@@ -86,20 +89,27 @@ SearchResult<Scalar> answer(const MovingPair<Scalar>& pair, Outcome outcome,
 }
 
 template <class Scalar>
-bool is_valid(const MovingPair<Scalar>& pair, const SteppingOptions<Scalar>& options) {
-  const bool counts =
-      options.max_steps >= 1 && options.halvings >= 0 && options.halvings <= kMaxHalvings;
-  return counts && pair.duration >= Scalar(0) && is_finite(pair.scale);
+bool is_valid(const MovingPair<Scalar>& pair) {
+  return pair.duration >= Scalar(0) && is_finite(pair.scale);
 }
 
 }  // namespace
 
 template <class Scalar>
+Status validate(const SteppingOptions<Scalar>& options) {
+  const bool good = is_positive(options.epsilon) && options.max_steps >= 1 &&
+                    options.halvings >= 0 && options.halvings <= kMaxHalvings;
+  return good ? Status::kOk : Status::kInvalidArgument;
+}
+
+template <class Scalar>
 SearchResult<Scalar> search_stepping(const MovingPair<Scalar>& pair,
                                      const SteppingOptions<Scalar>& options) {
+  if (validate(options) != Status::kOk || !is_valid(pair)) return {};
   const Scalar epsilon = epsilon_of(pair, options);
-  if (!is_valid(pair, options) || !(epsilon > Scalar(0))) return {};
+  if (!(epsilon > Scalar(0))) return {};
   const CapsuleGap<Scalar> first = gap_at(pair, Scalar(0));
+  if (first.proximity == Proximity::kInvalid) return {};
   if (!(first.gap > Scalar(0))) {
     return answer(pair, Outcome::kTouching, {Scalar(0), Scalar(0), first, 1});
   }
@@ -116,6 +126,8 @@ SearchResult<Scalar> search_stepping(const MovingPair<Scalar>& pair,
   return answer(pair, complete ? Outcome::kFree : Outcome::kBudget, walked.bracket);
 }
 
+template Status validate(const SteppingOptions<float>&);
+template Status validate(const SteppingOptions<double>&);
 template SearchResult<float> search_stepping(const MovingPair<float>&,
                                              const SteppingOptions<float>&);
 template SearchResult<double> search_stepping(const MovingPair<double>&,

@@ -50,6 +50,15 @@ Scalar size_of(const MovingCapsule<Scalar>& moving) {
   return length(moving.motion.X_WB.p_W) + travel + reach + moving.capsule_B.radius;
 }
 
+/// The whole space.
+template <class Scalar, int K>
+Kdop<Scalar, K> unbounded() {
+  Kdop<Scalar, K> all;
+  all.low.fill(std::numeric_limits<Scalar>::lowest());
+  all.high.fill(std::numeric_limits<Scalar>::max());
+  return all;
+}
+
 }  // namespace
 
 template <class Scalar>
@@ -68,6 +77,9 @@ Kdop<Scalar, K> swept_kdop(const MovingCapsule<Scalar>& moving) {
   const Scalar duration = moving.motion.duration;
   const CapsulePath<Scalar> path = capsule_path(moving, start_W, Vec3<Scalar>::Zero().eval());
   const Scalar turn = path.turn_rate * duration;
+  const Scalar size = size_of(moving);
+  // Where a sum of lengths may overflow, 0 * infinity could make a face vanish.
+  if (!(size <= kLargestCoordinate<Scalar> && turn >= Scalar(0))) return unbounded<Scalar, K>();
   const bool is_long = turn >= kLongTurn<Scalar>;
   const Segment<Scalar> last = capsule_at(path, is_long ? Scalar(0) : duration).axis;
   const Vec3<Scalar> travel = path.v * duration;
@@ -82,7 +94,7 @@ Kdop<Scalar, K> swept_kdop(const MovingCapsule<Scalar>& moving) {
     swept.high[k] = origin + max_of(highest(end_a, up), highest(end_b, up));
     swept.low[k] = origin - max_of(highest(end_a, down), highest(end_b, down));
   }
-  return inflated(swept, path.radius + kOutward<Scalar> * size_of(moving));
+  return inflated(swept, path.radius + kOutward<Scalar> * size);
 }
 
 template <class Scalar>

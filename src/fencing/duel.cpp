@@ -10,16 +10,16 @@ constexpr std::int32_t kLongestWindowUs = 10000000;
 constexpr std::array<Side, 2> kSides = {Side::kLeft, Side::kRight};
 
 template <class Scalar>
-constexpr Scalar kSecondsPerUs = Scalar(1e-6);
-
-template <class Scalar>
 Status validate(const DuelSettings<Scalar>& settings) {
   const bool times = settings.step_us >= kShortestStepUs && settings.step_us <= kLongestStepUs &&
                      settings.double_window_us >= 0 &&
                      settings.double_window_us <= kLongestWindowUs;
-  const bool place = is_finite(settings.salle.distance) && settings.salle.distance > Scalar(0);
-  if (!times || !place) return Status::kInvalidArgument;
-  return validate(settings.stick);
+  const bool place = settings.salle.distance > Scalar(0) &&
+                     settings.salle.distance <= kLargestReach<Scalar>;
+  const bool good = times && place && validate(settings.stick) == Status::kOk &&
+                    validate(settings.world) == Status::kOk &&
+                    validate(settings.touch) == Status::kOk;
+  return good ? Status::kOk : Status::kInvalidArgument;
 }
 
 /// One piece of a blade's way in a step.
@@ -53,53 +53,73 @@ DuelSettings<Scalar> duel_settings() {
 template <class Scalar>
 Status Duel<Scalar>::configure(const DuelSettings<Scalar>& settings, const Fencer<Scalar>& left,
                                const Fencer<Scalar>& right) {
-  dt_ = 0;
+  if (validate(settings) != Status::kOk) return Status::kInvalidArgument;
+  const auto left_seat = seat_for(left, settings.salle.X_WF(Side::kLeft));
+  const auto right_seat = seat_for(right, settings.salle.X_WF(Side::kRight));
+  if (!left_seat.ok() || !right_seat.ok()) return Status::kInvalidArgument;
+
+  // From here on nothing can be refused.
+  settings_ = settings;
+  (void)world_.configure(settings.world);
+  for (Place& place : places_) (void)world_.remove(place.blade);  // Bound: 2
+  take_place(at(Side::kLeft), left_seat.value, left.build);
+  take_place(at(Side::kRight), right_seat.value, right.build);
   bout_ = {};
   report_ = {};
   steps_ = 0;
-  if (validate(settings) != Status::kOk) return Status::kInvalidArgument;
-  if (world_.configure(settings.world) != Status::kOk) return Status::kInvalidArgument;
-  settings_ = settings;
-  if (seat(Side::kLeft, left) != Status::kOk) return Status::kInvalidArgument;
-  if (seat(Side::kRight, right) != Status::kOk) return Status::kInvalidArgument;
   dt_ = static_cast<Scalar>(settings.step_us) * kSecondsPerUs<Scalar>;
   return Status::kOk;
 }
 
 template <class Scalar>
-Status Duel<Scalar>::seat(Side side, const Fencer<Scalar>& fencer) {
-  Place& place = at(side);
-  (void)world_.remove(place.blade);  // of an earlier bout, if there was one
-  place.X_WF = settings_.salle.X_WF(side);
+Result<typename Duel<Scalar>::Seat> Duel<Scalar>::seat_for(const Fencer<Scalar>& fencer,
+                                                           const Pose<Scalar>& X_WF) {
+  if (validate(fencer.build) != Status::kOk) return failure<Seat>(Status::kInvalidArgument);
   typename FencerGrid<Scalar>::Keys keys_WH;
   for (std::size_t i = 0; i < keys_WH.size(); ++i) {  // Bound: nine keys
-    keys_WH[i] = chained(place.X_WF, fencer.keys_FH[i]);
+    // A NaN goes on to set_keys().
+    const bool far = fencer.keys_FH[i].p_W.cwiseAbs().maxCoeff() > kLargestReach<Scalar>;
+    if (far) return failure<Seat>(Status::kInvalidArgument);
+    keys_WH[i] = chained(X_WF, fencer.keys_FH[i]);
   }
   const auto weapon = weapon_body(fencer.weapon);
-  if (!weapon.ok() || place.grid.set_keys(keys_WH) != Status::kOk) return Status::kInvalidArgument;
-  if (place.stick.configure(settings_.stick) != Status::kOk) return Status::kInvalidArgument;
-  place.weapon = weapon.value;
-  place.build = fencer.build;
-  place.hand = place.grid.at(place.stick.position());
-  place.target.place(pose_body(place.build, place.X_WF, place.hand.X_WH));
-  return arm(place, fencer);
+  Seat seat;
+  if (!weapon.ok() || seat.grid.set_keys(keys_WH) != Status::kOk) {
+    return failure<Seat>(Status::kInvalidArgument);
+  }
+  seat.weapon = weapon.value;
+  seat.X_WF = X_WF;
+  seat.hand = seat.grid.at(Vec2<Scalar>::Zero());  // where a stick starts
+  if (arm(fencer, seat) != Status::kOk) return failure<Seat>(Status::kInvalidArgument);
+  return success(seat);
 }
 
-/// Puts the blade into the world, in the hand.
+/// The blade in the hand.
 template <class Scalar>
-Status Duel<Scalar>::arm(Place& place, const Fencer<Scalar>& fencer) {
-  const Pose<Scalar> X_WB = chained(place.hand.X_WH, place.weapon.X_HB);
-  const auto body = make_body(X_WB, place.weapon.mass, place.weapon.moments);
-  Actor<DuelScene<Scalar>> blade;
-  if (!body.ok() || blade.driver.grip.configure(fencer.grip) != Status::kOk)
-    return Status::kInvalidArgument;
-  blade.body = body.value;
-  blade.capsule_B = place.weapon.blade_B;
-  blade.restitution = fencer.weapon.restitution;
-  blade.driver.grip.place(X_WB);
-  const auto id = world_.add(blade);
-  place.blade = id.value;
-  return id.status;
+Status Duel<Scalar>::arm(const Fencer<Scalar>& fencer, Seat& seat) {
+  const Pose<Scalar> X_WB = chained(seat.hand.X_WH, seat.weapon.X_HB);
+  const auto body = make_body(X_WB, seat.weapon.mass, seat.weapon.moments);
+  if (!body.ok()) return body.status;
+  seat.blade.body = body.value;
+  seat.blade.capsule_B = seat.weapon.blade_B;
+  seat.blade.restitution = fencer.weapon.restitution;
+  seat.blade.driver.grip.place(X_WB);
+  return seat.blade.driver.grip.configure(fencer.grip);
+}
+
+/// @pre both blades of the earlier bout are out of the world
+template <class Scalar>
+void Duel<Scalar>::take_place(Place& place, const Seat& seat, const FencerBuild<Scalar>& build) {
+  place.grid = seat.grid;
+  place.build = build;
+  place.weapon = seat.weapon;
+  place.X_WF = seat.X_WF;
+  place.hand = seat.hand;
+  (void)place.stick.configure(settings_.stick);
+  place.target.place(pose_body(build, seat.X_WF, seat.hand.X_WH));
+  const auto blade = world_.add(seat.blade);
+  BATUTA_INVARIANT(blade.ok());
+  place.blade = blade.value;
 }
 
 template <class Scalar>
@@ -134,10 +154,11 @@ void Duel<Scalar>::move_hand(Side side, const InputSample* sample) {
 template <class Scalar>
 void Duel<Scalar>::add_up() {
   const StepReport<Scalar>& step = world_.report();
-  report_.beats += step.collisions;
+  report_.blows += step.collisions;
   report_.rests += step.separations;
   report_.evaluations += step.evaluations;
   report_.budget_outs += step.searches_cut;
+  report_.searches_invalid += step.searches_invalid;
   if (!step.complete()) ++report_.incomplete_steps;
 }
 
@@ -174,7 +195,8 @@ TouchSearch<Scalar> Duel<Scalar>::touch_by(Side side) {
                                    settings_.target);
     report_.evaluations += first.evaluations;
     report_.touch_searches += first.searches;
-    if (!first.complete) ++report_.budget_outs;
+    report_.budget_outs += first.budget_outs;
+    report_.searches_invalid += first.searches_invalid;
     if (!first.complete && complete) known_until = first.known_until;
     complete = complete && first.complete;
     start = end;
@@ -220,14 +242,21 @@ std::uint64_t Duel<Scalar>::time_us(const Moment<Scalar>& moment) const {
 }
 
 template <class Scalar>
+const Actor<DuelScene<Scalar>>& Duel<Scalar>::blade_of(Side side) const {
+  const auto* blade = world_.get(at(side).blade);
+  BATUTA_ASSERT(blade != nullptr);
+  return *blade;
+}
+
+template <class Scalar>
 const Grip<Scalar>& Duel<Scalar>::grip(Side side) const {
-  return world_.get(at(side).blade)->driver.grip;
+  return blade_of(side).driver.grip;
 }
 
 template <class Scalar>
 Capsule<Scalar> Duel<Scalar>::blade_W(Side side) const {
-  const auto& actor = *world_.get(at(side).blade);
-  return to_world(actor.body.X_WB, actor.capsule_B);
+  const auto& blade = blade_of(side);
+  return to_world(blade.body.X_WB, blade.capsule_B);
 }
 
 #define BATUTA_INSTANTIATE(S)               \

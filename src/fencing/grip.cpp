@@ -4,11 +4,6 @@
 namespace batuta {
 namespace {
 
-/// A course is aimed at least this share of a step ahead, so that its velocity is a difference of
-/// poses over a time in which rounding does not show (grip.md).
-template <class Scalar>
-constexpr Scalar kLeastHorizon = Scalar(0.125);
-
 /// How far a blade is from where it should be: a shift and a turn, both in W.
 template <class Scalar>
 struct Offset {
@@ -25,11 +20,6 @@ template <class Scalar>
 Pose<Scalar> moved_by(const Pose<Scalar>& pose, const Offset<Scalar>& offset, Scalar share) {
   return {pose.p_W + share * offset.shift_W,
           renewed<Scalar>(exp_map<Scalar>(share * offset.turn_W) * pose.q_WB)};
-}
-
-template <class Scalar>
-bool is_positive(Scalar x) {
-  return is_finite(x) && x > Scalar(0);
 }
 
 }  // namespace

@@ -76,7 +76,48 @@ struct Posing {
   }
 };
 
+template <class Scalar>
+bool is_within_reach(const Vec3<Scalar>& x) {
+  return is_finite(x) && x.cwiseAbs().maxCoeff() <= kLargestReach<Scalar>;
+}
+
+template <class Scalar>
+bool is_good(const Bone<Scalar>& bone) {
+  const Segment<Scalar>& axis = bone.capsule_J.axis;
+  return is_valid(bone.capsule_J) && bone.capsule_J.radius <= kLargestReach<Scalar> &&
+         is_within_reach(bone.start_P) && is_within_reach(axis.a) && is_within_reach(axis.b);
+}
+
+/// The limb whose first bone is `first` and whose second is the next one.
+template <class Scalar>
+bool is_good(const FencerBuild<Scalar>& build, const Limb<Scalar>& limb, BodyPart first) {
+  const Bone<Scalar>& upper = build.bones[slot(first)];
+  const Bone<Scalar>& lower = build.bones[slot(first) + 1];
+  return is_within_reach(limb.goal_F) && is_within_reach(limb.bend_F) &&
+         is_positive(limb.bend_F.norm()) && is_positive(upper.capsule_J.axis.direction().norm()) &&
+         is_positive(lower.capsule_J.axis.direction().norm());
+}
+
+template <class Scalar>
+bool is_good_lunge(const FencerBuild<Scalar>& build) {
+  return is_within_reach(Vec3<Scalar>(build.guard_hand_x, build.lunge_hand_x, Scalar(0))) &&
+         build.lunge_hand_x > build.guard_hand_x && is_within_reach(build.lunge_shift_F) &&
+         is_within_reach(build.stride_F) && build.lunge_lean >= Scalar(-1) &&
+         build.lunge_lean <= Scalar(1);
+}
+
 }  // namespace
+
+template <class Scalar>
+Status validate(const FencerBuild<Scalar>& build) {
+  bool bones = true;
+  for (const Bone<Scalar>& bone : build.bones) bones = bones && is_good(bone);  // Bound: kBodyParts
+  const bool limbs = is_good(build, build.weapon_arm, BodyPart::kWeaponUpperArm) &&
+                     is_good(build, build.other_arm, BodyPart::kOtherUpperArm) &&
+                     is_good(build, build.front_leg, BodyPart::kFrontThigh) &&
+                     is_good(build, build.rear_leg, BodyPart::kRearThigh);
+  return bones && limbs && is_good_lunge(build) ? Status::kOk : Status::kInvalidArgument;
+}
 
 const char* name_of(BodyPart part) {
   static constexpr std::array<const char*, kBodyParts> kNames = {
@@ -143,6 +184,7 @@ BodyShape<Scalar> pose_body(const FencerBuild<Scalar>& build, const Pose<Scalar>
 }
 
 #define BATUTA_INSTANTIATE(S)                                                      \
+  template Status validate(const FencerBuild<S>&);                                 \
   template Reach<S> two_bone_reach(const Vec3<S>&, const Vec3<S>&, const Vec2<S>&, \
                                    const Vec3<S>&);                                \
   template S lunge_share(const FencerBuild<S>&, S);                                \

@@ -10,8 +10,7 @@ constexpr Scalar kFullMovement = Scalar(2);
 
 template <class Scalar>
 constexpr Scalar seconds(std::int32_t time_us) {
-  constexpr Scalar kSecondsPerUs = Scalar(1e-6);
-  return static_cast<Scalar>(time_us) * kSecondsPerUs;
+  return static_cast<Scalar>(time_us) * kSecondsPerUs<Scalar>;
 }
 
 }  // namespace
@@ -50,12 +49,17 @@ SampleUse StickTracker<Scalar>::accept(const InputSample& sample) {
   switch (use) {
     case SampleUse::kInvalid:
       ++report_.invalid;
+      follow(sample);
       return use;
     case SampleUse::kBackward:
       ++report_.backward;
+      follow(sample);
       return use;
     case SampleUse::kRepeated:
       ++report_.repeated;
+      follow(sample);
+      if (stale_) return use;
+      last_.buttons = sample.buttons;
       aim(sample, max_of(remaining_, seconds<Scalar>(settings_.min_interval_us)));
       return use;
     case SampleUse::kRestart:
@@ -65,7 +69,7 @@ SampleUse StickTracker<Scalar>::accept(const InputSample& sample) {
     case SampleUse::kUsed:
       aim(sample, seconds<Scalar>(clamp(elapsed_us(last_.time, sample.time),
                                         settings_.min_interval_us, settings_.max_interval_us)));
-      report_.lost += gap_before(sample);
+      follow(sample);
       break;
   }
   ++report_.used;
@@ -76,13 +80,15 @@ SampleUse StickTracker<Scalar>::accept(const InputSample& sample) {
   return use;
 }
 
-/// Samples between the last one and this one that never came; 0 where the numbering went back or
-/// began anew.
+/// Counts the samples between the last one and this one that never came; none where the numbering
+/// went back or began anew.
 template <class Scalar>
-std::uint32_t StickTracker<Scalar>::gap_before(const InputSample& sample) const {
+void StickTracker<Scalar>::follow(const InputSample& sample) {
   const std::uint32_t advance = sample.sequence - last_.sequence;
   const bool forward = advance != 0 && static_cast<std::int32_t>(advance) > 0;
-  return forward ? advance - 1 : 0;
+  if (!started_ || !forward) return;
+  report_.lost += advance - 1;
+  last_.sequence = sample.sequence;
 }
 
 template <class Scalar>
@@ -100,6 +106,14 @@ void StickTracker<Scalar>::aim(const InputSample& sample, Scalar duration) {
 template <class Scalar>
 void StickTracker<Scalar>::advance(Scalar dt) {
   BATUTA_ASSERT(is_finite(dt) && dt > Scalar(0));
+  const Scalar limit = seconds<Scalar>(settings_.stale_after_us);
+  silence_ = min_of(silence_ + dt, limit);
+  stale_ = !started_ || silence_ >= limit;
+  if (stale_) {
+    ++report_.stale_steps;
+    goal_ = position_;
+  }
+
   const Vec2<Scalar> before = position_;
   if (remaining_ > dt) {
     position_ += (dt / remaining_) * (goal_ - position_);
@@ -109,11 +123,6 @@ void StickTracker<Scalar>::advance(Scalar dt) {
     remaining_ = 0;
   }
   velocity_ = (position_ - before) / dt;
-
-  const Scalar limit = seconds<Scalar>(settings_.stale_after_us);
-  silence_ = min_of(silence_ + dt, limit);
-  stale_ = !started_ || silence_ >= limit;
-  if (stale_) ++report_.stale_steps;
 }
 
 template class StickTracker<float>;

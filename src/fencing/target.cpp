@@ -10,7 +10,9 @@ namespace {
 /// them.
 constexpr std::array<std::uint8_t, kBodyParts> bones_behind() {
   std::array<std::uint8_t, kBodyParts> behind{};
-  for (std::size_t i = 0; i < behind.size(); ++i) behind[i] = static_cast<std::uint8_t>(i + 1);
+  for (std::size_t i = 0; i < behind.size(); ++i) {  // Bound: kBodyParts
+    behind[i] = static_cast<std::uint8_t>(i + 1);
+  }
   for (std::size_t i = behind.size() - 1; i > 0; --i) {  // Bound: kBodyParts
     const auto parent = static_cast<std::size_t>(kBodyParent[i]);
     if (behind[parent] < behind[i]) behind[parent] = behind[i];
@@ -132,17 +134,15 @@ void Target<Scalar>::take(const PartSearch& search, BodyPart part, Scalar from,
   const SearchResult<Scalar>& result = search.result;
   ++first.searches;
   first.evaluations += result.evaluations;
-  switch (result.outcome) {
-    case Outcome::kFree:
-      return;
-    case Outcome::kBudget:
-    case Outcome::kInvalid:  // t_free is 0: nothing is known
-      first.complete = false;
-      first.known_until = min_of(first.known_until, from + result.t_free);
-      return;
-    case Outcome::kContact:
-    case Outcome::kTouching:
-      break;
+  if (result.outcome == Outcome::kFree) return;
+  const bool cut = result.outcome == Outcome::kBudget;
+  const bool invalid = result.outcome == Outcome::kInvalid;
+  if (cut) ++first.budget_outs;
+  if (invalid) ++first.searches_invalid;
+  if (cut || invalid) {  // t_free of an invalid one is 0: nothing is known
+    first.complete = false;
+    first.known_until = min_of(first.known_until, from + result.t_free);
+    return;
   }
   if (first.found && first.t_free <= from + result.t_free) return;
   first.found = true;

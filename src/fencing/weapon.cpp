@@ -23,6 +23,8 @@ Result<MassProperties<Scalar>> mass_of(const WeaponPart<Scalar>& part) {
 
 template <class Scalar>
 Result<WeaponBody<Scalar>> weapon_body(const Weapon<Scalar>& weapon) {
+  const bool bounces = weapon.restitution >= Scalar(0) && weapon.restitution <= Scalar(1);
+  if (!bounces) return failure<WeaponBody<Scalar>>(Status::kInvalidArgument);
   auto sum = mass_of(weapon.parts[0]);
   if (!sum.ok()) return failure<WeaponBody<Scalar>>(sum.status);
   for (std::size_t i = 1; i < weapon.parts.size(); ++i) {  // Bound: kParts
@@ -39,6 +41,7 @@ Result<WeaponBody<Scalar>> weapon_body(const Weapon<Scalar>& weapon) {
   body.X_HB = {frame.center_S, frame.q_SB};
   body.blade_B = {{to_body(body.X_HB, blade_H.axis.a), to_body(body.X_HB, blade_H.axis.b)},
                   blade_H.radius};
+  if (!is_valid(body.blade_B)) return failure<WeaponBody<Scalar>>(Status::kInvalidArgument);
   return success(body);
 }
 

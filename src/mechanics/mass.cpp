@@ -111,7 +111,7 @@ void put_in_order(Axes<Scalar>& axes, int i, int j) {
 template <class Scalar>
 Axes<Scalar> eigen_axes(Mat3<Scalar> A) {
   Mat3<Scalar> V = Mat3<Scalar>::Identity();
-  for (int sweep = 0; sweep < kJacobiSweeps; ++sweep) {
+  for (int sweep = 0; sweep < kJacobiSweeps; ++sweep) {  // Bound: kJacobiSweeps
     clear_element(A, V, 0, 1);
     clear_element(A, V, 0, 2);
     clear_element(A, V, 1, 2);
@@ -177,7 +177,9 @@ PrincipalFrame<Scalar> principal_frame(const MassProperties<Scalar>& mass) {
   Axes<Scalar> axes = eigen_axes(Mat3<Scalar>(mass.inertia_S / scale));
   axes.directions.col(2) = axes.directions.col(0).cross(axes.directions.col(1));
   frame.q_SB = to_quaternion(axes.directions);
-  for (int i = 0; i < 3; ++i) frame.moments(i) = max_of(Scalar(0), scale * axes.moments(i));
+  for (int i = 0; i < 3; ++i) {  // Bound: three moments
+    frame.moments(i) = max_of(Scalar(0), scale * axes.moments(i));
+  }
   return frame;
 }
 

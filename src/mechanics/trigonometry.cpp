@@ -74,7 +74,7 @@ struct Table<double> {
 template <class Scalar, std::size_t N>
 Scalar polynomial(const std::array<Scalar, N>& c, Scalar z) {
   Scalar sum = c[N - 1];
-  for (std::size_t i = N - 1; i-- > 0;) sum = sum * z + c[i];
+  for (std::size_t i = N - 1; i-- > 0;) sum = sum * z + c[i];  // Bound: N terms
   return sum;
 }
 
@@ -90,7 +90,7 @@ TwoPart<Scalar> reduced(Scalar angle, int quarters) {
   constexpr auto& parts = Table<Scalar>::kQuarterTurn;
   const auto k = static_cast<Scalar>(quarters);
   TwoPart<Scalar> rest = {angle - k * parts[0], Scalar(0)};
-  for (std::size_t i = 1; i + 1 < parts.size(); ++i) {
+  for (std::size_t i = 1; i + 1 < parts.size(); ++i) {  // Bound: the parts
     const Scalar product = k * parts[i];
     const Scalar difference = rest.hi - product;
     rest.lo += (rest.hi - difference) - product;

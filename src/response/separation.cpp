@@ -6,11 +6,6 @@ namespace batuta {
 namespace {
 
 template <class Scalar>
-bool is_positive(Scalar x) {
-  return x > Scalar(0) && is_finite(x);
-}
-
-template <class Scalar>
 bool is_valid(const SeparationOptions<Scalar>& options) {
   return is_positive(options.distance) && is_positive(options.rest_speed) &&
          is_positive(options.min_duration) && options.limit_A >= Scalar(0) &&

@@ -31,11 +31,8 @@ void FreeFlight<Scalar>::on_step_end(const Body<Scalar>& /*body*/, Scalar /*dt*/
 
 template <class Scalar>
 Course<Scalar> Hand<Scalar>::course(const Body<Scalar>& body, Scalar t, Scalar duration) const {
-  // A body that was pushed aside late in the step is not fetched back at any speed: the hand aims
-  // at least this share of a step ahead, and at least as far as the course lasts. It is then late
-  // rather than fast.
-  constexpr Scalar kLeastHorizon = Scalar(0.125);
-  const Scalar horizon = max_of(max_of(step - t, kLeastHorizon * step), duration);
+  if (struck) return {free_flight(body, duration), true};
+  const Scalar horizon = max_of(max_of(step - t, kLeastHorizon<Scalar> * step), duration);
   if (!(horizon > Scalar(0))) return {still(body.X_WB, duration), false};
   Course<Scalar> answer = {motion_between(body.X_WB, target_W, horizon), false};
   answer.motion.duration = duration;
@@ -43,10 +40,14 @@ Course<Scalar> Hand<Scalar>::course(const Body<Scalar>& body, Scalar t, Scalar d
 }
 
 template <class Scalar>
-void Hand<Scalar>::on_contact(const Body<Scalar>& /*body*/, const Feedback<Scalar>& /*feedback*/) {}
+void Hand<Scalar>::on_contact(const Body<Scalar>& body, const Feedback<Scalar>& feedback) {
+  struck = struck || (feedback.impulse > Scalar(0) && !is_fixed(body));
+}
 
 template <class Scalar>
-void Hand<Scalar>::on_step_end(const Body<Scalar>& /*body*/, Scalar /*dt*/) {}
+void Hand<Scalar>::on_step_end(const Body<Scalar>& /*body*/, Scalar /*dt*/) {
+  struck = false;
+}
 
 #define BATUTA_INSTANTIATE(Scalar)    \
   template struct Fixed<Scalar>;      \

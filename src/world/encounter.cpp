@@ -48,7 +48,8 @@ Result<EncounterAnswer<Scalar>> answer_contact(const Party<Scalar>& A, const Par
   answer.v_rel = hit.value.v_rel;
   answer.kind = classify(answer.v_rel, options.rest_speed);
   const bool colliding = answer.kind == ContactKind::kColliding;
-  answer.separated = !colliding || contact.gap <= Scalar(0);
+  const bool overlapping = contact.gap < -options.margin;
+  answer.separated = answer.kind == ContactKind::kResting || overlapping;
   const auto shifts = shifts_for(A, B, contact, answer, options);
   if (!shifts.ok()) return failure<EncounterAnswer<Scalar>>(shifts.status);
   answer.separation = shifts.value;

@@ -95,4 +95,10 @@ bool is_finite(const Quat<Scalar>& q) {
   return is_finite(q.coeffs());
 }
 
+/// Finite and above zero: what a length, a time or a mass must be that something is divided by.
+template <class Scalar>
+constexpr bool is_positive(Scalar x) {
+  return is_finite(x) && x > Scalar(0);
+}
+
 }  // namespace batuta

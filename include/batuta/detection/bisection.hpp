@@ -16,12 +16,15 @@ struct Bracket {
   Scalar t_hit = 0;            ///< in collision
   CapsuleGap<Scalar> witness;  ///< at t_free
   std::uint32_t evaluations = 0;
+  bool valid = true;  ///< false: a gap could not be told (Proximity::kInvalid), the search stopped
 };
 
 /// Invariant [Kavan §3.3]: the gap is > 0 at t_free and <= 0 at t_hit.
-/// @pre gap > 0 at start.t_free, with start.witness taken there; gap <= 0 at start.t_hit; 0 <=
-/// halvings <= kMaxHalvings Bound: `halvings` evaluations; width = start width / 2^halvings, or
-/// neighbouring numbers.
+/// @pre gap > 0 at start.t_free, with start.witness taken there; gap <= 0 at start.t_hit;
+/// 0 <= halvings <= kMaxHalvings
+/// @returns a bracket of the start width / 2^halvings, or neighbouring numbers; where a gap cannot
+/// be told, the last bracket before it, and not valid
+/// Bound: `halvings` evaluations.
 template <class Scalar>
 Bracket<Scalar> bisect(const MovingPair<Scalar>& pair, const Bracket<Scalar>& start, int halvings);
 

@@ -67,8 +67,7 @@ struct MovingPair {
 /// Puts two moving capsules into their common frame.
 /// @pre unit quaternions
 /// @returns kOk | kInvalidArgument: not finite, negative radius or duration, unequal durations,
-/// turn beyond kMaxAngle,
-///   or S not finite
+///   turn beyond kMaxAngle, or S beyond kLargestCoordinate
 template <class Scalar>
 Result<MovingPair<Scalar>> make_moving_pair(const MovingCapsule<Scalar>& A,
                                             const MovingCapsule<Scalar>& B);

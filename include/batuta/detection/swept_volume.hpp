@@ -21,7 +21,8 @@ SweptSphere<Scalar> swept_sphere(const MovingCapsule<Scalar>& moving);
 
 /// A box in W that holds the capsule at every time of its motion: union of the boxes at both ends
 /// of the step, grown by how far an arc can leave its chord, and never larger than that of the
-/// swept sphere (src/detection/swept_volume.md).
+/// swept sphere (src/detection/swept_volume.md). Without bounds (lowest() ... max()) where the
+/// lengths sum up to more than kLargestCoordinate.
 template <class Scalar>
 Aabb<Scalar> swept_aabb(const MovingCapsule<Scalar>& moving);
 

@@ -83,8 +83,10 @@ struct Touch {
   Moment<Scalar> when;
   Contact<Scalar> contact;  ///< the normal points out of the one who is touched
   Scalar place = 0;         ///< on the blade: 0 guard ... 1 tip
-  bool certain = true;  ///< false: a search ended without an answer at an earlier time; it may not
-                        ///< be the first
+  /// False: a search ended without an answer at an earlier time; it may not be the first. In a step
+  /// in which a blade was held, `when` is known to within StepReport::time_held, for the hold is
+  /// spread over the blade's way between two corners.
+  bool certain = true;
 };
 
 template <class Scalar>
@@ -97,12 +99,13 @@ struct Bout {
 
 /// Sums over the bout. The lower half is zero in a healthy bout.
 struct DuelReport {
-  std::uint32_t beats = 0;             ///< colliding contacts of the blades
+  std::uint32_t blows = 0;             ///< colliding contacts of the blades
   std::uint32_t rests = 0;             ///< resting contacts: blades leaning on each other
   std::uint64_t evaluations = 0;       ///< distance evaluations of all searches
   std::uint32_t touch_searches = 0;    ///< body parts that the hierarchy could not rule out
   std::uint32_t incomplete_steps = 0;  ///< the world's report was not complete(): blades were held
-  std::uint32_t budget_outs = 0;       ///< searches that ended without an answer, blade or touch
+  std::uint32_t budget_outs = 0;       ///< searches that ran out of max_steps, blade or touch
+  std::uint32_t searches_invalid = 0;  ///< searches that could not be asked, blade or touch
 };
 
 template <class Scalar>
@@ -114,8 +117,9 @@ class Duel {
   Duel(const Duel&) = delete;
   Duel& operator=(const Duel&) = delete;
 
-  /// Puts both fencers on guard and starts a new bout.
-  /// @returns kOk | kInvalidArgument (settings or data out of range); then step() refuses
+  /// Puts both fencers on guard and starts a new bout. Stack: two prepared seats, 1.5 kB in float.
+  /// @returns kOk | kInvalidArgument (settings, settings.world, settings.touch or a fencer's data out
+  /// of range; nothing changed: a running bout goes on)
   Status configure(const DuelSettings<Scalar>& settings, const Fencer<Scalar>& left,
                    const Fencer<Scalar>& right);
 
@@ -142,6 +146,7 @@ class Duel {
   const KeyedPose<Scalar>& hand(Side side) const {
     return at(side).hand;
   }  ///< pose and Jacobian of the hand
+  /// @pre configured
   Capsule<Scalar> blade_W(Side side) const;
   const BodyShape<Scalar>& body_W(Side side) const { return at(side).target.shape(); }
 
@@ -160,10 +165,21 @@ class Duel {
     BodyId blade;
   };
 
+  /// What a fencer's data come to, before anything is changed.
+  struct Seat {
+    FencerGrid<Scalar> grid;
+    WeaponBody<Scalar> weapon;
+    Pose<Scalar> X_WF;
+    KeyedPose<Scalar> hand;
+    Actor<DuelScene<Scalar>> blade;
+  };
+
   Place& at(Side side) { return places_[index_of(side)]; }
   const Place& at(Side side) const { return places_[index_of(side)]; }
-  Status seat(Side side, const Fencer<Scalar>& fencer);
-  Status arm(Place& place, const Fencer<Scalar>& fencer);
+  static Result<Seat> seat_for(const Fencer<Scalar>& fencer, const Pose<Scalar>& X_WF);
+  static Status arm(const Fencer<Scalar>& fencer, Seat& seat);
+  void take_place(Place& place, const Seat& seat, const FencerBuild<Scalar>& build);
+  const Actor<DuelScene<Scalar>>& blade_of(Side side) const;
   void move_hand(Side side, const InputSample* sample);
   void look_for_touches();
   TouchSearch<Scalar> touch_by(Side side);

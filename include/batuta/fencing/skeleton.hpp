@@ -47,6 +47,11 @@ struct Limb {
   Vec3<Scalar> bend_F = Vec3<Scalar>::Zero();  ///< direction of elbow or knee
 };
 
+/// No length or coordinate of a fencer is beyond this, m: so no sum of them overflows, whatever is
+/// reached for.
+template <class Scalar>
+inline constexpr Scalar kLargestReach = Scalar(1000);
+
 /// A body as data. Lengths in m.
 template <class Scalar>
 struct FencerBuild {
@@ -61,6 +66,12 @@ struct FencerBuild {
   Vec3<Scalar> stride_F = Vec3<Scalar>::Zero();       ///< of the front foot in a full lunge
   Scalar lunge_lean = 0;  ///< of the torso in a full lunge, forward, rad, |lean| <= 1
 };
+
+/// @returns kOk | kInvalidArgument: not finite or beyond kLargestReach, a capsule that is not valid,
+/// a bone of a limb without length, a bend of zero, lunge_hand_x <= guard_hand_x, or |lunge_lean| > 1
+/// Bound: kBodyParts bones.
+template <class Scalar>
+Status validate(const FencerBuild<Scalar>& build);
 
 /// A body at one instant, in W.
 template <class Scalar>
@@ -90,7 +101,7 @@ template <class Scalar>
 Scalar lunge_share(const FencerBuild<Scalar>& build, Scalar hand_x_F);
 
 /// The whole body for a hand pose (H: x along the blade).
-/// @pre finite poses
+/// @pre `build` as validate() asks for; both poses finite, no position beyond 2 kLargestReach
 /// Bound: one forward pass over kBodyParts bones.
 template <class Scalar>
 BodyShape<Scalar> pose_body(const FencerBuild<Scalar>& build, const Pose<Scalar>& X_WF,

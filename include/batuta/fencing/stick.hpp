@@ -30,7 +30,8 @@ enum class SampleUse : std::uint8_t {
   kUsed,      ///< the stick is on its way to it
   kRestart,   ///< the same, but its time says nothing: it is the first one, or the first after a
               ///< silence
-  kRepeated,  ///< the time stamp of the last one: the goal is corrected, the timing stays
+  kRepeated,  ///< the time stamp of the last one: goal and buttons are corrected, the timing stays;
+              ///< refused while the stick is stale: an old stamp is no sign of life
   kBackward,  ///< refused: older than the last one
   kInvalid,   ///< refused: a coordinate is not finite
 };
@@ -57,14 +58,16 @@ class StickTracker {
   /// Starts anew: at the centre, still, stale. @returns kOk | kInvalidArgument (nothing changed)
   Status configure(const StickSettings& settings);
 
-  /// A sample of the device. A refused one changes nothing but a count.
+  /// A sample of the device. A refused one changes nothing but a count, and counts as arrived: its
+  /// sequence number is not taken for lost.
   SampleUse accept(const InputSample& sample);
 
   /// Moves on by one step. @pre dt > 0 and finite, s
   void advance(Scalar dt);
 
   const Vec2<Scalar>& position() const { return position_; }
-  /// Mean velocity over the last step, 1/s; zero after the stick has arrived and while it is stale.
+  /// Mean velocity over the last step, 1/s; zero after the stick has arrived and while it is stale:
+  /// a stick that becomes stale stops where it is.
   const Vec2<Scalar>& velocity() const { return velocity_; }
   bool is_stale() const { return stale_; }
   std::uint32_t buttons() const { return last_.buttons; }
@@ -72,12 +75,12 @@ class StickTracker {
 
  private:
   SampleUse judge(const InputSample& sample) const;
-  std::uint32_t gap_before(const InputSample& sample) const;
+  void follow(const InputSample& sample);
   void aim(const InputSample& sample, Scalar duration);
 
   StickSettings settings_;
   StickReport report_;
-  InputSample last_;  ///< the last one used
+  InputSample last_;  ///< the last one used; its sequence number: the last one that came
   Vec2<Scalar> position_ = Vec2<Scalar>::Zero();
   Vec2<Scalar> goal_ = Vec2<Scalar>::Zero();
   Vec2<Scalar> velocity_ = Vec2<Scalar>::Zero();

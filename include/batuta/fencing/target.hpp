@@ -21,7 +21,9 @@ constexpr PartMask mask_of(BodyPart part) {
   return PartMask{1} << static_cast<unsigned>(part);
 }
 
-/// The first touch of a blade, and how far the answer reaches.
+/// The first touch of a blade, and how far the answer reaches. A blade whose way of a step is
+/// searched in one piece although a hold kept it still for a part of that time is where it is said
+/// to be to within the hold: times are then known to StepReport::time_held.
 template <class Scalar>
 struct TouchSearch {
   bool found = false;
@@ -35,6 +37,8 @@ struct TouchSearch {
   Scalar known_until = 0;
   bool complete = false;       ///< known_until is the end of the motion
   std::uint16_t searches = 0;  ///< parts that the hierarchy could not rule out
+  std::uint16_t budget_outs = 0;       ///< of these, ended without an answer: Outcome::kBudget
+  std::uint16_t searches_invalid = 0;  ///< of these, could not be asked: Outcome::kInvalid
   std::uint32_t evaluations = 0;
 
   bool certain() const { return found ? known_until >= t_free : complete; }

@@ -32,7 +32,8 @@ struct WeaponBody {
   Capsule<Scalar> blade_B;
 };
 
-/// @returns kOk | kInvalidArgument (a part's mass or shape is out of range)
+/// @returns kOk | kInvalidArgument (a part's mass or shape, or the restitution, is out of
+/// range)
 /// Bound: kParts parts.
 template <class Scalar>
 Result<WeaponBody<Scalar>> weapon_body(const Weapon<Scalar>& weapon);

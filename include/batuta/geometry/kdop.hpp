@@ -25,8 +25,9 @@ struct Kdop {
  private:
   static constexpr std::array<Scalar, kDirections> filled(Scalar x) {
     std::array<Scalar, kDirections> values{};
-    for (int i = 0; i < kDirections; ++i)
-      values[static_cast<std::size_t>(i)] = x;  // Bound: kDirections
+    for (int i = 0; i < kDirections; ++i) {  // Bound: K / 2
+      values[static_cast<std::size_t>(i)] = x;
+    }
     return values;
   }
 };

@@ -10,6 +10,9 @@ namespace batuta {
 /// A time stamp, us, modulo 2^32. Only differences have a meaning.
 using Microseconds = std::uint32_t;
 
+template <class Scalar>
+inline constexpr Scalar kSecondsPerUs = Scalar(1e-6);
+
 /// Signed time from `from` to `to`, us, correct across the wrap if they are less than 2^31 us (35.8
 /// min) apart.
 constexpr std::int32_t elapsed_us(Microseconds from, Microseconds to) {

@@ -19,14 +19,14 @@ struct Proxy {
   Aabb<Scalar> swept_W;     ///< holds the body over the time in question
   std::uint16_t owner = 0;  ///< bodies of one owner other than 0 never meet
   bool present = false;     ///< the slot holds a body
-  bool immovable = false;   ///< inverse mass and inertia are zero: a pair of two such has no answer
+  bool is_wall = false;     ///< it is still and nothing can push it: walls may stand in each other
 };
 
 /// Whether a contact of the two would have to be found.
 template <class Scalar>
 bool may_meet(const Proxy<Scalar>& P, const Proxy<Scalar>& Q) {
   const bool same_owner = P.owner != 0 && P.owner == Q.owner;
-  return P.present && Q.present && !same_owner && !(P.immovable && Q.immovable) &&
+  return P.present && Q.present && !same_owner && !(P.is_wall && Q.is_wall) &&
          overlaps(P.swept_W, Q.swept_W);
 }
 

@@ -46,12 +46,20 @@ struct FreeFlight {
   void on_step_end(const Body<Scalar>& body, Scalar dt);
 };
 
-/// A body that a hand carries to `target_W` by the end of the step, whatever it weighs; after a
-/// contact it starts again from where it was put, and may then arrive an eighth of a step late.
+/// A course towards a place is aimed at least this share of a step ahead: a body that was pushed
+/// aside late in the step comes late rather than fast, and its velocity is a difference over a time
+/// in which rounding does not show.
+template <class Scalar>
+inline constexpr Scalar kLeastHorizon = Scalar(0.125);
+
+/// A body that a hand carries to `target_W` by the end of the step, whatever it weighs. A blow
+/// takes it out of the hand for the rest of the step; in the next one the hand fetches it, at
+/// whatever speed that takes. A hand of limited strength is Grip (fencing/grip.hpp).
 template <class Scalar>
 struct Hand {
   Pose<Scalar> target_W;  ///< of the body's frame at the end of the coming step
   Scalar step = 0;        ///< length of that step, s, > 0
+  bool struck = false;    ///< a blow came in this step
 
   Course<Scalar> course(const Body<Scalar>& body, Scalar t, Scalar duration) const;
   void on_contact(const Body<Scalar>& body, const Feedback<Scalar>& feedback);

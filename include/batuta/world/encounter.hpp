@@ -36,10 +36,10 @@ struct EncounterAnswer {
   Separation<Scalar> separation;  ///< shifts done; duration 0 if not separated
 };
 
-/// Colliding: both momenta get the impulse [Kavan §4.1], and the gap is opened to `margin` so that
-/// rounding does not take the parting bodies for touching ones. Resting, and everything that is not
-/// colliding but in contact: both positions are separated to D [Kavan §4.2]. Colliding while
-/// overlapping: both.
+/// Colliding: both momenta get the impulse [Kavan §4.1]. Resting: both positions are separated to D
+/// [Kavan §4.2]. Receding: nothing. Overlapping by more than `margin`, of whatever kind: separated
+/// as well. Otherwise the gap is opened to `margin` at no charge, so that rounding does not take
+/// parting bodies for touching ones.
 /// @returns kOk | kInvalidArgument (options or contact out of range); then the bodies are unchanged
 /// Bound: no loop.
 template <class Scalar>

@@ -33,28 +33,33 @@ struct ContactEvent {
 template <class Scalar>
 struct StepReport {
   std::uint32_t evaluations = 0;  ///< distance evaluations of all searches
-  std::uint16_t pairs = 0;        ///< pairs searched, summed over the rounds of the step
-  std::uint16_t collisions = 0;   ///< colliding contacts, answered by an impulse
-  std::uint16_t separations = 0;  ///< resting and touching contacts, answered by separation
-  std::uint16_t overlaps_at_start =
-      0;  ///< of these, pairs that overlapped when a search began; 0 but for rounding
+  std::uint32_t pairs = 0;        ///< pairs searched, summed over the rounds of the step
+  std::uint32_t collisions = 0;   ///< colliding contacts, answered by an impulse
+  std::uint32_t separations = 0;  ///< resting and overlapping contacts, answered by separation
+  std::uint32_t blocked =
+      0;  ///< contacts of two bodies that nothing can push: both held for the rest of the step
+  /// Pairs that overlapped when a search began: by rounding; by a touch shallower than epsilon / 2
+  /// that the search passed over (src/detection/stepping.md); or because the caller put them there.
+  std::uint32_t overlaps_at_start = 0;
   Scalar deepest_overlap = 0;  ///< of these, m
   // What did not fit; the bodies concerned were held where they were proven free. All zero in a
   // healthy scene.
-  std::uint16_t pairs_dropped = 0;     ///< beyond kMaxPairs
-  std::uint16_t contacts_dropped = 0;  ///< beyond kMaxContacts
-  std::uint16_t searches_cut = 0;      ///< the search ran out of its budget
-  std::uint16_t searches_invalid = 0;  ///< the search could not be asked (see Outcome::kInvalid)
-  std::uint16_t courses_invalid = 0;   ///< a driver's course was not finite or turned too far
-  std::uint16_t events_dropped = 0;    ///< beyond kMaxEvents: not recorded, but answered
-  std::uint16_t contacts_untracked =
+  std::uint32_t pairs_dropped = 0;     ///< beyond kMaxPairs
+  std::uint32_t contacts_dropped = 0;  ///< beyond kMaxContacts
+  std::uint32_t searches_cut = 0;      ///< the search ran out of its budget
+  std::uint32_t searches_invalid = 0;  ///< the search could not be asked (see Outcome::kInvalid)
+  std::uint32_t answers_invalid = 0;   ///< the contact could not be answered: its numbers overflow
+  std::uint32_t courses_invalid =
+      0;  ///< a body or its driver's course was not finite, or turned too far
+  std::uint32_t events_dropped = 0;  ///< beyond kMaxEvents: not recorded, but answered
+  std::uint32_t contacts_untracked =
       0;                 ///< beyond the pairs that can be followed: no persist and end events
   Scalar time_held = 0;  ///< longest time for which a body was held in the step, s
 
   bool complete() const {
     return pairs_dropped == 0 && contacts_dropped == 0 && searches_cut == 0 &&
-           searches_invalid == 0 && courses_invalid == 0 && events_dropped == 0 &&
-           contacts_untracked == 0;
+           searches_invalid == 0 && answers_invalid == 0 && courses_invalid == 0 &&
+           events_dropped == 0 && contacts_untracked == 0;
   }
 };
 

@@ -12,7 +12,9 @@
 
 namespace batuta {
 
-/// A body in a world, as the caller describes it and may read or change it between steps.
+/// A body in a world, as the caller describes it and may read or change it between steps. What
+/// becomes unusable (not finite) is left out of the steps, and counted in
+/// StepReport::courses_invalid.
 template <class SceneT>
 struct Actor {
   using Scalar = typename SceneT::Scalar;
@@ -56,8 +58,11 @@ class World {
   /// @returns kOk with the id | kPoolFull | kInvalidArgument (not finite, negative radius, C
   /// outside [0, 1])
   Result<BodyId> add(const ActorType& actor) {
-    if (!is_addable(actor)) return failure<BodyId>(Status::kInvalidArgument);
-    return actors_.make(actor);
+    if (!is_usable(actor)) return failure<BodyId>(Status::kInvalidArgument);
+    ActorType added = actor;
+    added.body.X_WB.q_WB = renewed(actor.body.X_WB.q_WB);
+    added.body.spin_shows = !hides_spin(actor.body, actor.capsule_B);
+    return actors_.make(added);
   }
 
   /// Takes a body out; its contacts end without an event. @returns kOk | kStaleHandle
@@ -96,16 +101,10 @@ class World {
     Vec3<Scalar> origin_W = Vec3<Scalar>::Zero();
     Scalar scale = 0;  ///< S of the pair, m
   };
-  /// A pair in contact, followed from its begin to its end event.
-  struct Touch {
-    BodyPair pair;
-    bool seen = false;  ///< answered in this step
-    ContactEvent<Scalar> last;
-  };
-
-  static bool is_addable(const ActorType& actor);
+  static bool is_usable(const ActorType& actor);
   ActorType& actor_at(std::size_t slot) { return *actors_.at_index(slot); }
   bool is_present(std::size_t slot) const { return actors_.at_index(slot) != nullptr; }
+  bool takes_part(std::size_t slot) const { return proxies_[slot].present; }
   bool is_held(std::size_t slot) const { return tracks_[slot].held_until > now_; }
   MovingCapsule<Scalar> moving(std::size_t slot) {
     return {actor_at(slot).capsule_B, tracks_[slot].course.motion};
@@ -116,7 +115,6 @@ class World {
   Scalar end_of_round() const;
   void plan(Scalar until);
   void plan_course(std::size_t slot, Scalar duration);
-  void show_spin(std::size_t slot);
   void find_pairs();
   Hit first_hit();
   Hit search(BodyPair pair);
@@ -125,6 +123,8 @@ class World {
   void hold_pair(BodyPair pair, Scalar until);
   void answer(const Hit& hit);
   void answer_contact_of(const Hit& hit);
+  bool is_blocked(const Hit& hit);
+  void block(const Hit& hit, const Contact<Scalar>& contact);
   EncounterOptions<Scalar> options_for(const Hit& hit);
   Party<Scalar> party(std::size_t slot, std::size_t other);
   Scalar room_of(std::size_t slot, std::size_t other);
@@ -136,6 +136,7 @@ class World {
   void push(const ContactEvent<Scalar>& event);
   void end_step();
   void end_touches();
+  bool has_opened(BodyPair pair, CapsuleGap<Scalar>& gap);
   Capsule<Scalar> shape_W(std::size_t slot) {
     return to_world(actor_at(slot).body.X_WB, actor_at(slot).capsule_B);
   }
@@ -145,7 +146,7 @@ class World {
   std::array<Track, kSlots> tracks_{};
   std::array<Proxy<Scalar>, kSlots> proxies_{};
   FixedList<BodyPair, SceneT::kMaxPairs> pairs_;
-  FixedList<Touch, SceneT::kMaxPairs> touches_;
+  FixedList<BodyPair, SceneT::kMaxPairs> touching_;  ///< between their begin and end events
   EventList events_;
   StepReport<Scalar> report_;
   Scalar now_ = 0;  ///< in the step, s

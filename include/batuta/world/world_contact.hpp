@@ -13,9 +13,8 @@ Status World<SceneT>::remove(BodyId id) {
   const auto slot = static_cast<std::uint16_t>(id.index1 - 1);
   const Status status = actors_.remove(id);
   if (status != Status::kOk) return status;
-  for (int i = touches_.size() - 1; i >= 0; --i) {  // Bound: kMaxPairs
-    if (touches_[i].pair.first == slot || touches_[i].pair.second == slot)
-      touches_.remove_swapping(i);
+  for (int i = touching_.size() - 1; i >= 0; --i) {  // Bound: kMaxPairs
+    if (touching_[i].first == slot || touching_[i].second == slot) touching_.remove_swapping(i);
   }
   return Status::kOk;
 }
@@ -45,10 +44,15 @@ void World<SceneT>::answer_contact_of(const Hit& hit) {
   const std::size_t a = hit.pair.first;
   const std::size_t b = hit.pair.second;
   const Contact<Scalar> contact = contact_from(hit.search.witness, hit.origin_W);
+  if (is_blocked(hit)) return block(hit, contact);
 
+  const std::array<Momentum<Scalar>, 2> before = {actor_at(a).body.momentum,
+                                                  actor_at(b).body.momentum};
   const auto answer = answer_contact(party(a, b), party(b, a), contact, options_for(hit));
   if (!answer.ok()) {
-    ++report_.searches_invalid;
+    actor_at(a).body.momentum = before[0];
+    actor_at(b).body.momentum = before[1];
+    ++report_.answers_invalid;
     hold_pair(hit.pair, dt_);
     return;
   }
@@ -56,6 +60,22 @@ void World<SceneT>::answer_contact_of(const Hit& hit) {
   tell_driver(a, answer.value, answer.value.separation.shift_A_W);
   tell_driver(b, answer.value, answer.value.separation.shift_B_W);
   record(hit, contact, answer.value);
+}
+
+/// Neither body can be pushed, and at least one is moved into the other.
+template <class SceneT>
+bool World<SceneT>::is_blocked(const Hit& hit) {
+  return is_fixed(actor_at(hit.pair.first).body) && is_fixed(actor_at(hit.pair.second).body);
+}
+
+template <class SceneT>
+void World<SceneT>::block(const Hit& hit, const Contact<Scalar>& contact) {
+  EncounterAnswer<Scalar> answer;
+  answer.v_rel = hit.search.gap_rate;
+  answer.kind = classify(answer.v_rel, settings_.rest_speed);
+  ++report_.blocked;
+  hold_pair(hit.pair, dt_);
+  record(hit, contact, answer);
 }
 
 template <class SceneT>
@@ -129,14 +149,10 @@ void World<SceneT>::record(const Hit& hit, const Contact<Scalar>& contact,
 /// Notes that the pair is in contact; whether it was already.
 template <class SceneT>
 EventKind World<SceneT>::follow(const ContactEvent<Scalar>& event) {
-  for (int i = 0; i < touches_.size(); ++i) {  // Bound: kMaxPairs
-    Touch& touch = touches_[i];
-    if (touch.pair.first != event.body_A || touch.pair.second != event.body_B) continue;
-    touch.seen = true;
-    touch.last = event;
-    return EventKind::kPersist;
+  for (const BodyPair pair : touching_) {  // Bound: kMaxPairs
+    if (pair.first == event.body_A && pair.second == event.body_B) return EventKind::kPersist;
   }
-  if (!touches_.push({{event.body_A, event.body_B}, true, event})) ++report_.contacts_untracked;
+  if (!touching_.push({event.body_A, event.body_B})) ++report_.contacts_untracked;
   return EventKind::kBegin;
 }
 
@@ -145,24 +161,30 @@ void World<SceneT>::push(const ContactEvent<Scalar>& event) {
   if (!events_.push(event)) ++report_.events_dropped;
 }
 
-/// Contacts that were not answered in this step and have opened beyond 2 D end with it.
+/// Whether the pair has parted by more than 2 D, and its gap.
+template <class SceneT>
+bool World<SceneT>::has_opened(BodyPair pair, CapsuleGap<Scalar>& gap) {
+  gap = capsule_gap(shape_W(pair.first), shape_W(pair.second));
+  return gap.gap > Scalar(2) * settings_.separation;
+}
+
+/// Contacts that have opened by the end of the step end with it, also those that began in it.
 template <class SceneT>
 void World<SceneT>::end_touches() {
-  for (int i = touches_.size() - 1; i >= 0; --i) {  // Bound: kMaxPairs
-    const Touch& touch = touches_[i];
-    if (touch.seen) continue;
-    const auto gap = capsule_gap(shape_W(touch.pair.first), shape_W(touch.pair.second));
-    if (gap.gap <= Scalar(2) * settings_.separation) continue;
-    ContactEvent<Scalar> event = touch.last;
+  CapsuleGap<Scalar> gap;
+  for (int i = touching_.size() - 1; i >= 0; --i) {  // Bound: kMaxPairs
+    if (!has_opened(touching_[i], gap)) continue;
+    ContactEvent<Scalar> event;
     event.kind = EventKind::kEnd;
+    event.contact_kind = ContactKind::kReceding;
+    event.body_A = touching_[i].first;
+    event.body_B = touching_[i].second;
     event.time = dt_;
     event.contact = contact_from(gap, Vec3<Scalar>::Zero().eval());
-    event.v_rel = 0;
-    event.impulse = 0;
     event.place_A = gap.axes.s;
     event.place_B = gap.axes.u;
     push(event);
-    touches_.remove_swapping(i);
+    touching_.remove_swapping(i);
   }
 }
 

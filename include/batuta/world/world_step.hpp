@@ -8,7 +8,7 @@
 namespace batuta {
 
 template <class SceneT>
-bool World<SceneT>::is_addable(const ActorType& actor) {
+bool World<SceneT>::is_usable(const ActorType& actor) {
   return is_valid(actor.capsule_B) && is_finite(actor.body.X_WB.p_W) &&
          is_finite(actor.body.X_WB.q_WB) && is_finite(actor.body.momentum.p_W) &&
          is_finite(actor.body.momentum.b_W) && is_finite(actor.body.inverse_mass) &&
@@ -34,8 +34,7 @@ void World<SceneT>::begin_step(Scalar dt) {
   now_ = 0;
   dt_ = dt;
   contacts_answered_ = 0;
-  for (Track& track : tracks_) track.held_until = 0;                   // Bound: kMaxBodies
-  for (int i = 0; i < touches_.size(); ++i) touches_[i].seen = false;  // Bound: kMaxPairs
+  for (Track& track : tracks_) track.held_until = 0;  // Bound: kMaxBodies
 }
 
 template <class SceneT>
@@ -67,12 +66,18 @@ typename World<SceneT>::Scalar World<SceneT>::end_of_round() const {
 template <class SceneT>
 void World<SceneT>::plan(Scalar until) {
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    proxies_[slot].present = is_present(slot);
-    if (!proxies_[slot].present) continue;
+    Proxy<Scalar>& proxy = proxies_[slot];
+    proxy.present = is_present(slot) && is_usable(actor_at(slot));
+    if (!proxy.present) {
+      if (is_present(slot)) ++report_.courses_invalid;
+      continue;
+    }
     plan_course(slot, until - now_);
-    proxies_[slot].swept_W = swept_aabb(moving(slot));
-    proxies_[slot].owner = actor_at(slot).owner;
-    proxies_[slot].immovable = is_fixed(actor_at(slot).body);
+    const Twist<Scalar>& twist = tracks_[slot].course.motion.twist;
+    const bool still = twist.v_W == Vec3<Scalar>::Zero() && twist.w_W == Vec3<Scalar>::Zero();
+    proxy.swept_W = swept_aabb(moving(slot));
+    proxy.owner = actor_at(slot).owner;
+    proxy.is_wall = still && is_fixed(actor_at(slot).body);
   }
 }
 
@@ -82,22 +87,11 @@ void World<SceneT>::plan_course(std::size_t slot, Scalar duration) {
   Track& track = tracks_[slot];
   if (!is_held(slot)) {
     track.course = actor.driver.course(actor.body, now_, duration);
-    show_spin(slot);
     if (is_valid(track.course.motion)) return;
     ++report_.courses_invalid;
     hold(slot, dt_);
   }
   track.course.motion = still(actor.body.X_WB, duration);
-}
-
-/// Free flight leaves out spin about the axis of an axisymmetric body. A capsule off that axis
-/// shows it.
-template <class SceneT>
-void World<SceneT>::show_spin(std::size_t slot) {
-  const ActorType& actor = actor_at(slot);
-  Course<Scalar>& course = tracks_[slot].course;
-  if (!course.by_momentum || hides_spin(actor.body, actor.capsule_B)) return;
-  course.motion.twist.w_W = twist_of(actor.body).w_W;
 }
 
 /// Between two held bodies nothing changes before one of them is released: such a pair waits.
@@ -142,7 +136,7 @@ typename World<SceneT>::Hit World<SceneT>::search(BodyPair pair) {
 template <class SceneT>
 void World<SceneT>::advance(Scalar duration) {
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    if (is_present(slot)) actor_at(slot).body.X_WB = pose_at(tracks_[slot].course.motion, duration);
+    if (takes_part(slot)) actor_at(slot).body.X_WB = pose_at(tracks_[slot].course.motion, duration);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <memory>
 #include <utility>
 
 namespace batuta::host {
@@ -40,16 +41,16 @@ class QuietStandardError {
 
 std::optional<Description> Description::parse(const std::string& text) {
   std::string copy = text;  // fmemopen wants it writable
-  std::FILE* file = copy.empty() ? nullptr : fmemopen(copy.data(), copy.size(), "r");
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
+      copy.empty() ? nullptr : fmemopen(copy.data(), copy.size(), "r"), &std::fclose);
   if (file == nullptr) return std::nullopt;
   Description description;
   description.device_ = evemu_new(nullptr);
   int read = 0;
   if (description.device_ != nullptr) {
     const QuietStandardError quiet;
-    read = evemu_read(description.device_, file);
+    read = evemu_read(description.device_, file.get());
   }
-  (void)std::fclose(file);
   if (read <= 0) return std::nullopt;
   return description;
 }

@@ -56,7 +56,7 @@ void BoutLog::on_end(const DuelRunner& runner) {
   std::fprintf(out_, "%9.3f s  halt    %s%s\n", runner.now(), result_of(runner),
                won ? " wins" : "");
   std::fprintf(out_, "\nbeats %u; contacts begun %u, kept %u, ended %u; blows %u, rests %u\n",
-               tally.beats, tally.begins, tally.persists, tally.ends, report.beats, report.rests);
+               tally.beats, tally.begins, tally.persists, tally.ends, report.blows, report.rests);
   std::fprintf(out_, "smallest gap between the blades %.4f mm, deepest overlap %.4f mm\n",
                1e3 * static_cast<double>(tally.smallest_gap),
                1e3 * static_cast<double>(tally.deepest_overlap));
@@ -83,13 +83,17 @@ void BoutLog::print_device(const DuelRunner& runner, Side side) {
 void BoutLog::print_holds(const DuelRunner& runner) {
   const DuelReport& report = runner.duel().report();
   const Tally& tally = runner.tally();
-  if (report.incomplete_steps + report.budget_outs + tally.events_dropped == 0) return;
+  if (report.incomplete_steps + report.budget_outs + report.searches_invalid +
+          tally.events_dropped ==
+      0) {
+    return;
+  }
   std::fprintf(
       out_,
       "note   steps in which a blade was held %u (longest %.6f s): contacts beyond the limit %u, "
-      "searches out of budget %u; events not recorded %u\n",
+      "searches out of budget %u, searches that could not be asked %u; events not recorded %u\n",
       report.incomplete_steps, static_cast<double>(tally.longest_hold), tally.contacts_dropped,
-      report.budget_outs, tally.events_dropped);
+      report.budget_outs, report.searches_invalid, tally.events_dropped);
 }
 
 }  // namespace batuta::host

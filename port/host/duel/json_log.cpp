@@ -36,7 +36,7 @@ void add_result(JsonLine& line, const DuelRunner& runner) {
       .count("steps", runner.duel().steps())
       .number("simulated_seconds", runner.now());
   const auto& touches = runner.duel().bout().touches;
-  if (touches.size() == 0) return;
+  if (touches.empty()) return;
   line.text("touch_by", batuta::host::name_of(touches[0].by))
       .text("touch_part", batuta::name_of(touches[0].part))
       .number("touch_time", time_of(runner, touches[0]))
@@ -47,7 +47,7 @@ void add_contacts(JsonLine& line, const DuelRunner& runner) {
   const DuelReport& report = runner.duel().report();
   const Tally& tally = runner.tally();
   line.count("beats", tally.beats)
-      .count("blows", report.beats)
+      .count("blows", report.blows)
       .count("rests", report.rests)
       .count("begin", tally.begins)
       .count("persist", tally.persists)
@@ -59,6 +59,7 @@ void add_contacts(JsonLine& line, const DuelRunner& runner) {
       .count("events_not_recorded", tally.events_dropped)
       .count("contacts_not_answered", tally.contacts_dropped)
       .count("budget_outs", report.budget_outs)
+      .count("searches_invalid", report.searches_invalid)
       .count("evaluations", report.evaluations);
 }
 

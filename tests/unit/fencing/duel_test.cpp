@@ -79,7 +79,7 @@ TYPED_TEST(DuelOf, BothOnGuard_NothingHappens) {
   this->run(guard, guard, 2000);
   EXPECT_EQ(this->bout().state, BoutState::kFencing);
   EXPECT_EQ(this->duel->steps(), 2000U);
-  EXPECT_EQ(this->duel->report().beats, 0U);
+  EXPECT_EQ(this->duel->report().blows, 0U);
   EXPECT_EQ(this->duel->report().incomplete_steps, 0U);
 }
 
@@ -147,7 +147,7 @@ TYPED_TEST(DuelOf, Parry_BeatsTheEngagedBladeOutOfTheHand) {
     ASSERT_EQ(this->duel->step(k % 10 == 0 ? &s : nullptr, nullptr), Status::kOk);
     lost = lost || this->duel->grip(Side::kRight).phase() == GripPhase::kRegaining;
   }
-  EXPECT_GT(this->duel->report().beats, 0U);
+  EXPECT_GT(this->duel->report().blows, 0U);
   EXPECT_TRUE(lost);
   EXPECT_EQ(this->duel->report().incomplete_steps, 0U);
 }
@@ -158,7 +158,7 @@ TYPED_TEST(DuelOf, LongPhrase_BladesStayApart) {
   this->run(sway, counter_sway, 60000);
   EXPECT_EQ(this->duel->steps(), 60000U);
   EXPECT_GT(this->least_gap, -1e-5);
-  EXPECT_GT(this->duel->report().beats, 50U);
+  EXPECT_GT(this->duel->report().blows, 50U);
   EXPECT_LE(this->duel->report().incomplete_steps,
             6U);  // 1 in 10000: blades that lean bounce ever faster to rest
   EXPECT_EQ(this->duel->report().budget_outs, 0U);
@@ -167,7 +167,7 @@ TYPED_TEST(DuelOf, LongPhrase_BladesStayApart) {
 TYPED_TEST(DuelOf, SticksThrownFromRimToRim_BladesStayApart) {
   this->run(hacking, counter_sway, 20000);
   EXPECT_GT(this->least_gap, -1e-5);
-  EXPECT_GT(this->duel->report().beats, 20U);
+  EXPECT_GT(this->duel->report().blows, 20U);
   EXPECT_EQ(this->duel->report().budget_outs, 0U);
 }
 

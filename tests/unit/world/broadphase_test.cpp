@@ -47,11 +47,11 @@ TEST(Broadphase, OneOwner_NeverMeets_ButZeroIsNobody) {
   EXPECT_EQ(pairs_of(row).size(), 1U);
 }
 
-TEST(Broadphase, TwoImmovable_NeverMeet) {
+TEST(Broadphase, TwoWalls_NeverMeet) {
   std::array<Proxy<float>, 2> row = {box_at(0), box_at(0)};
-  row[0].immovable = true;
+  row[0].is_wall = true;
   EXPECT_EQ(pairs_of(row).size(), 1U);
-  row[1].immovable = true;
+  row[1].is_wall = true;
   EXPECT_TRUE(pairs_of(row).empty());
 }
 

@@ -78,6 +78,20 @@ TEST(Encounter, CollidingWhileOverlapping_GetsBoth) {
   EXPECT_NEAR(pair.A.X_WB.p_W.x() - pair.B.X_WB.p_W.x(), 1 + 2e-3, 1e-14);
 }
 
+TEST(Encounter, Receding_IsLeftAloneButForRounding) {
+  Pair pair;
+  pair.A.momentum.p_W = {2, 0, 0};
+  pair.contact.gap = -1e-12;
+  const auto answer = pair.answer();
+  ASSERT_TRUE(answer.ok());
+  EXPECT_EQ(answer.value.kind, ContactKind::kReceding);
+  EXPECT_FALSE(answer.value.separated);
+  EXPECT_EQ(answer.value.separation.duration, 0);
+  EXPECT_EQ(answer.value.impulse, 0);
+  EXPECT_EQ(pair.A.momentum.p_W.x(), 2);
+  EXPECT_NEAR(pair.A.X_WB.p_W.x() - pair.B.X_WB.p_W.x() - 1, 1e-9, 1e-11);
+}
+
 TEST(Encounter, FixedSide_IsNeitherPushedNorMoved) {
   Pair pair;
   pair.B.inverse_mass = 0;
