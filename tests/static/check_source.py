@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Rules of the source text that no compiler checks: arrows between rooms, words that the core does
-without, and the list of deviations. Usage: check_source.py arrows|words|deviations FOLDER; prints one line a finding."""
+without, bounds of loops, and the list of deviations. Usage: check_source.py arrows|words|bounds|deviations FOLDER; prints one line a finding."""
 
 import pathlib
 import re
@@ -137,6 +137,69 @@ def check_words(root):
     return findings
 
 
+LOOP = re.compile(r"\b(?:for|while)\s*\((?!\s*false\s*\))")
+NOT_A_FUNCTION = re.compile(r"\b(?:namespace|class|struct|union|enum|extern)\b[^()]*$")
+
+
+def without_preprocessor(code):
+    """The code without directives, with its lines kept; what a macro expands to is looked at where it is written
+    out."""
+    return re.sub(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", lambda m: re.sub(r"[^\n]", " ", m.group(0)), code, flags=re.M)
+
+
+def function_starts(code):
+    """For each line the line on which the outermost function around it begins, or None; counted from 0."""
+    starts = []
+    open_braces = []  # the first line of the function that a brace opens, or None for other scopes
+    head = ""
+    head_line = None
+    for number, line in enumerate(code.splitlines()):
+        for character in line:
+            if character == "{":
+                open_braces.append(None if NOT_A_FUNCTION.search(head) else head_line)
+            elif character == "}" and open_braces:
+                open_braces.pop()
+            if character in "{};":
+                head, head_line = "", None
+                continue
+            if not character.isspace() and head_line is None:
+                head_line = number
+            head += character
+        head += " "
+        if re.fullmatch(r"\s*(?:public|private|protected):\s*", head):
+            head, head_line = "", None
+        starts.append(next((start for start in open_braces if start is not None), None))
+    return starts
+
+
+def comment_above(lines, number):
+    """The block of comment lines that ends directly above a line."""
+    block = []
+    for line in reversed(lines[:number]):
+        if not line.lstrip().startswith("//"):
+            break
+        block.append(line)
+    return "\n".join(block)
+
+
+def check_bounds(root):
+    """Every loop has its bound beside it, directly above it, or in the comment of its function."""
+    findings = []
+    for path in sources(root / "include") + sources(root / "src"):
+        lines = path.read_text().splitlines()
+        code = without_preprocessor(code_only(path.read_text()))
+        starts = function_starts(code)
+        for number, line in enumerate(code.splitlines()):
+            if not LOOP.search(line):
+                continue
+            named = lines[number] + comment_above(lines, number)
+            if starts[number] is not None:
+                named += comment_above(lines, starts[number])
+            if "Bound" not in named:
+                findings.append(f"{path.relative_to(root)}:{number + 1}: a loop without its bound (\"// Bound: ...\")")
+    return findings
+
+
 def check_deviations(root):
     listed_in = root / "tests" / "static" / "DEVIATIONS.md"
     listed = set(re.findall(r"^\| `([\w-]+)` \|", listed_in.read_text(), re.M)) if listed_in.is_file() else set()
@@ -155,7 +218,7 @@ def check_deviations(root):
     return findings
 
 
-CHECKS = {"arrows": check_arrows, "words": check_words, "deviations": check_deviations}
+CHECKS = {"arrows": check_arrows, "words": check_words, "bounds": check_bounds, "deviations": check_deviations}
 
 
 def main(arguments):

@@ -102,6 +102,30 @@ class Words(Tree):
         self.assert_found(self.check(), "402 lines", "licence", "#pragma once", "preprocessor")
 
 
+class Bounds(Tree):
+    def check(self):
+        return check_source.check_bounds(self.root)
+
+    def test_bound_beside_above_or_in_the_docstring_is_fine(self):
+        self.put("include/batuta/core/a.hpp", "#pragma once\n#include <array>\n"
+                 "#define TRAP(x) \\\n  do { \\\n  } while (false)\n"
+                 "namespace n {\nstruct A {\n  int x{};\n public:\n  /// Sums. Bound: N terms.\n"
+                 "  template <class T>\n  T sum() const {\n    while (x > 0) --x;\n  }\n};\n"
+                 "void f() {\n  for (;;) {  // Bound: 3\n  }\n  // Bound: 4\n  while (g()) {\n  }\n"
+                 "  for_each(1);  // for (all)\n}\n}  // namespace n\n")
+        self.assert_found(self.check())
+
+    def test_loop_without_bound_is_found(self):
+        self.put("src/core/a.cpp", "namespace n {\n/// Bound: 3\nvoid f() { for (;;) {} }\nvoid g() {\n  for (;;) {\n  }\n"
+                 "  int i = 0;\n  while (i < 3) ++i;\n}\n}  // Bound: none\n")
+        self.assert_found(self.check(), "a.cpp:6", "a.cpp:9")
+
+    def test_bound_of_another_thing_does_not_count(self):
+        self.put("src/core/a.cpp", "/// Bound: 3\nstruct A {\n  void f() {\n    for (;;) {\n    }\n  }\n};\n"
+                 "/// Bound: 3\nint k = 0;\nvoid g() {\n  do {\n  } while (k > 0);\n}\n")
+        self.assert_found(self.check(), "a.cpp:5", "a.cpp:13")
+
+
 class Deviations(Tree):
     def check(self):
         return check_source.check_deviations(self.root)

@@ -47,6 +47,17 @@ TYPED_TEST(Types, IsFinite_FindsOneBadComponent) {
   EXPECT_FALSE(is_finite(q));
 }
 
+TYPED_TEST(Types, IsPositive_IsFiniteAndAboveZero) {
+  using Limits = std::numeric_limits<TypeParam>;
+  for (const TypeParam x : {TypeParam(1), Limits::max(), Limits::min(), Limits::denorm_min()}) {
+    EXPECT_TRUE(is_positive(x)) << x;
+  }
+  for (const TypeParam x : {TypeParam(0), TypeParam(-0.0), TypeParam(-1), Limits::lowest(),
+                            Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN()}) {
+    EXPECT_FALSE(is_positive(x)) << x;
+  }
+}
+
 TYPED_TEST(Types, MinMax_FirstWinsATie) {
   const TypeParam minus_zero = TypeParam(-0.0);
   EXPECT_TRUE(std::signbit(min_of(minus_zero, TypeParam(0))));

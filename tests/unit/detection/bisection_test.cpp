@@ -48,5 +48,16 @@ TYPED_TEST(BisectionOf, MoreThanAllowed_IsCut) {
   EXPECT_LE(bracket.evaluations, static_cast<std::uint32_t>(kMaxHalvings));
 }
 
+TYPED_TEST(BisectionOf, GapThatCannotBeTold_StopsAndIsNotValid) {
+  auto pair = this->pair_;
+  pair.B.v.x() = std::numeric_limits<TypeParam>::max();  // beyond kLargestCoordinate at 0.375 s
+  const auto bracket = bisect(pair, this->start_, 20);
+  EXPECT_FALSE(bracket.valid);
+  EXPECT_EQ(bracket.t_free, this->start_.t_free);
+  EXPECT_EQ(bracket.t_hit, this->start_.t_hit);
+  EXPECT_EQ(bracket.evaluations, 1U);
+  EXPECT_TRUE(bisect(this->pair_, this->start_, 20).valid);
+}
+
 }  // namespace
 }  // namespace batuta

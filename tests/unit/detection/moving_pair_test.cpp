@@ -129,5 +129,21 @@ TYPED_TEST(MovingPairOf, WhatMakesNoSense_IsInvalid) {
   EXPECT_FALSE(make_moving_pair(backwards, backwards).ok());
 }
 
+// Whatever is accepted can be measured.
+TYPED_TEST(MovingPairOf, ScaleBeyondTheLargestCoordinate_IsRefused) {
+  constexpr TypeParam kLargest = kLargestCoordinate<TypeParam>;
+  const auto A = moving<TypeParam>({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0.5});
+  auto B = A;
+  B.motion.X_WB.p_W.x() = kLargest / 2;
+  const auto pair = make_moving_pair(A, B);
+  ASSERT_TRUE(pair.ok());
+  EXPECT_EQ(gap_at(pair.value, TypeParam(1)).proximity, Proximity::kSeparated);
+  B.motion.X_WB.p_W.x() = kLargest * TypeParam(2.5);
+  EXPECT_EQ(make_moving_pair(A, B).status, Status::kInvalidArgument);
+  B = A;
+  B.motion.twist.v_W.y() = kLargest * TypeParam(2);
+  EXPECT_EQ(make_moving_pair(A, B).status, Status::kInvalidArgument);
+}
+
 }  // namespace
 }  // namespace batuta

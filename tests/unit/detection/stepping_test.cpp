@@ -130,7 +130,10 @@ TYPED_TEST(SteppingOf, BadOptions_AreInvalid) {
   const auto outcome = [&](auto change) {
     SteppingOptions<TypeParam> options;
     change(options);
-    return search_stepping(this->meeting_, options).outcome;
+    const auto found = search_stepping(this->meeting_, options).outcome;
+    const bool valid = found != Outcome::kInvalid;
+    EXPECT_EQ(validate(options), valid ? Status::kOk : Status::kInvalidArgument);
+    return found;
   };
   using Options = SteppingOptions<TypeParam>;
   constexpr TypeParam kNan = std::numeric_limits<TypeParam>::quiet_NaN();
@@ -152,6 +155,20 @@ TYPED_TEST(SteppingOf, BadPair_IsInvalid) {
   pair = this->meeting_;
   pair.scale = std::numeric_limits<TypeParam>::quiet_NaN();
   EXPECT_EQ(search_stepping(pair, {}).outcome, Outcome::kInvalid);
+}
+
+// A distance that cannot be told is neither contact nor free, at the start or on the way.
+TYPED_TEST(SteppingOf, DistanceThatCannotBeTold_IsInvalid) {
+  constexpr TypeParam kHuge = std::numeric_limits<TypeParam>::max();
+  auto pair = this->meeting_;
+  pair.B.ends[0].start.x() = pair.B.ends[1].start.x() = kHuge;  // beyond kLargestCoordinate
+  EXPECT_EQ(search_stepping(pair, {}).outcome, Outcome::kInvalid);
+  pair = this->meeting_;
+  pair.B.v.x() = kHuge / 2;  // fine at the start, not at the end of the first step
+  SteppingOptions<TypeParam> options;
+  options.unit = EpsilonIn::kMetres;
+  options.epsilon = kHuge;
+  EXPECT_EQ(search_stepping(pair, options).outcome, Outcome::kInvalid);
 }
 
 TYPED_TEST(SteppingOf, ZeroRadius_NeedsEpsilonInMetres) {

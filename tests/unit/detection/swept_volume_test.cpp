@@ -66,6 +66,37 @@ TYPED_TEST(SweptVolumeOf, FarFromTheOrigin_NeverLeaks) {
   }
 }
 
+template <class Scalar, int K>
+void expect_holds_both_ends(const MovingCapsule<Scalar>& m, const Vec3<Scalar>& end_W) {
+  const Kdop<Scalar, K> swept = swept_kdop<Scalar, K>(m);
+  const Vec3<Scalar>& start_W = m.motion.X_WB.p_W;
+  for (int i = 0; i < K / 2; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double start = kdop_direction<double, K>(i).dot(start_W.template cast<double>() / 4);
+    const double end = kdop_direction<double, K>(i).dot(end_W.template cast<double>() / 4);
+    ASSERT_LE(max_of(start, end), static_cast<double>(swept.high[k]) / 4) << K << ' ' << i;
+    ASSERT_GE(min_of(start, end), static_cast<double>(swept.low[k]) / 4) << K << ' ' << i;
+  }
+}
+
+// Where lengths overflow, 0 * infinity must not make a face vanish.
+TYPED_TEST(SweptVolumeOf, TravelBeyondAllNumbers_NeverLeaks) {
+  constexpr TypeParam kMost = std::numeric_limits<TypeParam>::max();
+  for (const TypeParam share : {TypeParam(0.05), TypeParam(0.12), TypeParam(0.3), TypeParam(0.9)}) {
+    for (const TypeParam duration : {TypeParam(1), TypeParam(8)}) {
+      auto m = moving<TypeParam>({{0, 0, 0}, {0, 0, 0}, {0, 1, 0}, 0.5, {0, 0, 0}, {0, 0, 1}});
+      m.motion.twist.v_W.x() = kMost * share;
+      m.motion.duration = duration;
+      const TypeParam far = min_of(kMost, kMost * share * duration);  // it goes at least that far
+      const Vec3<TypeParam> end_W(far, 0, 0);
+      expect_holds_both_ends<TypeParam, 6>(m, end_W);
+      expect_holds_both_ends<TypeParam, 14>(m, end_W);
+      expect_holds_both_ends<TypeParam, 18>(m, end_W);
+      expect_holds_both_ends<TypeParam, 26>(m, end_W);
+    }
+  }
+}
+
 TYPED_TEST(SweptVolumeOf, TravelAtTheSpeedOfTheEnd_NeverLeaks) {  // B03: a double extremum
   for (const double v : {-2.0, 2.0}) {
     const auto m =

@@ -185,6 +185,20 @@ TYPED_TEST(DuelOf, TouchSearchesWithoutBudget_AreReported) {
   ASSERT_EQ(this->configure(), Status::kOk);
   this->run(lunge, guard, 1000);
   EXPECT_GT(this->duel->report().budget_outs, 0U);
+  EXPECT_EQ(this->duel->report().searches_invalid, 0U);
+}
+
+// Relative to a blade without thickness no epsilon is small enough: the searches are invalid, not
+// short of budget, and the report says so.
+TYPED_TEST(DuelOf, TouchSearchesThatMakeNoSense_AreReported) {
+  using S = TypeParam;
+  this->settings.touch.unit = EpsilonIn::kThinnerRadius;
+  Fencer<S> wire = first_fencer<S>();
+  wire.weapon.parts[0].capsule_H.radius = 0;
+  ASSERT_EQ(this->duel->configure(this->settings, wire, second_fencer<S>()), Status::kOk);
+  this->run(lunge, guard, 400);
+  EXPECT_GT(this->duel->report().searches_invalid, 0U);
+  EXPECT_EQ(this->bout().state, BoutState::kFencing);
 }
 
 TYPED_TEST(DuelOf, PartsThatDoNotCount_AreNotTouched) {
@@ -194,13 +208,28 @@ TYPED_TEST(DuelOf, PartsThatDoNotCount_AreNotTouched) {
   EXPECT_EQ(this->bout().state, BoutState::kFencing);
 }
 
-TYPED_TEST(DuelOf, SettingsOutOfRange_AreRefusedAndStepToo) {
+TYPED_TEST(DuelOf, NotConfigured_StepIsRefused) {
+  this->duel = std::make_unique<Duel<TypeParam>>();
+  EXPECT_EQ(this->duel->step(nullptr, nullptr), Status::kInvalidArgument);
+  this->settings.step_us = 0;
+  EXPECT_EQ(this->configure(), Status::kInvalidArgument);
+  EXPECT_EQ(this->duel->step(nullptr, nullptr), Status::kInvalidArgument);
+  EXPECT_DEATH((void)this->duel->blade_W(Side::kLeft), "");
+  EXPECT_DEATH((void)this->duel->grip(Side::kRight), "");
+}
+
+TYPED_TEST(DuelOf, SettingsOutOfRange_AreRefused) {
   const auto refused = [this](auto change) {
     this->settings = duel_settings<TypeParam>();
     change(this->settings);
-    const bool no = this->configure() == Status::kInvalidArgument;
-    return no && this->duel->step(nullptr, nullptr) == Status::kInvalidArgument;
+    return this->configure() == Status::kInvalidArgument;
   };
+  constexpr TypeParam kNan = std::numeric_limits<TypeParam>::quiet_NaN();
+  EXPECT_TRUE(refused([](auto& s) { s.touch.epsilon = kNan; }));
+  EXPECT_TRUE(refused([](auto& s) { s.touch.max_steps = 0; }));
+  EXPECT_TRUE(refused([](auto& s) { s.touch.halvings = -1; }));
+  EXPECT_TRUE(refused([](auto& s) { s.salle.distance = TypeParam(1e30); }));
+  EXPECT_TRUE(refused([](auto& s) { s.salle.distance = kNan; }));
   EXPECT_TRUE(refused([](auto& s) { s.step_us = 99; }));
   EXPECT_TRUE(refused([](auto& s) { s.step_us = 20001; }));
   EXPECT_TRUE(refused([](auto& s) { s.double_window_us = -1; }));
@@ -208,6 +237,38 @@ TYPED_TEST(DuelOf, SettingsOutOfRange_AreRefusedAndStepToo) {
   EXPECT_TRUE(refused([](auto& s) { s.salle.distance = 0; }));
   EXPECT_TRUE(refused([](auto& s) { s.stick.min_interval_us = 0; }));
   EXPECT_TRUE(refused([](auto& s) { s.world.separation = 0; }));
+}
+
+// A refused configure() leaves the running bout as it is, to the bit.
+TYPED_TEST(DuelOf, RefusedConfigure_ChangesNothing) {
+  using S = TypeParam;
+  auto twin = std::make_unique<Duel<S>>();
+  ASSERT_EQ(twin->configure(this->settings, first_fencer<S>(), second_fencer<S>()), Status::kOk);
+  const auto step_both = [&](int from, int to) {
+    for (int k = from; k < to; ++k) {
+      const InputSample left = this->sample(sway, k);
+      const InputSample right = this->sample(counter_sway, k);
+      ASSERT_EQ(this->duel->step(&left, &right), Status::kOk);
+      ASSERT_EQ(twin->step(&left, &right), Status::kOk);
+    }
+  };
+  step_both(0, 500);
+  Fencer<S> bad = second_fencer<S>();
+  bad.weapon.restitution = 2;
+  auto other = this->settings;
+  other.step_us = 2000;
+  other.world.separation *= 2;
+  EXPECT_EQ(this->duel->configure(other, second_fencer<S>(), bad), Status::kInvalidArgument);
+  other.touch.max_steps = 0;
+  EXPECT_EQ(this->duel->configure(other, second_fencer<S>(), first_fencer<S>()),
+            Status::kInvalidArgument);
+  EXPECT_EQ(this->duel->steps(), 500U);
+  step_both(500, 1500);
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    EXPECT_EQ(this->duel->blade_W(side).axis.b, twin->blade_W(side).axis.b);
+  }
+  EXPECT_EQ(this->duel->report().blows, twin->report().blows);
+  EXPECT_EQ(this->duel->report().evaluations, twin->report().evaluations);
 }
 
 TYPED_TEST(DuelOf, FencerOutOfRange_IsRefused) {
@@ -223,7 +284,13 @@ TYPED_TEST(DuelOf, FencerOutOfRange_IsRefused) {
   EXPECT_TRUE(refused([nan](auto& f) { f.keys_FH[2].p_W.x() = nan; }));
   EXPECT_TRUE(refused([](auto& f) { f.weapon.parts[1].mass = 0; }));
   EXPECT_TRUE(refused([](auto& f) { f.weapon.restitution = 2; }));
+  EXPECT_TRUE(refused([](auto& f) { f.weapon.restitution = S(-0.1); }));
   EXPECT_TRUE(refused([](auto& f) { f.grip.strength = 0; }));
+  EXPECT_TRUE(refused([](auto& f) { f.keys_FH[4].p_W.x() = S(1e30); }));
+  EXPECT_TRUE(refused([nan](auto& f) { f.build.bones[3].start_P.x() = nan; }));
+  EXPECT_TRUE(refused([](auto& f) { f.build.bones[4].capsule_J.axis.b.setZero(); }));
+  EXPECT_TRUE(refused([](auto& f) { f.build.front_leg.bend_F.setZero(); }));
+  EXPECT_TRUE(refused([](auto& f) { f.build.lunge_hand_x = f.build.guard_hand_x; }));
   ASSERT_EQ(this->configure(), Status::kOk);
   EXPECT_EQ(this->duel->world().size(), 2);
 }

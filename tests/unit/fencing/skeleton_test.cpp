@@ -163,5 +163,49 @@ TEST(BodyPart, Names_AreAllDifferent) {
   EXPECT_EQ(std::string(name_of(static_cast<BodyPart>(200))), "unknown");
 }
 
+TEST(FencerBuild, OutOfRange_IsRefused) {
+  ASSERT_EQ(validate(first_fencer<float>().build), Status::kOk);
+  ASSERT_EQ(validate(second_fencer<double>().build), Status::kOk);
+  const auto refused = [](auto change) {
+    FencerBuild<float> build = first_fencer<float>().build;
+    change(build);
+    return validate(build) == Status::kInvalidArgument;
+  };
+  using Build = FencerBuild<float>;
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  for (std::size_t i = 0; i < kBodyParts; ++i) {
+    EXPECT_TRUE(refused([i](Build& b) { b.bones[i].start_P.y() = kNan; })) << i;
+    EXPECT_TRUE(refused([i](Build& b) { b.bones[i].start_P.x() = 1e30F; })) << i;
+    EXPECT_TRUE(refused([i](Build& b) { b.bones[i].capsule_J.radius = -0.1F; })) << i;
+    EXPECT_TRUE(refused([i](Build& b) { b.bones[i].capsule_J.radius = 1e30F; })) << i;
+    EXPECT_TRUE(refused([i](Build& b) { b.bones[i].capsule_J.axis.a.z() = -1e30F; })) << i;
+    EXPECT_TRUE(refused([i](Build& b) { b.bones[i].capsule_J.axis.b.z() = kNan; })) << i;
+  }
+  for (const BodyPart part : {BodyPart::kWeaponUpperArm, BodyPart::kWeaponForearm,
+                              BodyPart::kOtherUpperArm, BodyPart::kOtherForearm,
+                              BodyPart::kFrontThigh, BodyPart::kFrontShin, BodyPart::kRearThigh,
+                              BodyPart::kRearShin}) {
+    const auto i = static_cast<std::size_t>(part);
+    EXPECT_TRUE(refused([i](Build& b) {
+      b.bones[i].capsule_J.axis.b = b.bones[i].capsule_J.axis.a;
+    })) << name_of(part);
+  }
+  using LimbOf = Limb<float> Build::*;
+  for (const LimbOf limb :
+       {&Build::weapon_arm, &Build::other_arm, &Build::front_leg, &Build::rear_leg}) {
+    EXPECT_TRUE(refused([limb](Build& b) { (b.*limb).bend_F.setZero(); }));
+    EXPECT_TRUE(refused([limb](Build& b) { (b.*limb).bend_F.x() = kNan; }));
+    EXPECT_TRUE(refused([limb](Build& b) { (b.*limb).goal_F.x() = 1e30F; }));
+  }
+  EXPECT_TRUE(refused([](Build& b) { b.lunge_hand_x = b.guard_hand_x; }));
+  EXPECT_TRUE(refused([](Build& b) { b.guard_hand_x = kNan; }));
+  EXPECT_TRUE(refused([](Build& b) { b.lunge_hand_x = 1e30F; }));
+  EXPECT_TRUE(refused([](Build& b) { b.lunge_lean = 1.1F; }));
+  EXPECT_TRUE(refused([](Build& b) { b.lunge_lean = -1.1F; }));
+  EXPECT_TRUE(refused([](Build& b) { b.lunge_lean = kNan; }));
+  EXPECT_TRUE(refused([](Build& b) { b.lunge_shift_F.z() = kNan; }));
+  EXPECT_TRUE(refused([](Build& b) { b.stride_F.x() = 1e30F; }));
+}
+
 }  // namespace
 }  // namespace batuta

@@ -110,6 +110,56 @@ TYPED_TEST(StickOf, GapInTheSequence_IsCountedAcrossItsWrap) {
   EXPECT_EQ(this->stick.report().lost, 3U);
 }
 
+TYPED_TEST(StickOf, RefusedOrRepeatedSamples_AreNotLost) {
+  (void)this->stick.accept(sample(1000, 0, 0, 1));
+  InputSample again = sample(1000, 0.1F, 0, 2);
+  again.buttons = 3;
+  EXPECT_EQ(this->stick.accept(again), SampleUse::kRepeated);
+  EXPECT_EQ(this->stick.buttons(), 3U);
+  EXPECT_EQ(this->stick.accept(sample(2000, 0, 0, 3)), SampleUse::kUsed);
+  InputSample late = sample(1500, 0, 0, 4);
+  late.buttons = 7;
+  EXPECT_EQ(this->stick.accept(late), SampleUse::kBackward);
+  EXPECT_EQ(this->stick.buttons(), 0U);
+  EXPECT_EQ(this->stick.accept(sample(3000, kNan, 0, 5)), SampleUse::kInvalid);
+  EXPECT_EQ(this->stick.accept(sample(4000, 0, 0, 6)), SampleUse::kUsed);
+  EXPECT_EQ(this->stick.report().lost, 0U);
+  EXPECT_EQ(this->stick.accept(sample(4000, 0, 0, 9)), SampleUse::kRepeated);  // 7 and 8
+  EXPECT_EQ(this->stick.accept(sample(3500, 0, 0, 8)), SampleUse::kBackward);  // overtaken
+  EXPECT_EQ(this->stick.accept(sample(5000, 0, 0, 10)), SampleUse::kUsed);
+  EXPECT_EQ(this->stick.report().lost, 2U);
+}
+
+TYPED_TEST(StickOf, SameStampWhileStale_DoesNotMoveTheStick) {
+  (void)this->stick.accept(sample(1000, 0, 0, 1));
+  this->run(300);
+  ASSERT_TRUE(this->stick.is_stale());
+  InputSample again = sample(1000, 1, 1, 2);
+  again.buttons = 1;
+  EXPECT_EQ(this->stick.accept(again), SampleUse::kRepeated);
+  EXPECT_EQ(this->stick.buttons(), 0U);
+  for (int i = 0; i < 100; ++i) {
+    this->run(1);
+    ASSERT_TRUE(this->stick.is_stale());
+    ASSERT_EQ(this->vx(), 0.0);
+    ASSERT_EQ(this->x(), 0.0);
+  }
+}
+
+TYPED_TEST(StickOf, GoalCorrectedLate_IsGivenUpWithTheSilence) {
+  (void)this->stick.accept(sample(1000, 0, 0, 1));
+  this->run(245);
+  (void)this->stick.accept(sample(1000, 1, 0, 2));
+  for (int i = 0; i < 20; ++i) {
+    this->run(1);
+    if (this->stick.is_stale()) {
+      ASSERT_EQ(this->vx(), 0.0);
+    }
+  }
+  EXPECT_TRUE(this->stick.is_stale());
+  EXPECT_LT(this->x(), 0.1);
+}
+
 TYPED_TEST(StickOf, NotFinite_IsRefused) {
   EXPECT_EQ(this->stick.accept(sample(0, kNan, 0, 1)), SampleUse::kInvalid);
   EXPECT_EQ(this->stick.accept(sample(0, 0, 1 / 0.0F, 2)), SampleUse::kInvalid);

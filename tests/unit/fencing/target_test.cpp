@@ -264,5 +264,29 @@ TEST(FindTouch, Float_AgreesWithDouble) {
   EXPECT_NEAR(f.t_hit, d.t_hit, 1e-6);
 }
 
+// What a search could not do is told by its reason.
+TEST(FindTouch, SearchesWithoutAnAnswer_AreCountedByTheirReason) {
+  Target<double> target;
+  const auto shape = shape_at(0, 0);
+  target.place(shape);
+  target.move_to(shape, kStep);
+  const V chest = shape[static_cast<std::size_t>(BodyPart::kTorso)].axis.at(0.5);
+  const auto blade = blade_at(chest - V(1.5, 0, 0), {1, 0, 0}, {30, 0, 0}, V::Zero(), kStep);
+  SteppingOptions<double> tight;
+  tight.unit = EpsilonIn::kMetres;
+  tight.epsilon = 1e-9;
+  tight.max_steps = 1;
+  const auto cut = target.find_touch(blade, 0, tight);
+  EXPECT_GT(cut.budget_outs, 0);
+  EXPECT_EQ(cut.searches_invalid, 0);
+  tight.epsilon = 0;
+  const auto invalid = target.find_touch(blade, 0, tight);
+  EXPECT_FALSE(invalid.complete);
+  EXPECT_EQ(invalid.known_until, 0.0);
+  EXPECT_EQ(invalid.budget_outs, 0);
+  EXPECT_EQ(invalid.searches_invalid, invalid.searches);
+  EXPECT_GT(invalid.searches_invalid, 0);
+}
+
 }  // namespace
 }  // namespace batuta
