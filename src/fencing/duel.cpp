@@ -14,8 +14,8 @@ Status validate(const DuelSettings<Scalar>& settings) {
   const bool times = settings.step_us >= kShortestStepUs && settings.step_us <= kLongestStepUs &&
                      settings.double_window_us >= 0 &&
                      settings.double_window_us <= kLongestWindowUs;
-  const bool place = settings.salle.distance > Scalar(0) &&
-                     settings.salle.distance <= kLargestReach<Scalar>;
+  const bool place =
+      settings.salle.distance > Scalar(0) && settings.salle.distance <= kLargestReach<Scalar>;
   const bool good = times && place && validate(settings.stick) == Status::kOk &&
                     validate(settings.world) == Status::kOk &&
                     validate(settings.touch) == Status::kOk;

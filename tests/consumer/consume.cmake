@@ -19,9 +19,13 @@ endif()
 
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/project -B ${WORK}/build -G ${GENERATOR}
     -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}" ${how})
-run(${CMAKE_COMMAND} --build ${WORK}/build --target consumer consumer_one_room)
+run(${CMAKE_COMMAND} --build ${WORK}/build --target consumer consumer_one_room consumer_beat)
 run(${WORK}/build/consumer)
 run(${WORK}/build/consumer_one_room)
+execute_process(COMMAND ${WORK}/build/consumer_beat OUTPUT_VARIABLE beat COMMAND_ERROR_IS_FATAL ANY)
+if(NOT beat MATCHES "^beat at 38 ms, [0-9.]+ N s, 67 % up the first blade\n$")  # (0.2 - 0.01) m at 5 m/s
+  message(FATAL_ERROR "the README's example prints: ${beat}")
+endif()
 
 # The arithmetic and the layout of the library's headers are those of its object code.
 file(READ ${WORK}/build/compile_commands.json commands)

@@ -117,9 +117,10 @@ class Duel {
   Duel(const Duel&) = delete;
   Duel& operator=(const Duel&) = delete;
 
-  /// Puts both fencers on guard and starts a new bout. Stack: two prepared seats, 1.5 kB in float.
-  /// @returns kOk | kInvalidArgument (settings, settings.world, settings.touch or a fencer's data out
-  /// of range; nothing changed: a running bout goes on)
+  /// Puts both fencers on guard and starts a new bout. Stack: about 2 kB in float, for
+  /// what both fencers come to before anything is changed.
+  /// @returns kOk | kInvalidArgument (settings, settings.world, settings.touch or a fencer's data
+  /// out of range; nothing changed: a running bout goes on)
   Status configure(const DuelSettings<Scalar>& settings, const Fencer<Scalar>& left,
                    const Fencer<Scalar>& right);
 

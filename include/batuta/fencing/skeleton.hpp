@@ -67,9 +67,9 @@ struct FencerBuild {
   Scalar lunge_lean = 0;  ///< of the torso in a full lunge, forward, rad, |lean| <= 1
 };
 
-/// @returns kOk | kInvalidArgument: not finite or beyond kLargestReach, a capsule that is not valid,
-/// a bone of a limb without length, a bend of zero, lunge_hand_x <= guard_hand_x, or |lunge_lean| > 1
-/// Bound: kBodyParts bones.
+/// @returns kOk | kInvalidArgument: not finite or beyond kLargestReach, a capsule that is not
+/// valid, a bone of a limb without length, a bend of zero, lunge_hand_x <= guard_hand_x, or
+/// |lunge_lean| > 1 Bound: kBodyParts bones.
 template <class Scalar>
 Status validate(const FencerBuild<Scalar>& build);
 

@@ -35,8 +35,8 @@ struct TouchSearch {
   /// Every part has been searched up to here; the end of the motion if all searches were finished.
   /// A touch found later than this may not have been the first; none found means none *up to here*.
   Scalar known_until = 0;
-  bool complete = false;       ///< known_until is the end of the motion
-  std::uint16_t searches = 0;  ///< parts that the hierarchy could not rule out
+  bool complete = false;               ///< known_until is the end of the motion
+  std::uint16_t searches = 0;          ///< parts that the hierarchy could not rule out
   std::uint16_t budget_outs = 0;       ///< of these, ended without an answer: Outcome::kBudget
   std::uint16_t searches_invalid = 0;  ///< of these, could not be asked: Outcome::kInvalid
   std::uint32_t evaluations = 0;

@@ -79,16 +79,28 @@ void expect_holds_both_ends(const MovingCapsule<Scalar>& m, const Vec3<Scalar>& 
   }
 }
 
-// Where lengths overflow, 0 * infinity must not make a face vanish.
+// Where sums of lengths overflow, infinity - infinity or 0 * infinity must not make a face vanish.
+TYPED_TEST(SweptVolumeOf, StartBeyondAllSums_NeverLeaks) {
+  auto m = moving<TypeParam>({{0, 0, 0}, {0, 0, 0}, {0, 1, 0}, 0.5, {0, 0, 0}, {0, 0, 1}});
+  m.motion.X_WB.p_W.fill(std::numeric_limits<TypeParam>::max() * TypeParam(0.55));
+  m.motion.X_WB.p_W.z() *= -1;  // (1, 1, 1) . start is a number, but not its first sum
+  const Kdop<TypeParam, 26> swept = swept_kdop<TypeParam, 26>(m);
+  for (std::size_t i = 0; i < swept.low.size(); ++i) {
+    ASSERT_LE(swept.low[i], std::numeric_limits<TypeParam>::lowest()) << i;
+    ASSERT_GE(swept.high[i], std::numeric_limits<TypeParam>::max()) << i;
+  }
+}
+
 TYPED_TEST(SweptVolumeOf, TravelBeyondAllNumbers_NeverLeaks) {
   constexpr TypeParam kMost = std::numeric_limits<TypeParam>::max();
   for (const TypeParam share : {TypeParam(0.05), TypeParam(0.12), TypeParam(0.3), TypeParam(0.9)}) {
     for (const TypeParam duration : {TypeParam(1), TypeParam(8)}) {
       auto m = moving<TypeParam>({{0, 0, 0}, {0, 0, 0}, {0, 1, 0}, 0.5, {0, 0, 0}, {0, 0, 1}});
-      m.motion.twist.v_W.x() = kMost * share;
+      const Vec3<TypeParam> way(1, TypeParam(-0.5), TypeParam(0.25));
+      m.motion.twist.v_W = kMost * share * way;
       m.motion.duration = duration;
-      const TypeParam far = min_of(kMost, kMost * share * duration);  // it goes at least that far
-      const Vec3<TypeParam> end_W(far, 0, 0);
+      // It comes at least that far, for its longest component is a number there.
+      const Vec3<TypeParam> end_W = kMost * min_of(share * duration, TypeParam(0.5)) * way;
       expect_holds_both_ends<TypeParam, 6>(m, end_W);
       expect_holds_both_ends<TypeParam, 14>(m, end_W);
       expect_holds_both_ends<TypeParam, 18>(m, end_W);

@@ -181,10 +181,10 @@ TEST(FencerBuild, OutOfRange_IsRefused) {
     EXPECT_TRUE(refused([i](Build& b) { b.bones[i].capsule_J.axis.a.z() = -1e30F; })) << i;
     EXPECT_TRUE(refused([i](Build& b) { b.bones[i].capsule_J.axis.b.z() = kNan; })) << i;
   }
-  for (const BodyPart part : {BodyPart::kWeaponUpperArm, BodyPart::kWeaponForearm,
-                              BodyPart::kOtherUpperArm, BodyPart::kOtherForearm,
-                              BodyPart::kFrontThigh, BodyPart::kFrontShin, BodyPart::kRearThigh,
-                              BodyPart::kRearShin}) {
+  for (const BodyPart part :
+       {BodyPart::kWeaponUpperArm, BodyPart::kWeaponForearm, BodyPart::kOtherUpperArm,
+        BodyPart::kOtherForearm, BodyPart::kFrontThigh, BodyPart::kFrontShin, BodyPart::kRearThigh,
+        BodyPart::kRearShin}) {
     const auto i = static_cast<std::size_t>(part);
     EXPECT_TRUE(refused([i](Build& b) {
       b.bones[i].capsule_J.axis.b = b.bones[i].capsule_J.axis.a;
