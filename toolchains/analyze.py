@@ -28,6 +28,8 @@ SUPPRESSED = [
 CPPCHECK = ["cppcheck", "--enable=warning,style,performance,portability", "--inline-suppr", "--error-exitcode=1",
             "--std=c++17", "--quiet", "--template={file}:{line}: {severity}: {message} [{id}]",
             *(f"--suppress={name}" for name in SUPPRESSED)]
+# Without it the analyzer passes over what a bundle includes, and says nothing of it; the canary's leak would tell.
+INCLUDED_TOO = " -Xclang -analyzer-opt-analyze-headers"
 COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 
 
@@ -78,7 +80,7 @@ class Analysis:
             bundle.write_text("".join(f'#include "{name}"  // NOLINT(bugprone-suspicious-include)\n' for name in names))
             self.bundles[bundle] = names
             self.commands[bundle] = f"{flags} -c {bundle}"
-            yield {"directory": str(self.build), "file": str(bundle), "command": self.commands[bundle]}
+            yield {"directory": str(self.build), "file": str(bundle), "command": self.commands[bundle] + INCLUDED_TOO}
 
     def bundled(self, names):
         """What to hand to clang-tidy for these files: their bundle, or the file itself where it is alone in one. A

@@ -9,6 +9,7 @@ float canary(const batuta::Vec3<float>& v, int depth) {  // expect: misc-no-recu
   auto* owned = new float(v.x());                        // expect: cppcoreguidelines-owning-memory
   const int BadName = depth / 2 * 2;
   const float half = depth / 2;  // expect: bugprone-integer-division
+  // expect: clang-analyzer-cplusplus.NewDeleteLeaks
   return *owned + half + static_cast<float>(BadName) + (depth > 0 ? canary(v, depth - 1) : 0.0F);
 }
 int WrongCase();  // expect: readability-identifier-naming
