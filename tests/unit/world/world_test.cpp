@@ -206,6 +206,40 @@ TYPED_TEST(WorldOf, SpinOfACapsuleOffTheAxis_IsShown) {
   EXPECT_NEAR(tip_W.y(), std::sin(1.0), 1e-6);
 }
 
+// What a hand carries has the momentum of its motion when it strikes: equal balls, elastic,
+// exchange velocities.
+TYPED_TEST(WorldOf, BallInAHand_StrikesWithTheMomentumOfItsMotion) {
+  using S = TypeParam;
+  auto carried = ball<FlightScene<S>>(0, 0.1, 0);
+  carried.driver = Hand<S>{{vec<S>(0.2, 0, 0), Quat<S>::Identity()}, S(0.1)};  // 2 m/s
+  const auto hand = this->world.add(carried).value;
+  const auto free = this->world.add(ball<FlightScene<S>>(0.3, 0.1, 0)).value;
+  ASSERT_EQ(this->world.step(S(0.1)), Status::kOk);
+  EXPECT_NEAR(this->at(free).body.momentum.p_W.x(), 2, 1e-5);
+  EXPECT_NEAR(this->at(hand).body.momentum.p_W.x(), 0, 1e-5);
+}
+
+// A contact ends in the step in which the gap has opened beyond twice the separation distance, not
+// later.
+TYPED_TEST(WorldOf, EndOfAContact_ComesWhenTheGapIsBeyondTwiceD) {
+  using S = TypeParam;
+  const auto id = this->world.add(ball<FlightScene<S>>(0.2, 0.1, 0.05)).value;
+  (void)this->world.add(post<FlightScene<S>>(0.4 + 1e-4, 0.1));
+  const S beyond = S(2) * WorldSettings<S>{}.separation;
+  int ends = 0;
+  for (int i = 0; i < 20; ++i) {
+    ASSERT_EQ(this->world.step(S(0.001)), Status::kOk);
+    const S gap = S(0.4 + 1e-4) - S(0.2) - this->at(id).body.X_WB.p_W.x();
+    for (const auto& event : this->world.events()) {
+      if (event.kind != EventKind::kEnd) continue;
+      ++ends;
+      EXPECT_GT(event.contact.gap, beyond);
+      EXPECT_LT(gap, beyond + S(0.051e-3)) << "within a step's way of the limit";
+    }
+  }
+  EXPECT_EQ(ends, 1);
+}
+
 // A hand of infinite mass cannot be pushed, and neither can the wall it is led into: it stops
 // there, and an event says so.
 TYPED_TEST(WorldOf, UnyieldingHandAgainstAWall_IsBlocked) {
