@@ -105,7 +105,14 @@ CapsulesAt<Scalar> capsules_at(const MovingPair<Scalar>& pair, Scalar t) {
 template <class Scalar>
 CapsuleGap<Scalar> gap_at(const MovingPair<Scalar>& pair, Scalar t) {
   const CapsulesAt<Scalar> capsules = capsules_at(pair, t);
-  CapsuleGap<Scalar> gap = capsule_gap(capsules.A, capsules.B);
+  if (!is_valid(capsules.A) || !is_valid(capsules.B)) return {};
+  return gap_at(pair, closest_points(capsules.A.axis, capsules.B.axis), t);
+}
+
+template <class Scalar>
+CapsuleGap<Scalar> gap_at(const MovingPair<Scalar>& pair, const ClosestPoints<Scalar>& axes,
+                          Scalar t) {
+  CapsuleGap<Scalar> gap = capsule_gap(axes, pair.A.radius, pair.B.radius);
   const Vec3<Scalar> travelled = pair.origin_v_W * t;
   gap.axes.p_A += travelled;
   gap.axes.p_B += travelled;
@@ -129,6 +136,8 @@ Scalar gap_rate_at(const MovingPair<Scalar>& pair, const CapsuleGap<Scalar>& wit
                                                        const MovingCapsule<Scalar>&);          \
   template CapsulesAt<Scalar> capsules_at(const MovingPair<Scalar>&, Scalar);                  \
   template CapsuleGap<Scalar> gap_at(const MovingPair<Scalar>&, Scalar);                       \
+  template CapsuleGap<Scalar> gap_at(const MovingPair<Scalar>&, const ClosestPoints<Scalar>&,  \
+                                     Scalar);                                                  \
   template Scalar gap_rate_at(const MovingPair<Scalar>&, const CapsuleGap<Scalar>&, Scalar);
 BATUTA_INSTANTIATE(float)
 BATUTA_INSTANTIATE(double)

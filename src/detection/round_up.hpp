@@ -11,4 +11,8 @@ namespace batuta {
 template <class Scalar>
 inline constexpr Scalar kRoundUp = 1 + 16 * kRoundOff<Scalar>;
 
+/// What a step is multiplied with: covers the rounding of a root or a quotient.
+template <class Scalar>
+inline constexpr Scalar kRoundDown = 1 - 16 * kRoundOff<Scalar>;
+
 }  // namespace batuta

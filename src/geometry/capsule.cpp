@@ -25,17 +25,23 @@ bool is_valid(const Capsule<Scalar>& capsule) {
 }
 
 template <class Scalar>
-CapsuleGap<Scalar> capsule_gap(const Capsule<Scalar>& A, const Capsule<Scalar>& B) {
+CapsuleGap<Scalar> capsule_gap(const ClosestPoints<Scalar>& axes, Scalar radius_A,
+                               Scalar radius_B) {
   CapsuleGap<Scalar> result;
-  if (!is_valid(A) || !is_valid(B)) return result;
-  result.axes = closest_points(A.axis, B.axis);
-  result.gap = result.axes.distance - (A.radius + B.radius);
+  result.axes = axes;
+  result.gap = axes.distance - (radius_A + radius_B);
   result.proximity = result.gap > 0   ? Proximity::kSeparated
                      : result.gap < 0 ? Proximity::kOverlapping
                                       : Proximity::kTouching;
-  result.surface_A = result.axes.p_A + A.radius * result.axes.normal_AB;
-  result.surface_B = result.axes.p_B - B.radius * result.axes.normal_AB;
+  result.surface_A = axes.p_A + radius_A * axes.normal_AB;
+  result.surface_B = axes.p_B - radius_B * axes.normal_AB;
   return result;
+}
+
+template <class Scalar>
+CapsuleGap<Scalar> capsule_gap(const Capsule<Scalar>& A, const Capsule<Scalar>& B) {
+  if (!is_valid(A) || !is_valid(B)) return {};
+  return capsule_gap(closest_points(A.axis, B.axis), A.radius, B.radius);
 }
 
 template <class Scalar>
@@ -77,6 +83,7 @@ Sphere<Scalar> bounding_sphere(const Capsule<Scalar>& capsule) {
 #define BATUTA_INSTANTIATE(Scalar)                                                           \
   template bool is_valid(const Capsule<Scalar>&);                                            \
   template CapsuleGap<Scalar> capsule_gap(const Capsule<Scalar>&, const Capsule<Scalar>&);   \
+  template CapsuleGap<Scalar> capsule_gap(const ClosestPoints<Scalar>&, Scalar, Scalar);     \
   template bool overlaps(const Capsule<Scalar>&, const Capsule<Scalar>&);                    \
   template Scalar penetration_depth(const Capsule<Scalar>&, const Capsule<Scalar>&);         \
   template Result<Vec3<Scalar>> surface_normal(const Capsule<Scalar>&, const Vec3<Scalar>&); \

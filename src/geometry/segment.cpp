@@ -5,28 +5,10 @@
 #include <utility>
 
 #include "batuta/geometry/direction.hpp"
+#include "scale_window.hpp"
 
 namespace batuta {
 namespace {
-
-/// Lengths in [kSmallest, kLargest] are worked on as they are; others are multiplied by kStep or 1
-/// / kStep until they are, so that the fourth powers in the kernel neither overflow nor lose bits
-/// (segment.md, "Scale").
-template <class Scalar>
-struct ScaleWindow;
-template <>
-struct ScaleWindow<float> {
-  static constexpr float kSmallest = 0x1p-20F;
-  static constexpr float kLargest = 0x1p27F;
-  static constexpr float kStep = 0x1p40F;
-};
-template <>
-struct ScaleWindow<double> {
-  static constexpr double kSmallest = 0x1p-200;
-  static constexpr double kLargest = 0x1p200;
-  static constexpr double kStep = 0x1p300;
-};
-constexpr int kMaxScaleSteps = 3;
 
 /// sin^2 of the angle above which the crossing is computed well enough to need no look at the ends
 /// (segment.md).
@@ -46,19 +28,6 @@ constexpr Scalar kMiddleSlack = kRoundOff<Scalar>;
 /// sin^2 of the angle below which the cross product is rounding error.
 template <class Scalar>
 constexpr Scalar kParallel2 = 64 * kRoundOff<Scalar>* kRoundOff<Scalar>;
-
-/// The power of two that brings `length` into the window; 1 for zero and for what is not finite.
-template <class Scalar>
-Scalar window_scale(Scalar length) {
-  using Window = ScaleWindow<Scalar>;
-  Scalar scale = 1;
-  if (!(length > 0)) return scale;
-  for (int i = 0; i < kMaxScaleSteps; ++i) {  // Bound: kMaxScaleSteps
-    if (length * scale < Window::kSmallest) scale *= Window::kStep;
-    if (length * scale > Window::kLargest) scale /= Window::kStep;
-  }
-  return scale;
-}
 
 template <class Scalar>
 bool comes_before(const Vec3<Scalar>& p, const Vec3<Scalar>& q) {

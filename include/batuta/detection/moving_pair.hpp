@@ -89,6 +89,12 @@ CapsulesAt<Scalar> capsules_at(const MovingPair<Scalar>& pair, Scalar t);
 template <class Scalar>
 CapsuleGap<Scalar> gap_at(const MovingPair<Scalar>& pair, Scalar t);
 
+/// The gap at time t whose closest points are already known in the pair's frame P.
+/// @pre `axes` belongs to capsules_at(pair, t), 0 <= t <= duration
+template <class Scalar>
+CapsuleGap<Scalar> gap_at(const MovingPair<Scalar>& pair, const ClosestPoints<Scalar>& axes,
+                          Scalar t);
+
 /// d gap / dt, m/s: how fast the material points at the closest parameters of `witness` part along
 /// its normal.
 /// @pre witness == gap_at(pair, t)

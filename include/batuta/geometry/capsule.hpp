@@ -52,6 +52,10 @@ bool is_valid(const Capsule<Scalar>& capsule);
 template <class Scalar>
 CapsuleGap<Scalar> capsule_gap(const Capsule<Scalar>& A, const Capsule<Scalar>& B);
 
+/// The same from the closest points of the axes. @pre finite, radii >= 0. Bound: no loop.
+template <class Scalar>
+CapsuleGap<Scalar> capsule_gap(const ClosestPoints<Scalar>& axes, Scalar radius_A, Scalar radius_B);
+
 /// dist(axis A, axis B) <= r_A + r_B [Kavan eq. 31]. False for invalid input (ask is_valid()
 /// first).
 template <class Scalar>

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Time of contact that never misses. From an instant at which the capsules are apart, the longest
+// step is taken that a normal, moving with them, proves free; then again, until the gap is within
+// the slab or the end is reached [Kavan §3, in place of its stepping]. Derivation, proof and the
+// meaning of every constant: src/detection/advancement.md.
+
+#include "batuta/detection/moving_pair.hpp"
+
+namespace batuta {
+
+/// What rounding can do to a certificate, over the length L of the query: so much is added to the
+/// radii, and no rounding error lets a contact pass. L = S + turn_A reach_A + turn_B reach_B, the
+/// arcs included (advancement.md, "Rounding").
+template <class Scalar>
+inline constexpr Scalar kInflation = 48 * kRoundOff<Scalar>;
+
+/// Least slab over L that a search can resolve; a smaller one is raised to it.
+template <class Scalar>
+inline constexpr Scalar kLeastSlab = 2 * kInflation<Scalar>;
+
+/// Most distance evaluations that a search may be given.
+inline constexpr std::uint32_t kMaxBudget = 4096;
+
+template <class Scalar>
+struct AdvancementOptions {
+  /// A gap of at most slab S counts as contact, S = MovingPair::scale; in [0, 1].
+  Scalar slab = Scalar(1e-6);
+  /// Distance evaluations, at most kMaxBudget. Where they do not suffice the answer is kBudget.
+  std::uint32_t budget = 64;
+};
+
+/// @returns kOk | kInvalidArgument: an option out of the range stated beside it
+template <class Scalar>
+Status validate(const AdvancementOptions<Scalar>& options);
+
+/// The gap, m, that counts as contact for this pair: max(slab S, kLeastSlab L).
+template <class Scalar>
+Scalar slab_of(const MovingPair<Scalar>& pair, const AdvancementOptions<Scalar>& options);
+
+/// First contact in [0, duration]; none is missed. With eps = kInflation L and tau = slab_of():
+/// @param seed_AB  a normal that may separate the pair, such as the witness of the last search of
+///   the same two; zero: the line between the middles of the axes is tried. It can save
+///   evaluations, and never changes what is proven.
+/// @returns SearchResult:
+///   kFree: the true gap is > 0 on all of [0, duration]. The witness is the last one that was
+///     needed; with evaluations == 0 only its normal is set, the one that separates;
+///   kContact: the true gap is > 0 on [0, t_free], and at t_free it is at most tau + eps. t_hit:
+///     where the witness foresees the gap to vanish, or to be least (a graze within the slab);
+///   kTouching: the gap at t = 0 is at most tau; gap_rate tells whether the two part;
+///   kBudget: free on [0, t_free], unknown after; without evaluations the witness is not set;
+///   kInvalid: options out of range, or a distance that cannot be told.
+/// Bound: options.budget evaluations.
+template <class Scalar>
+SearchResult<Scalar> search_advancement(const MovingPair<Scalar>& pair,
+                                        const AdvancementOptions<Scalar>& options,
+                                        const Vec3<Scalar>& seed_AB = Vec3<Scalar>::Zero());
+
+}  // namespace batuta

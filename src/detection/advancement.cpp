@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "batuta/detection/advancement.hpp"
+
+#include "../geometry/scale_window.hpp"
+#include "spin_bound.hpp"
+#include "tracking_normal.hpp"
+
+namespace batuta {
+
+namespace {
+
+/// Turn, rad, from which on the amplitude of a swing may bound more than its polynomial does.
+template <class Scalar>
+constexpr Scalar kFastSpin = Scalar(1);
+
+/// A search under way, in units of the duration and of 1 / scale metres: the pair is proven free on
+/// [0, theta].
+template <class Scalar>
+class Walk {
+ public:
+  Walk(const MovingPair<Scalar>& pair, Scalar scale, Scalar slab)
+      : pair_(in_units(pair, scale)), slab_(slab * scale) {
+    state_.bounds = derivative_bounds(pair_);
+    state_.turn = pair_.A.turn_rate + pair_.B.turn_rate;
+    state_.radii = pair_.A.radius + pair_.B.radius;
+    expand_here();
+  }
+
+  bool is_at_end() const { return !(theta_ < Scalar(1)); }
+  Scalar theta() const { return theta_; }
+
+  ClosestPoints<Scalar> closest() const {
+    return closest_points<Scalar>({state_.A[0][0], state_.A[1][0]},
+                                  {state_.B[0][0], state_.B[1][0]});
+  }
+  Scalar gap(const ClosestPoints<Scalar>& closest) const { return closest.distance - state_.radii; }
+  bool is_contact(const ClosestPoints<Scalar>& closest) const { return !(gap(closest) > slab_); }
+
+  /// From twice the middle of A's axis to twice that of B's.
+  Vec3<Scalar> line_of_middles() const {
+    return (state_.B[0][0] + state_.B[1][0]) - (state_.A[0][0] + state_.A[1][0]);
+  }
+
+  /// Advances while n, held fixed, proves a gap of more than the slab, without a distance
+  /// evaluation. @pre n is a unit vector, or zero
+  void advance_along(const Vec3<Scalar>& n) {
+    state_.radii += slab_;
+    const Scalar step = step_along(n);
+    state_.radii = pair_.A.radius + pair_.B.radius;
+    advance(step);
+  }
+
+  /// Advances as far as the normal of `closest` proves: held fixed or, where that does not reach
+  /// the end, moved along, whichever proves more. @pre `closest` is of this instant, no contact
+  void advance_from(const ClosestPoints<Scalar>& closest) {
+    const Feature<Scalar> feature(closest, state_);
+    const Vec3<Scalar> n = sharpened_normal(closest.normal_AB, feature);
+    Scalar step = step_along(n);
+    if (theta_ + step < Scalar(1)) {
+      const NormalPath<Scalar> N =
+          tracking_path(n, feature, relative_rate(closest, state_), closest.distance);
+      if (can_be_followed(N)) step = max_of(step, proven_free(N, state_, 1 - theta_));
+    }
+    advance(step);
+  }
+
+  /// Where the gap is foreseen to vanish or, where it is not going to, to be least. The material
+  /// points at the closest parameters are never closer than the capsules, and their distance bends
+  /// up by a known amount at most.
+  Scalar foreseen_contact(const ClosestPoints<Scalar>& closest) const {
+    const Scalar rate = closest.normal_AB.dot(relative_rate(closest, state_));
+    const Scalar now = gap(closest);
+    if (!(rate < Scalar(0)) || !(now > Scalar(0))) return theta_;
+    const Scalar speed = state_.bounds.speed;
+    const Scalar bend = state_.bounds.acceleration + speed * (speed / closest.distance);
+    const Scalar square = rate * rate - 2 * (bend * now);
+    const Scalar ahead = square > Scalar(0) ? 2 * now / (std::sqrt(square) - rate) : -rate / bend;
+    return min_of(Scalar(1), theta_ + ahead);
+  }
+
+ private:
+  /// How far n, held fixed, proves the pair free.
+  Scalar step_along(const Vec3<Scalar>& n) const {
+    NormalPath<Scalar> fixed;
+    fixed.n = n;
+    const Scalar rest = 1 - theta_;
+    const Scalar step = proven_free(fixed, state_, rest);
+    if (!(step < rest) || !(state_.turn * rest > kFastSpin<Scalar>)) return step;
+    const Scalar least = state_.radii + kInflation<Scalar> * state_.bounds.length;
+    return max_of(step, free_until_by_spin(pair_, n, least, theta_) - theta_);
+  }
+
+  void advance(Scalar step) {
+    theta_ = min_of(Scalar(1), theta_ + step);
+    if (step > Scalar(0) && !is_at_end()) expand_here();
+  }
+
+  void expand_here() {
+    state_.A = expand(pair_.A, theta_);
+    state_.B = expand(pair_.B, theta_);
+  }
+
+  MovingPair<Scalar> pair_;
+  Scalar slab_;
+  Scalar theta_ = 0;
+  PairExpansion<Scalar> state_;  ///< at theta
+};
+
+/// The unit vector along the seed or, where that has no direction, along the other; or zero.
+template <class Scalar>
+Vec3<Scalar> direction_of(const Vec3<Scalar>& seed, const Vec3<Scalar>& other) {
+  const bool seeded = is_finite(seed) && largest_component(seed) > Scalar(0);
+  const Vec3<Scalar>& line = seeded ? seed : other;
+  return largest_component(line) > Scalar(0) ? unit(line) : line;
+}
+
+template <class Scalar>
+ClosestPoints<Scalar> in_metres(ClosestPoints<Scalar> closest, Scalar scale) {
+  if (scale == Scalar(1)) return closest;
+  closest.p_A /= scale;
+  closest.p_B /= scale;
+  closest.distance /= scale;
+  return closest;
+}
+
+/// Walks until contact, the end, or the end of the budget.
+template <class Scalar>
+SearchResult<Scalar> walk_on(Walk<Scalar>& walk, const MovingPair<Scalar>& pair, Scalar scale,
+                             std::uint32_t budget) {
+  SearchResult<Scalar> result;
+  result.outcome = Outcome::kBudget;
+  for (std::uint32_t i = 0; i < budget && !walk.is_at_end(); ++i) {  // Bound: kMaxBudget
+    const ClosestPoints<Scalar> closest = walk.closest();
+    const Scalar t = walk.theta() * pair.duration;
+    ++result.evaluations;
+    result.witness = gap_at(pair, in_metres(closest, scale), t);
+    result.gap_rate = gap_rate_at(pair, result.witness, t);
+    if (walk.is_contact(closest)) {
+      result.outcome = walk.theta() > Scalar(0) ? Outcome::kContact : Outcome::kTouching;
+      result.t_hit = walk.foreseen_contact(closest) * pair.duration;
+      break;
+    }
+    walk.advance_from(closest);
+  }
+  return result;
+}
+
+}  // namespace
+
+template <class Scalar>
+Status validate(const AdvancementOptions<Scalar>& options) {
+  const bool good =
+      options.slab >= Scalar(0) && options.slab <= Scalar(1) && options.budget <= kMaxBudget;
+  return good ? Status::kOk : Status::kInvalidArgument;
+}
+
+template <class Scalar>
+Scalar slab_of(const MovingPair<Scalar>& pair, const AdvancementOptions<Scalar>& options) {
+  return max_of(options.slab * pair.scale, kLeastSlab<Scalar> * query_length(pair));
+}
+
+template <class Scalar>
+SearchResult<Scalar> search_advancement(const MovingPair<Scalar>& pair,
+                                        const AdvancementOptions<Scalar>& options,
+                                        const Vec3<Scalar>& seed_AB) {
+  const Scalar length = query_length(pair);
+  const bool is_asked_well = validate(options) == Status::kOk && pair.duration >= Scalar(0) &&
+                             length <= kLargestCoordinate<Scalar>;
+  if (!is_asked_well) return {};
+  const Scalar scale = window_scale(length);
+  Walk<Scalar> walk(pair, scale, slab_of(pair, options));
+  const Vec3<Scalar> first = direction_of(seed_AB, walk.line_of_middles());
+  walk.advance_along(first);
+  SearchResult<Scalar> result = walk_on(walk, pair, scale, options.budget);
+  if (result.evaluations == 0) result.witness.axes.normal_AB = first;
+  result.t_free = walk.theta() * pair.duration;
+  if (result.outcome != Outcome::kBudget) return result;
+  if (walk.is_at_end()) result.outcome = Outcome::kFree;
+  result.t_hit = pair.duration;
+  return result;
+}
+
+#define BATUTA_INSTANTIATE(Scalar)                                                       \
+  template Status validate(const AdvancementOptions<Scalar>&);                           \
+  template Scalar slab_of(const MovingPair<Scalar>&, const AdvancementOptions<Scalar>&); \
+  template SearchResult<Scalar> search_advancement(                                      \
+      const MovingPair<Scalar>&, const AdvancementOptions<Scalar>&, const Vec3<Scalar>&);
+BATUTA_INSTANTIATE(float)
+BATUTA_INSTANTIATE(double)
+#undef BATUTA_INSTANTIATE
+
+}  // namespace batuta

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A pair in motion, expanded about one instant theta in [0, 1]: the unit of time is the duration,
+// so that velocities are travels and angular velocities turns, and no power of a rate overflows.
+// Derivation: advancement.md, "Motion".
+
+#include <array>
+
+#include "batuta/detection/moving_pair.hpp"
+#include "round_up.hpp"
+
+namespace batuta {
+
+/// Position of an end and its first three derivatives in theta.
+template <class Scalar>
+using EndExpansion = std::array<Vec3<Scalar>, 4>;
+
+/// Both ends of one axis at one instant.
+template <class Scalar>
+using AxisExpansion = std::array<EndExpansion<Scalar>, 2>;
+
+/// What holds for the derivatives of the difference of any two points of the axes, at every time.
+template <class Scalar>
+struct DerivativeBounds {
+  Scalar length = 0;        ///< L: distances, travel and arcs
+  Scalar speed = 0;         ///< of the first derivative
+  Scalar acceleration = 0;  ///< of the second
+  Scalar jerk = 0;          ///< of the third
+  Scalar snap = 0;          ///< of the fourth
+};
+
+/// The longest way round that turning takes an end of the axis in the time `duration`, m.
+template <class Scalar>
+Scalar arc(const CapsulePath<Scalar>& path, Scalar duration) {
+  return path.turn_rate * duration * max_of(length(path.ends[0].arm), length(path.ends[1].arm));
+}
+
+/// L, m: all lengths of the query, arcs included.
+template <class Scalar>
+Scalar query_length(const MovingPair<Scalar>& pair) {
+  return kRoundUp<Scalar> *
+         (pair.scale + (arc(pair.A, pair.duration) + arc(pair.B, pair.duration)));
+}
+
+template <class Scalar>
+CapsulePath<Scalar> in_units(CapsulePath<Scalar> path, Scalar duration, Scalar scale) {
+  for (EndPath<Scalar>& end : path.ends) {  // Bound: two ends
+    end.start *= scale;
+    end.arm *= scale;
+    end.side *= scale;
+  }
+  path.v = (path.v * duration) * scale;
+  path.turn_rate *= duration;
+  path.radius *= scale;
+  return path;
+}
+
+/// The same query in units of its duration and of 1 / scale metres.
+template <class Scalar>
+MovingPair<Scalar> in_units(const MovingPair<Scalar>& pair, Scalar scale) {
+  MovingPair<Scalar> unit;
+  unit.A = in_units(pair.A, pair.duration, scale);
+  unit.B = in_units(pair.B, pair.duration, scale);
+  unit.duration = 1;
+  unit.scale = pair.scale * scale;
+  return unit;
+}
+
+/// @pre pair.duration == 1
+template <class Scalar>
+DerivativeBounds<Scalar> derivative_bounds(const MovingPair<Scalar>& pair) {
+  const Scalar turn_A = pair.A.turn_rate;
+  const Scalar turn_B = pair.B.turn_rate;
+  const Scalar arc_A = arc(pair.A, Scalar(1));
+  const Scalar arc_B = arc(pair.B, Scalar(1));
+  const Scalar travel = length(pair.B.v);
+  const Scalar up = kRoundUp<Scalar>;
+  DerivativeBounds<Scalar> bounds;
+  bounds.length = up * (pair.scale + (arc_A + arc_B));
+  bounds.speed = up * (travel + (arc_A + arc_B));
+  bounds.acceleration = up * (turn_A * arc_A + turn_B * arc_B);
+  bounds.jerk = up * (turn_A * turn_A * arc_A + turn_B * turn_B * arc_B);
+  bounds.snap = up * (turn_A * turn_A * (turn_A * arc_A) + turn_B * turn_B * (turn_B * arc_B));
+  return bounds;
+}
+
+/// @param path  in units of its duration
+template <class Scalar>
+AxisExpansion<Scalar> expand(const CapsulePath<Scalar>& path, Scalar theta) {
+  const Scalar turn = path.turn_rate;
+  const SinCos<Scalar> at = turn > Scalar(0) ? sin_cos(turn * theta) : SinCos<Scalar>{};
+  const Vec3<Scalar>& travel = path.v;
+  AxisExpansion<Scalar> axis;
+  for (std::size_t i = 0; i < 2; ++i) {  // Bound: two ends
+    const EndPath<Scalar>& end = path.ends[i];
+    const Vec3<Scalar> arm = at.cos * end.arm + at.sin * end.side;
+    const Vec3<Scalar> side = at.cos * end.side - at.sin * end.arm;
+    axis[i][0] = end.start + (travel * theta + (at.sin * end.side - (1 - at.cos) * end.arm));
+    axis[i][1] = travel + turn * side;
+    axis[i][2] = -(turn * turn) * arm;
+    axis[i][3] = -(turn * turn * turn) * side;
+  }
+  return axis;
+}
+
+}  // namespace batuta

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Lengths of any size, brought to where their powers neither overflow nor lose bits, without
+// rounding.
+
+#include "batuta/core/types.hpp"
+
+namespace batuta {
+
+/// Lengths in [kSmallest, kLargest] are worked on as they are; others are multiplied by kStep or 1
+/// / kStep until they are, so that the fourth powers in the kernel neither overflow nor lose bits
+/// (segment.md, "Scale").
+template <class Scalar>
+struct ScaleWindow;
+template <>
+struct ScaleWindow<float> {
+  static constexpr float kSmallest = 0x1p-20F;
+  static constexpr float kLargest = 0x1p27F;
+  static constexpr float kStep = 0x1p40F;
+};
+template <>
+struct ScaleWindow<double> {
+  static constexpr double kSmallest = 0x1p-200;
+  static constexpr double kLargest = 0x1p200;
+  static constexpr double kStep = 0x1p300;
+};
+constexpr int kMaxScaleSteps = 3;
+
+/// The power of two that brings `length` into the window; 1 for zero and for what is not finite.
+template <class Scalar>
+Scalar window_scale(Scalar length) {
+  using Window = ScaleWindow<Scalar>;
+  Scalar scale = 1;
+  if (!(length > 0)) return scale;
+  for (int i = 0; i < kMaxScaleSteps; ++i) {  // Bound: kMaxScaleSteps
+    if (length * scale < Window::kSmallest) scale *= Window::kStep;
+    if (length * scale > Window::kLargest) scale /= Window::kStep;
+  }
+  return scale;
+}
+
+}  // namespace batuta
