@@ -53,29 +53,23 @@ class Walk {
   /// Advances as far as the normal of `closest` proves: held fixed or, where that does not reach
   /// the end, moved along, whichever proves more. @pre `closest` is of this instant, no contact
   void advance_from(const ClosestPoints<Scalar>& closest) {
-    const Feature<Scalar> feature(closest, state_);
-    const Vec3<Scalar> n = sharpened_normal(closest.normal_AB, feature);
+    const EdgePair<Scalar> edges(closest, along_axis(state_.A, 0), along_axis(state_.B, 0));
+    const Vec3<Scalar> n = sharpened(closest.normal_AB, edges);
     Scalar step = step_along(n);
     if (theta_ + step < Scalar(1)) {
       const NormalPath<Scalar> N =
-          tracking_path(n, feature, relative_rate(closest, state_), closest.distance);
+          tracking_path(n, edges, state_, relative_rate(closest, state_), closest.distance);
       if (can_be_followed(N)) step = max_of(step, proven_free(N, state_, 1 - theta_));
     }
     advance(step);
   }
 
-  /// Where the gap is foreseen to vanish or, where it is not going to, to be least. The material
-  /// points at the closest parameters are never closer than the capsules, and their distance bends
-  /// up by a known amount at most.
+  /// The foreseen instant of contact after theta.
   Scalar foreseen_contact(const ClosestPoints<Scalar>& closest) const {
-    const Scalar rate = closest.normal_AB.dot(relative_rate(closest, state_));
-    const Scalar now = gap(closest);
-    if (!(rate < Scalar(0)) || !(now > Scalar(0))) return theta_;
     const Scalar speed = state_.bounds.speed;
     const Scalar bend = state_.bounds.acceleration + speed * (speed / closest.distance);
-    const Scalar square = rate * rate - 2 * (bend * now);
-    const Scalar ahead = square > Scalar(0) ? 2 * now / (std::sqrt(square) - rate) : -rate / bend;
-    return min_of(Scalar(1), theta_ + ahead);
+    const Scalar rate = closest.normal_AB.dot(relative_rate(closest, state_));
+    return min_of(Scalar(1), theta_ + time_to_contact(gap(closest), rate, bend));
   }
 
  private:
@@ -112,15 +106,6 @@ Vec3<Scalar> direction_of(const Vec3<Scalar>& seed, const Vec3<Scalar>& other) {
   const bool seeded = is_finite(seed) && largest_component(seed) > Scalar(0);
   const Vec3<Scalar>& line = seeded ? seed : other;
   return largest_component(line) > Scalar(0) ? unit(line) : line;
-}
-
-template <class Scalar>
-ClosestPoints<Scalar> in_metres(ClosestPoints<Scalar> closest, Scalar scale) {
-  if (scale == Scalar(1)) return closest;
-  closest.p_A /= scale;
-  closest.p_B /= scale;
-  closest.distance /= scale;
-  return closest;
 }
 
 /// Walks until contact, the end, or the end of the budget.

@@ -66,6 +66,26 @@ MovingPair<Scalar> in_units(const MovingPair<Scalar>& pair, Scalar scale) {
   return unit;
 }
 
+/// Closest points of a query in such units, in metres.
+template <class Scalar>
+ClosestPoints<Scalar> in_metres(ClosestPoints<Scalar> closest, Scalar scale) {
+  if (scale == Scalar(1)) return closest;
+  closest.p_A /= scale;
+  closest.p_B /= scale;
+  closest.distance /= scale;
+  return closest;
+}
+
+/// How long until a gap that falls at `rate` is zero, or least where it is not going to be. The
+/// material points at the closest parameters are never closer than the capsules, and their distance
+/// bends up by `bend` at most; 0 for a gap that does not fall.
+template <class Scalar>
+Scalar time_to_contact(Scalar gap, Scalar rate, Scalar bend) {
+  if (!(rate < Scalar(0)) || !(gap > Scalar(0))) return Scalar(0);
+  const Scalar square = rate * rate - 2 * (bend * gap);
+  return square > Scalar(0) ? 2 * gap / (std::sqrt(square) - rate) : -rate / bend;
+}
+
 /// @pre pair.duration == 1
 template <class Scalar>
 DerivativeBounds<Scalar> derivative_bounds(const MovingPair<Scalar>& pair) {

@@ -7,47 +7,189 @@ namespace batuta {
 
 namespace {
 
-/// Everything is rounded outward by this times u times the sum of the lengths involved
-/// (swept_volume.md).
+/// The sphere is rounded outward by this times the sum of the lengths involved (swept_volume.md).
 template <class Scalar>
-inline constexpr Scalar kOutward = 64 * kRoundOff<Scalar>;
+inline constexpr Scalar kSphereOutward = 64 * kRoundOff<Scalar>;
+
+/// Bounds on what rounding does to a support, as a share of the lever and the travel, and of the
+/// distance from the origin and the radius (swept_volume.md).
+template <class Scalar>
+inline constexpr Scalar kLocalOutward = 160 * kRoundOff<Scalar>;
+template <class Scalar>
+inline constexpr Scalar kOriginOutward = 8 * kRoundOff<Scalar>;
+
+/// An error of the angle of turn, as a share of it, moves the end of the path (moving_pair.md).
+template <class Scalar>
+inline constexpr Scalar kTurnError = 6 * kRoundOff<Scalar>;
+
+/// A function leaves its chord by at most this times the second derivative times the square of the
+/// interval: 1/8, and room for the rounding of what it is compared with (swept_volume.md).
+template <class Scalar>
+inline constexpr Scalar kSagitta = Scalar(0.13);
 
 /// From this turn on, rad, the box of the whole circle is never larger than chord and sagitta
-/// (swept_volume.md), and the end pose need not be known.
+/// (swept_volume.md).
 template <class Scalar>
 inline constexpr Scalar kLongTurn = Scalar(4);
 
-/// The ends of one path at both ends of the motion, relative to its centre of mass at the start.
 template <class Scalar>
-struct SweptEnd {
-  EndPath<Scalar> path;
-  Vec3<Scalar> travel;  ///< v T
-  Vec3<Scalar> last;    ///< at the end of the motion; not used for a long turn
-  Scalar turn = 0;      ///< |w| T, rad
+inline constexpr Scalar kFullTurn = Scalar(6.28318530717958647693);
+
+/// Height of an end along a direction over its height at the start, at the angle a of the turn:
+/// travel a / turn + (cos a - 1) cosine + sin a sine.
+template <class Scalar>
+struct Wave {
+  Scalar travel = 0;
+  Scalar cosine = 0;
+  Scalar sine = 0;
 };
 
-/// Upper end of direction . x over the path: chord + sagitta, or the whole circle carried along,
-/// whichever is less.
+/// Lowest and highest value, m.
 template <class Scalar>
-Scalar highest(const SweptEnd<Scalar>& end, const Vec3<Scalar>& direction) {
-  const Scalar along_arm = direction.dot(end.path.arm);
-  const Scalar along_side = direction.dot(end.path.side);
-  const Scalar amplitude = length(Vec3<Scalar>(along_arm, along_side, Scalar(0)));
-  const Scalar first = direction.dot(end.path.start);
-  const Scalar travel = direction.dot(end.travel);
-  const Scalar circle = first - along_arm + max_of(Scalar(0), travel) + amplitude;
-  if (end.turn >= kLongTurn<Scalar>) return circle;
-  const Scalar sagitta = end.turn * end.turn * amplitude / 8;
-  return min_of(circle, max_of(first, direction.dot(end.last)) + sagitta);
+struct Extent {
+  Scalar low = 0;
+  Scalar high = 0;
+};
+
+template <class Scalar>
+Extent<Scalar> joined(const Extent<Scalar>& P, const Extent<Scalar>& Q) {
+  return {min_of(P.low, Q.low), max_of(P.high, Q.high)};
 }
 
-/// Sum of all lengths that enter a face of the volume, m.
 template <class Scalar>
-Scalar size_of(const MovingCapsule<Scalar>& moving) {
+Extent<Scalar> shifted(const Extent<Scalar>& x, Scalar by) {
+  return {x.low + by, x.high + by};
+}
+
+/// A wave in units of the larger of its amplitudes, where that has extremes: where its slope in the
+/// angle, slope - amplitude sin(a - phase), vanishes.
+template <class Scalar>
+struct Crests {
+  Scalar size = 0;  ///< 0: rises or falls all the way
+  Scalar cosine = 0;
+  Scalar sine = 0;
+  Scalar slope = 0;
+  Scalar steepness = 0;  ///< sqrt(amplitude^2 - slope^2)
+};
+
+template <class Scalar>
+Crests<Scalar> crests_of(const Wave<Scalar>& wave, Scalar turn) {
+  const Scalar size = max_of(std::abs(wave.cosine), std::abs(wave.sine));
+  if (!(size > Scalar(0) && turn > Scalar(0))) return {};
+  const Scalar cosine = wave.cosine / size;
+  const Scalar sine = wave.sine / size;
+  const Scalar slope = wave.travel / turn / size;
+  const Scalar square = cosine * cosine + sine * sine - slope * slope;
+  if (!(square > Scalar(0))) return {};
+  return {size, cosine, sine, slope, std::sqrt(square)};
+}
+
+/// The highest crest within the turn (sign 1), or the depth of the deepest trough (sign -1); 0,
+/// which the start reaches, where there is none. Where the wave climbs it is the last one, else the
+/// first: no loop over turns.
+template <class Scalar>
+Scalar crest(const Crests<Scalar>& at, Scalar sign, Scalar turn) {
+  if (at.size == Scalar(0)) return Scalar(0);
+  const Scalar slope = sign * at.slope;
+  const Scalar cosine = sign * at.cosine;
+  const Scalar sine = sign * at.sine;
+  const Scalar nearest =
+      arc_tangent(sine * at.steepness + cosine * slope, cosine * at.steepness - sine * slope);
+  Scalar angle = nearest < Scalar(0) ? nearest + kFullTurn<Scalar> : nearest;
+  if (angle > turn) return Scalar(0);
+  if (slope > Scalar(0)) {
+    const int more = static_cast<int>((turn - angle) / kFullTurn<Scalar>);
+    angle += static_cast<Scalar>(more) * kFullTurn<Scalar>;
+  }
+  return at.size * (slope * angle + (at.steepness - cosine));
+}
+
+/// One end of the capsule along one direction.
+template <class Scalar>
+struct EndWave {
+  Scalar first = 0;  ///< height at the start, m
+  Wave<Scalar> wave;
+};
+
+template <class Scalar>
+EndWave<Scalar> end_wave(const CapsuleSweep<Scalar>& sweep, const EndPath<Scalar>& end,
+                         const Vec3<Scalar>& direction) {
+  return {direction.dot(end.start),
+          {direction.dot(sweep.travel_W), direction.dot(end.arm), direction.dot(end.side)}};
+}
+
+/// Over the start and the end of the motion, relative to the start.
+template <class Scalar>
+Extent<Scalar> ends_of(const CapsuleSweep<Scalar>& sweep, const Wave<Scalar>& wave) {
+  const Scalar turned = wave.sine * sweep.at_end.sin - (Scalar(1) - sweep.at_end.cos) * wave.cosine;
+  const Scalar last = wave.travel + turned;
+  const Scalar slip =
+      kTurnError<Scalar> * sweep.turn * (std::abs(wave.cosine) + std::abs(wave.sine));
+  return {min_of(Scalar(0), last - slip), max_of(Scalar(0), last + slip)};
+}
+
+/// sqrt(cosine^2 + sine^2) at any scale.
+template <class Scalar>
+Scalar amplitude_of(const Wave<Scalar>& wave) {
+  const Scalar cosine = std::abs(wave.cosine);
+  const Scalar sine = std::abs(wave.sine);
+  const Scalar size = max_of(cosine, sine);
+  if (size == Scalar(0)) return size;
+  const Scalar slant = min_of(cosine, sine) / size;
+  return size * std::sqrt(Scalar(1) + slant * slant);
+}
+
+/// Over whole circles carried along.
+template <class Scalar>
+Extent<Scalar> circles_of(const Wave<Scalar>& wave, Scalar amplitude) {
+  return {min_of(Scalar(0), wave.travel) - wave.cosine - amplitude,
+          max_of(Scalar(0), wave.travel) - wave.cosine + amplitude};
+}
+
+/// Whether the slope keeps its sign, by its values at both ends and its second derivative.
+template <class Scalar>
+bool is_monotone(const CapsuleSweep<Scalar>& sweep, const Wave<Scalar>& wave) {
+  const Scalar turn = sweep.turn;
+  const Scalar first = wave.travel + turn * wave.sine;
+  const Scalar last =
+      wave.travel + turn * (sweep.at_end.cos * wave.sine - sweep.at_end.sin * wave.cosine);
+  const Scalar bulge =
+      kSagitta<Scalar> * turn * turn * turn * (std::abs(wave.cosine) + std::abs(wave.sine));
+  return min_of(first, last) >= bulge || max_of(first, last) <= -bulge;
+}
+
+/// The exact extent of an end over the motion.
+template <class Scalar>
+Extent<Scalar> exact_extent(const CapsuleSweep<Scalar>& sweep, const EndWave<Scalar>& end) {
+  if (!(sweep.turn <= kMaxAngle<Scalar>)) {
+    return shifted(circles_of(end.wave, amplitude_of(end.wave)), end.first);
+  }
+  const Extent<Scalar> ends = ends_of(sweep, end.wave);
+  if (is_monotone(sweep, end.wave)) return shifted(ends, end.first);
+  const Crests<Scalar> crests = crests_of(end.wave, sweep.turn);
+  const Extent<Scalar> inner{-crest(crests, Scalar(-1), sweep.turn),
+                             crest(crests, Scalar(1), sweep.turn)};
+  return shifted(joined(ends, inner), end.first);
+}
+
+/// Chord and sagitta, or the whole circle carried along, whichever is less.
+template <class Scalar>
+Extent<Scalar> coarse_extent(const CapsuleSweep<Scalar>& sweep, const EndWave<Scalar>& end) {
+  const Scalar amplitude = amplitude_of(end.wave);
+  const Extent<Scalar> circles = circles_of(end.wave, amplitude);
+  if (!(sweep.turn < kLongTurn<Scalar>)) return shifted(circles, end.first);
+  const Extent<Scalar> ends = ends_of(sweep, end.wave);
+  const Scalar sagitta = sweep.turn * sweep.turn * amplitude / 8;
+  const Extent<Scalar> tighter{max_of(circles.low, ends.low - sagitta),
+                               min_of(circles.high, ends.high + sagitta)};
+  return shifted(tighter, end.first);
+}
+
+/// How far an end of the axis is from the centre of mass at most, m.
+template <class Scalar>
+Scalar reach_of(const MovingCapsule<Scalar>& moving) {
   const Segment<Scalar>& axis_B = moving.capsule_B.axis;
-  const Scalar travel = length(moving.motion.twist.v_W) * moving.motion.duration;
-  const Scalar reach = max_of(length(axis_B.a), length(axis_B.b));
-  return length(moving.motion.X_WB.p_W) + travel + reach + moving.capsule_B.radius;
+  return max_of(length(axis_B.a), length(axis_B.b));
 }
 
 /// The whole space.
@@ -59,47 +201,83 @@ Kdop<Scalar, K> unbounded() {
   return all;
 }
 
+/// Of both ends along `direction`, relative to start_W; `extent` is exact_extent or coarse_extent.
+template <class Scalar, class ExtentOfEnd>
+Extent<Scalar> extent_of(const CapsuleSweep<Scalar>& sweep, const Vec3<Scalar>& direction,
+                         const ExtentOfEnd& extent) {
+  return joined(extent(sweep, end_wave(sweep, sweep.path.ends[0], direction)),
+                extent(sweep, end_wave(sweep, sweep.path.ends[1], direction)));
+}
+
+template <class Scalar, int K, class ExtentOfEnd>
+Kdop<Scalar, K> kdop_over(const MovingCapsule<Scalar>& moving, const ExtentOfEnd& extent) {
+  const CapsuleSweep<Scalar> sweep = capsule_sweep(moving);
+  if (!sweep.is_bounded) return unbounded<Scalar, K>();
+  Kdop<Scalar, K> swept;
+  for (int i = 0; i < Kdop<Scalar, K>::kDirections; ++i) {  // Bound: K / 2
+    const Vec3<Scalar> up = kdop_direction<Scalar, K>(i);
+    const Extent<Scalar> along = shifted(extent_of(sweep, up, extent), up.dot(sweep.start_W));
+    const auto k = static_cast<std::size_t>(i);
+    swept.low[k] = along.low;
+    swept.high[k] = along.high;
+  }
+  return inflated(swept, sweep.path.radius + sweep.outward);
+}
+
 }  // namespace
 
 template <class Scalar>
 SweptSphere<Scalar> swept_sphere(const MovingCapsule<Scalar>& moving) {
-  const Segment<Scalar>& axis_B = moving.capsule_B.axis;
   const Vec3<Scalar>& start_W = moving.motion.X_WB.p_W;
   const Vec3<Scalar> travel = moving.motion.twist.v_W * moving.motion.duration;
-  const Scalar reach = max_of(length(axis_B.a), length(axis_B.b));
-  const Scalar outward = kOutward<Scalar> * size_of(moving);
-  return {start_W, start_W + travel, reach + moving.capsule_B.radius + outward};
+  const Scalar radius = reach_of(moving) + moving.capsule_B.radius;
+  const Scalar size = length(start_W) + length(travel) + radius;
+  return {start_W, start_W + travel, radius + kSphereOutward<Scalar> * size};
+}
+
+template <class Scalar>
+CapsuleSweep<Scalar> capsule_sweep(const MovingCapsule<Scalar>& moving) {
+  const Scalar duration = moving.motion.duration;
+  CapsuleSweep<Scalar> sweep;
+  sweep.start_W = moving.motion.X_WB.p_W;
+  sweep.path = capsule_path(moving, sweep.start_W, Vec3<Scalar>::Zero().eval());
+  sweep.travel_W = sweep.path.v * duration;
+  sweep.turn = sweep.path.turn_rate * duration;
+  if (sweep.turn > Scalar(0) && sweep.turn <= kMaxAngle<Scalar>) sweep.at_end = sin_cos(sweep.turn);
+  // Where a sum of lengths may overflow, 0 * infinity could make a face vanish.
+  const Scalar local = reach_of(moving) + length(sweep.travel_W);
+  const Scalar other = length(sweep.start_W) + sweep.path.radius;
+  sweep.is_bounded = local + other <= kLargestCoordinate<Scalar> && sweep.turn >= Scalar(0);
+  sweep.outward = kLocalOutward<Scalar> * local + kOriginOutward<Scalar> * other;
+  return sweep;
+}
+
+template <class Scalar>
+Scalar swept_support(const CapsuleSweep<Scalar>& sweep, const Vec3<Scalar>& direction) {
+  if (!sweep.is_bounded) return std::numeric_limits<Scalar>::max();
+  const Extent<Scalar> extent = extent_of(sweep, direction, exact_extent<Scalar>);
+  const Scalar margin = length(direction) * (sweep.path.radius + sweep.outward);
+  return direction.dot(sweep.start_W) + (extent.high + margin);
 }
 
 template <class Scalar, int K>
 Kdop<Scalar, K> swept_kdop(const MovingCapsule<Scalar>& moving) {
-  const Vec3<Scalar>& start_W = moving.motion.X_WB.p_W;
-  const Scalar duration = moving.motion.duration;
-  const CapsulePath<Scalar> path = capsule_path(moving, start_W, Vec3<Scalar>::Zero().eval());
-  const Scalar turn = path.turn_rate * duration;
-  const Scalar size = size_of(moving);
-  // Where a sum of lengths may overflow, 0 * infinity could make a face vanish.
-  if (!(size <= kLargestCoordinate<Scalar> && turn >= Scalar(0))) return unbounded<Scalar, K>();
-  const bool is_long = turn >= kLongTurn<Scalar>;
-  const Segment<Scalar> last = capsule_at(path, is_long ? Scalar(0) : duration).axis;
-  const Vec3<Scalar> travel = path.v * duration;
-  const SweptEnd<Scalar> end_a{path.ends[0], travel, last.a, turn};
-  const SweptEnd<Scalar> end_b{path.ends[1], travel, last.b, turn};
-  Kdop<Scalar, K> swept;
-  for (int i = 0; i < Kdop<Scalar, K>::kDirections; ++i) {  // Bound: K / 2
-    const Vec3<Scalar> up = kdop_direction<Scalar, K>(i);
-    const Vec3<Scalar> down = -up;
-    const Scalar origin = up.dot(start_W);
-    const auto k = static_cast<std::size_t>(i);
-    swept.high[k] = origin + max_of(highest(end_a, up), highest(end_b, up));
-    swept.low[k] = origin - max_of(highest(end_a, down), highest(end_b, down));
-  }
-  return inflated(swept, path.radius + kOutward<Scalar> * size);
+  return kdop_over<Scalar, K>(moving, exact_extent<Scalar>);
+}
+
+template <class Scalar, int K>
+Kdop<Scalar, K> coarse_swept_kdop(const MovingCapsule<Scalar>& moving) {
+  return kdop_over<Scalar, K>(moving, coarse_extent<Scalar>);
 }
 
 template <class Scalar>
 Aabb<Scalar> swept_aabb(const MovingCapsule<Scalar>& moving) {
   return swept_kdop<Scalar, 6>(moving);
+}
+
+template <class Scalar>
+Aabb<Scalar> coarse_swept_aabb(const MovingCapsule<Scalar>& moving) {
+  return coarse_swept_kdop<Scalar, 6>(moving);
 }
 
 template <class Scalar>
@@ -111,20 +289,27 @@ bool overlaps(const SweptSphere<Scalar>& P, const SweptSphere<Scalar>& Q) {
   // Seen from P's start, so that the distance from the world's origin costs nothing.
   const Segment<Scalar> axis_P{Vec3<Scalar>::Zero(), travel_P};
   const Segment<Scalar> axis_Q{between, between + travel_Q};
-  const Scalar apart = closest_points(axis_P, axis_Q).distance - kOutward<Scalar> * size;
+  const Scalar apart = closest_points(axis_P, axis_Q).distance - kSphereOutward<Scalar> * size;
   return !(apart > kRoundUp<Scalar> * (P.radius + Q.radius));
 }
 
-#define BATUTA_INSTANTIATE(Scalar)                                         \
-  template SweptSphere<Scalar> swept_sphere(const MovingCapsule<Scalar>&); \
-  template Aabb<Scalar> swept_aabb(const MovingCapsule<Scalar>&);          \
-  template Kdop<Scalar, 6> swept_kdop(const MovingCapsule<Scalar>&);       \
-  template Kdop<Scalar, 14> swept_kdop(const MovingCapsule<Scalar>&);      \
-  template Kdop<Scalar, 18> swept_kdop(const MovingCapsule<Scalar>&);      \
-  template Kdop<Scalar, 26> swept_kdop(const MovingCapsule<Scalar>&);      \
+#define BATUTA_INSTANTIATE_K(Scalar, K)                              \
+  template Kdop<Scalar, K> swept_kdop(const MovingCapsule<Scalar>&); \
+  template Kdop<Scalar, K> coarse_swept_kdop(const MovingCapsule<Scalar>&);
+#define BATUTA_INSTANTIATE(Scalar)                                                 \
+  template SweptSphere<Scalar> swept_sphere(const MovingCapsule<Scalar>&);         \
+  template CapsuleSweep<Scalar> capsule_sweep(const MovingCapsule<Scalar>&);       \
+  template Scalar swept_support(const CapsuleSweep<Scalar>&, const Vec3<Scalar>&); \
+  template Aabb<Scalar> swept_aabb(const MovingCapsule<Scalar>&);                  \
+  template Aabb<Scalar> coarse_swept_aabb(const MovingCapsule<Scalar>&);           \
+  BATUTA_INSTANTIATE_K(Scalar, 6)                                                  \
+  BATUTA_INSTANTIATE_K(Scalar, 14)                                                 \
+  BATUTA_INSTANTIATE_K(Scalar, 18)                                                 \
+  BATUTA_INSTANTIATE_K(Scalar, 26)                                                 \
   template bool overlaps(const SweptSphere<Scalar>&, const SweptSphere<Scalar>&);
 BATUTA_INSTANTIATE(float)
 BATUTA_INSTANTIATE(double)
 #undef BATUTA_INSTANTIATE
+#undef BATUTA_INSTANTIATE_K
 
 }  // namespace batuta

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The searches behind one shape. A scene names one of these types; what it does not name is not
+// linked. Members of each:
+//   Options, options(budget, slab)   its options for a budget of distance evaluations; a slab of 0:
+//                                    its own default
+//   most_evaluations(options)        bound of one search
+//   kDefaultBudget                   suits its default options
+//   kHasSlab                         a gap within a slab counts as contact; else a gap <= 0 does
+//   contact_gap(pair, options)       the largest gap, m, at which it may speak of contact
+//   kUsesSeed                        a normal from an earlier search of the same pair helps
+//   search(pair, options, seed_AB)   first contact in [0, duration]; seed_AB zero: none
+
+#include "batuta/detection/stepping.hpp"
+#include "batuta/detection/translation.hpp"
+
+namespace batuta {
+
+/// The paper's [Kavan §3]: equal steps, then bisection. Passes over touches shallower than epsilon.
+template <class ScalarT>
+struct Stepping {
+  using Scalar = ScalarT;
+  using Options = SteppingOptions<Scalar>;
+  static constexpr bool kUsesSeed = false;
+  static constexpr bool kHasSlab = false;
+  static constexpr std::uint32_t kDefaultBudget = 4096;
+
+  /// What the halvings and the start leave of the budget goes into steps.
+  static constexpr Options options(std::uint32_t budget, Scalar /*slab*/) {
+    Options options;
+    const std::uint32_t rest = static_cast<std::uint32_t>(options.halvings) + 1;
+    options.max_steps = budget > rest ? budget - rest : 0;
+    return options;
+  }
+  static constexpr std::uint64_t most_evaluations(const Options& options) {
+    return std::uint64_t{options.max_steps} + static_cast<std::uint64_t>(options.halvings) + 1;
+  }
+  static Scalar contact_gap(const MovingPair<Scalar>& /*pair*/, const Options& /*options*/) {
+    return Scalar(0);
+  }
+  static SearchResult<Scalar> search(const MovingPair<Scalar>& pair, const Options& options,
+                                     const Vec3<Scalar>& /*seed_AB*/) {
+    return search_stepping(pair, options);
+  }
+};
+
+/// What the searches that never miss have in common: a slab and a budget.
+template <class ScalarT>
+struct Certified {
+  using Scalar = ScalarT;
+  using Options = AdvancementOptions<Scalar>;
+  static constexpr bool kHasSlab = true;
+  static constexpr std::uint32_t kDefaultBudget = Options{}.budget;
+
+  static constexpr Options options(std::uint32_t budget, Scalar slab) {
+    Options options;
+    options.budget = budget;
+    if (slab > Scalar(0)) options.slab = slab;
+    return options;
+  }
+  static constexpr std::uint64_t most_evaluations(const Options& options) { return options.budget; }
+  static Scalar contact_gap(const MovingPair<Scalar>& pair, const Options& options) {
+    return slab_of(pair, options) + kInflation<Scalar> * pair.scale;
+  }
+};
+
+/// Never misses, rotation included.
+template <class ScalarT>
+struct Advancement : Certified<ScalarT> {
+  using Scalar = ScalarT;
+  static constexpr bool kUsesSeed = true;
+
+  static SearchResult<Scalar> search(const MovingPair<Scalar>& pair,
+                                     const AdvancementOptions<Scalar>& options,
+                                     const Vec3<Scalar>& seed_AB) {
+    return search_advancement(pair, options, seed_AB);
+  }
+};
+
+/// Never misses; for scenes in which nothing turns. What turns is answered with kInvalid.
+template <class ScalarT>
+struct Translation : Certified<ScalarT> {
+  using Scalar = ScalarT;
+  static constexpr bool kUsesSeed = false;
+
+  static SearchResult<Scalar> search(const MovingPair<Scalar>& pair,
+                                     const AdvancementOptions<Scalar>& options,
+                                     const Vec3<Scalar>& /*seed_AB*/) {
+    return search_translation(pair, options);
+  }
+};
+
+}  // namespace batuta
