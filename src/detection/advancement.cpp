@@ -45,7 +45,7 @@ class Walk {
   /// evaluation. @pre n is a unit vector, or zero
   void advance_along(const Vec3<Scalar>& n) {
     state_.radii += slab_;
-    const Scalar step = step_along(n);
+    const Scalar step = step_along(n, heights(n, state_));
     state_.radii = pair_.A.radius + pair_.B.radius;
     advance(step);
   }
@@ -55,11 +55,14 @@ class Walk {
   void advance_from(const ClosestPoints<Scalar>& closest) {
     const EdgePair<Scalar> edges(closest, along_axis(state_.A, 0), along_axis(state_.B, 0));
     const Vec3<Scalar> n = sharpened(closest.normal_AB, edges);
-    Scalar step = step_along(n);
+    const Heights<Scalar> fixed = heights(n, state_);
+    Scalar step = step_along(n, fixed);
     if (theta_ + step < Scalar(1)) {
       const NormalPath<Scalar> N =
           tracking_path(n, edges, state_, relative_rate(closest, state_), closest.distance);
-      if (can_be_followed(N)) step = max_of(step, proven_free(N, state_, 1 - theta_));
+      if (can_be_followed(N)) {
+        step = max_of(step, proven_free(moved(fixed, N, state_), N, state_, 1 - theta_));
+      }
     }
     advance(step);
   }
@@ -74,11 +77,11 @@ class Walk {
 
  private:
   /// How far n, held fixed, proves the pair free.
-  Scalar step_along(const Vec3<Scalar>& n) const {
+  Scalar step_along(const Vec3<Scalar>& n, const Heights<Scalar>& heights) const {
     NormalPath<Scalar> fixed;
     fixed.n = n;
     const Scalar rest = 1 - theta_;
-    const Scalar step = proven_free(fixed, state_, rest);
+    const Scalar step = proven_free(heights, fixed, state_, rest);
     if (!(step < rest) || !(state_.turn * rest > kFastSpin<Scalar>)) return step;
     const Scalar least = state_.radii + kInflation<Scalar> * state_.bounds.length;
     return max_of(step, free_until_by_spin(pair_, n, least, theta_) - theta_);
@@ -108,26 +111,31 @@ Vec3<Scalar> direction_of(const Vec3<Scalar>& seed, const Vec3<Scalar>& other) {
   return largest_component(line) > Scalar(0) ? unit(line) : line;
 }
 
+/// How a walk ended, and its last distance evaluation.
+template <class Scalar>
+struct WalkEnd {
+  Outcome outcome = Outcome::kBudget;
+  std::uint32_t evaluations = 0;
+  Scalar theta = 0;  ///< of the last evaluation
+  ClosestPoints<Scalar> closest;
+};
+
 /// Walks until contact, the end, or the end of the budget.
 template <class Scalar>
-SearchResult<Scalar> walk_on(Walk<Scalar>& walk, const MovingPair<Scalar>& pair, Scalar scale,
-                             std::uint32_t budget) {
-  SearchResult<Scalar> result;
-  result.outcome = Outcome::kBudget;
+WalkEnd<Scalar> walk_on(Walk<Scalar>& walk, std::uint32_t budget) {
+  WalkEnd<Scalar> end;
   for (std::uint32_t i = 0; i < budget && !walk.is_at_end(); ++i) {  // Bound: kMaxBudget
-    const ClosestPoints<Scalar> closest = walk.closest();
-    const Scalar t = walk.theta() * pair.duration;
-    ++result.evaluations;
-    result.witness = gap_at(pair, in_metres(closest, scale), t);
-    result.gap_rate = gap_rate_at(pair, result.witness, t);
-    if (walk.is_contact(closest)) {
-      result.outcome = walk.theta() > Scalar(0) ? Outcome::kContact : Outcome::kTouching;
-      result.t_hit = walk.foreseen_contact(closest) * pair.duration;
-      break;
+    end.theta = walk.theta();
+    end.closest = walk.closest();
+    ++end.evaluations;
+    if (walk.is_contact(end.closest)) {
+      end.outcome = end.theta > Scalar(0) ? Outcome::kContact : Outcome::kTouching;
+      return end;
     }
-    walk.advance_from(closest);
+    walk.advance_from(end.closest);
   }
-  return result;
+  if (walk.is_at_end()) end.outcome = Outcome::kFree;
+  return end;
 }
 
 }  // namespace
@@ -156,12 +164,22 @@ SearchResult<Scalar> search_advancement(const MovingPair<Scalar>& pair,
   Walk<Scalar> walk(pair, scale, slab_of(pair, options));
   const Vec3<Scalar> first = direction_of(seed_AB, walk.line_of_middles());
   walk.advance_along(first);
-  SearchResult<Scalar> result = walk_on(walk, pair, scale, options.budget);
-  if (result.evaluations == 0) result.witness.axes.normal_AB = first;
+  const WalkEnd<Scalar> end = walk_on(walk, options.budget);
+
+  SearchResult<Scalar> result;
+  result.outcome = end.outcome;
+  result.evaluations = end.evaluations;
   result.t_free = walk.theta() * pair.duration;
-  if (result.outcome != Outcome::kBudget) return result;
-  if (walk.is_at_end()) result.outcome = Outcome::kFree;
   result.t_hit = pair.duration;
+  result.witness.axes.normal_AB = first;
+  if (end.evaluations > 0) {
+    const Scalar t = end.theta * pair.duration;
+    result.witness = gap_at(pair, in_metres(end.closest, scale), t);
+    result.gap_rate = gap_rate_at(pair, result.witness, t);
+  }
+  if (end.outcome == Outcome::kContact || end.outcome == Outcome::kTouching) {
+    result.t_hit = walk.foreseen_contact(end.closest) * pair.duration;
+  }
   return result;
 }
 

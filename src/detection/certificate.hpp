@@ -28,10 +28,6 @@ struct PairExpansion {
   Scalar radii = 0;  ///< R: sum of the radii
 };
 
-/// c[0] + c[1] h + ... + c[6] h^6.
-template <class Scalar>
-using Polynomial = std::array<Scalar, 7>;
-
 /// Expansions of the polynomials in one certificate, at most.
 inline constexpr int kMaxRounds = 4;
 
@@ -39,77 +35,95 @@ inline constexpr int kMaxRounds = 4;
 template <class Scalar>
 inline constexpr Scalar kWindowGrowth = Scalar(4);
 
-/// Turn, rad, within which the polynomials say something: the window of the first expansion.
+/// Turn, rad, within which the polynomials say something: no certificate goes beyond.
 template <class Scalar>
-inline constexpr Scalar kWindowTurn = Scalar(2);
+inline constexpr Scalar kHorizonTurn = Scalar(3);
 
 /// An expansion that gains less than this share of the step so far is the last one.
 template <class Scalar>
 inline constexpr Scalar kLeastGain = Scalar(1) / 16;
 
-/// direction . expansion, divided by the factorials: a polynomial of degree 3 in h.
+/// c[0] + c[1] h + c[2] h^2 + c[3] h^3.
 template <class Scalar>
-std::array<Scalar, 4> along(const Vec3<Scalar>& direction, const EndExpansion<Scalar>& end) {
-  return {direction.dot(end[0]), direction.dot(end[1]), direction.dot(end[2]) / 2,
-          direction.dot(end[3]) / 6};
+using Cubic = std::array<Scalar, 4>;
+
+/// Heights of the ends along a normal path: N(h) . (expansion of the end), without what toll()
+/// accounts for.
+template <class Scalar>
+struct Heights {
+  std::array<Cubic<Scalar>, 2> A;
+  std::array<Cubic<Scalar>, 2> B;
+};
+
+template <class Scalar>
+Cubic<Scalar> height(const Vec3<Scalar>& n, const EndExpansion<Scalar>& end) {
+  return {n.dot(end[0]), n.dot(end[1]), n.dot(end[2]) / 2, n.dot(end[3]) / 6};
 }
 
-/// N(h) . (expansion of the end).
+/// Along n, held fixed.
 template <class Scalar>
-Polynomial<Scalar> height(const NormalPath<Scalar>& N, const EndExpansion<Scalar>& end) {
-  const std::array<Scalar, 4> n = along(N.n, end);
-  const std::array<Scalar, 4> m = along(N.m, end);
-  const std::array<Scalar, 4> m2 = along(N.m2, end);
-  return {
-      n[0],      n[1] + m[0], n[2] + m[1] + m2[0] / 2, n[3] + m[2] + m2[1] / 2, m[3] + m2[2] / 2,
-      m2[3] / 2, Scalar(0)};
+Heights<Scalar> heights(const Vec3<Scalar>& n, const PairExpansion<Scalar>& pair) {
+  return {{height(n, pair.A[0]), height(n, pair.A[1])},
+          {height(n, pair.B[0]), height(n, pair.B[1])}};
 }
 
-/// What is taken off every N.(q - p): R |N|, the terms of the motion beyond the third, and what
-/// rounding may have done to all of them.
+/// What the motion of the normal adds to the height of an end.
 template <class Scalar>
-Polynomial<Scalar> toll(const NormalPath<Scalar>& N, const PairExpansion<Scalar>& pair) {
-  const Scalar m = kRoundUp<Scalar> * length(N.m);
-  const Scalar m2 = kRoundUp<Scalar> * length(N.m2) / 2;
-  const Scalar e0 = kInflation<Scalar> * pair.bounds.length;
-  const Scalar e1 = kInflation<Scalar> * pair.bounds.speed;
-  const Scalar e2 = kInflation<Scalar> * pair.bounds.acceleration / 2;
-  const Scalar e3 = kInflation<Scalar> * pair.bounds.jerk / 6;
-  const Scalar e4 = pair.bounds.snap / 24;
+void add_motion(Cubic<Scalar>& height, const NormalPath<Scalar>& N,
+                const EndExpansion<Scalar>& end) {
+  height[1] += N.m.dot(end[0]);
+  height[2] += N.m.dot(end[1]) + N.m2.dot(end[0]) / 2;
+  height[3] += (N.m.dot(end[2]) + N.m2.dot(end[1])) / 2;
+}
+
+/// Along N, from the heights along N.n held fixed.
+template <class Scalar>
+Heights<Scalar> moved(const Heights<Scalar>& fixed, const NormalPath<Scalar>& N,
+                      const PairExpansion<Scalar>& pair) {
+  Heights<Scalar> heights = fixed;
+  for (std::size_t i = 0; i < 2; ++i) {  // Bound: two ends of each
+    add_motion(heights.A[i], N, pair.A[i]);
+    add_motion(heights.B[i], N, pair.B[i]);
+  }
+  return heights;
+}
+
+/// t[0] + t[1] h + ... + t[4] h^4.
+template <class Scalar>
+using Quartic = std::array<Scalar, 5>;
+
+/// What is taken off every height difference on [0, horizon]: R |N|, all terms that heights leave
+/// out, and what rounding may have done to the others. Terms beyond the fourth are taken at the
+/// horizon.
+template <class Scalar>
+Quartic<Scalar> toll(const NormalPath<Scalar>& N, const PairExpansion<Scalar>& pair,
+                     Scalar horizon) {
+  const DerivativeBounds<Scalar>& bounds = pair.bounds;
+  const Scalar m = kRoundUp<Scalar> * N.m.norm();
+  const Scalar m2 = kRoundUp<Scalar> * N.m2.norm() / 2;
+  const Scalar eps = kInflation<Scalar>;
   const Scalar R = pair.radii;
-  return {R + e0,
-          e1 + m * e0,
-          e2 + m * e1 + m2 * e0 + R * m * m / 2,
-          e3 + m * e2 + m2 * e1 + R * m * m2,
-          e4 + m * e3 + m2 * e2 + R * m2 * m2 / 2,
-          m * e4 + m2 * e3,
-          m2 * e4};
+  const Scalar fourth = bounds.snap / 24 + m * bounds.jerk / 6 + m2 * bounds.acceleration / 2;
+  const Scalar fifth = m * bounds.snap / 24 + m2 * bounds.jerk / 6;
+  const Scalar sixth = m2 * bounds.snap / 24;
+  return {R + eps * bounds.length, eps * (bounds.speed + m * bounds.length),
+          eps * (bounds.acceleration / 2 + m * bounds.speed + m2 * bounds.length) + R * m * m / 2,
+          eps * (bounds.jerk / 6 + m * bounds.acceleration / 2 + m2 * bounds.speed) + R * m * m2,
+          (1 + eps) * (fourth + horizon * (fifth + horizon * sixth)) + R * m2 * m2 / 2};
 }
 
-/// Lower bounds of N.(q_j - p_i) - R |N|.
+/// Lower bounds of N.(q_j - p_i) - R |N| on [0, horizon].
 template <class Scalar>
-std::array<Polynomial<Scalar>, 4> clearances(const NormalPath<Scalar>& N,
-                                             const PairExpansion<Scalar>& pair) {
-  const std::array<Polynomial<Scalar>, 2> p = {height(N, pair.A[0]), height(N, pair.A[1])};
-  const std::array<Polynomial<Scalar>, 2> q = {height(N, pair.B[0]), height(N, pair.B[1])};
-  const Polynomial<Scalar> off = toll(N, pair);
-  std::array<Polynomial<Scalar>, 4> f;
-  for (std::size_t i = 0; i < 4; ++i) {    // Bound: four pairs of ends
-    for (std::size_t k = 0; k < 7; ++k) {  // Bound: the coefficients
-      f[i][k] = (q[i % 2][k] - p[i / 2][k]) - off[k];
-    }
+std::array<Quartic<Scalar>, 4> clearances(const Heights<Scalar>& heights,
+                                          const Quartic<Scalar>& toll) {
+  std::array<Quartic<Scalar>, 4> f;
+  for (std::size_t i = 0; i < 4; ++i) {  // Bound: four pairs of ends
+    const Cubic<Scalar>& p = heights.A[i / 2];
+    const Cubic<Scalar>& q = heights.B[i % 2];
+    f[i] = {(q[0] - p[0]) - toll[0], (q[1] - p[1]) - toll[1], (q[2] - p[2]) - toll[2],
+            (q[3] - p[3]) - toll[3], -toll[4]};
   }
   return f;
-}
-
-/// A number that (f(h) - f[0] - f[1] h) / h^2 is nowhere below on [0, window].
-template <class Scalar>
-Scalar least_bend(const Polynomial<Scalar>& f, Scalar window) {
-  Scalar sum = 0;
-  for (std::size_t k = 6; k > 2; --k) {  // Bound: the coefficients
-    sum = (sum + min_of(f[k], Scalar(0))) * window;
-  }
-  return f[2] + sum;
 }
 
 /// First root of c0 + c1 h + bend h^2, without cancellation. @pre c0 > 0, and there is one
@@ -120,42 +134,45 @@ Scalar first_root(Scalar c0, Scalar c1, Scalar bend) {
   return c1 < Scalar(0) ? 2 * c0 / (root - c1) : (c1 + root) / (-2 * bend);
 }
 
-/// The longest stretch of [0, window] on which the bound of f from its first three terms is
-/// positive.
+/// A stretch of [0, window] on which f is positive: where its tangent and the least bend that it
+/// has on the window say so.
 template <class Scalar>
-Scalar positive_stretch(const Polynomial<Scalar>& f, Scalar window) {
+Scalar positive_stretch(const Quartic<Scalar>& f, Scalar window) {
   if (!(f[0] > Scalar(0))) return Scalar(0);
-  const Scalar bend = least_bend(f, window);
+  const Scalar bend = f[2] + window * (min_of(f[3], Scalar(0)) + window * f[4]);
   const Scalar least = f[0] + window * (min_of(f[1], Scalar(0)) + window * min_of(bend, Scalar(0)));
   if (least > Scalar(0)) return window;
   const Scalar root = kRoundDown<Scalar> * first_root(f[0], f[1], bend);
   return root > Scalar(0) ? min_of(root, window) : Scalar(0);
 }
 
-/// f(h) -> f(h + step). Bound: the coefficients, twice.
+/// f(h) -> f(h + step).
 template <class Scalar>
-void move_origin(Polynomial<Scalar>& f, Scalar step) {
-  for (std::size_t i = 0; i < 6; ++i) {
-    for (std::size_t k = 6; k > i; --k) f[k - 1] += step * f[k];
+void move_origin(Quartic<Scalar>& f, Scalar step) {
+  for (std::size_t i = 0; i < 4; ++i) {                           // Bound: the coefficients
+    for (std::size_t k = 4; k > i; --k) f[k - 1] += step * f[k];  // Bound: the coefficients
   }
 }
 
-/// How long N proves the pair free, at most `rest`; 0: it proves nothing.
-/// Bound: kMaxRounds expansions of four polynomials.
+/// How long the normal path with these heights proves the pair free, at most `rest`; 0: it proves
+/// nothing. Bound: kMaxRounds expansions of four polynomials.
 template <class Scalar>
-Scalar proven_free(const NormalPath<Scalar>& N, const PairExpansion<Scalar>& pair, Scalar rest) {
-  std::array<Polynomial<Scalar>, 4> f = clearances(N, pair);
+Scalar proven_free(const Heights<Scalar>& heights, const NormalPath<Scalar>& N,
+                   const PairExpansion<Scalar>& pair, Scalar rest) {
+  const bool turns_far = pair.turn * rest > kHorizonTurn<Scalar>;
+  const Scalar horizon = turns_far ? kHorizonTurn<Scalar> / pair.turn : rest;
+  std::array<Quartic<Scalar>, 4> f = clearances(heights, toll(N, pair, horizon));
   Scalar proven = 0;
-  Scalar window = pair.turn * rest > kWindowTurn<Scalar> ? kWindowTurn<Scalar> / pair.turn : rest;
+  Scalar window = horizon;
   for (int round = 0; round < kMaxRounds; ++round) {  // Bound: kMaxRounds
     Scalar step = window;
-    for (const Polynomial<Scalar>& g : f) step = positive_stretch(g, step);  // Bound: four
+    for (const Quartic<Scalar>& g : f) step = positive_stretch(g, step);  // Bound: four
     proven += step;
-    if (!(step > kLeastGain<Scalar> * proven) || !(proven < rest)) break;
-    for (Polynomial<Scalar>& g : f) move_origin(g, step);  // Bound: four
-    window = min_of(rest - proven, kWindowGrowth<Scalar> * step);
+    if (!(step > kLeastGain<Scalar> * proven) || !(proven < horizon)) break;
+    for (Quartic<Scalar>& g : f) move_origin(g, step);  // Bound: four
+    window = min_of(horizon - proven, kWindowGrowth<Scalar> * step);
   }
-  return min_of(proven, rest);
+  return min_of(proven, horizon);
 }
 
 }  // namespace batuta
