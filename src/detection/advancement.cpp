@@ -23,22 +23,24 @@ class Walk {
     state_.bounds = derivative_bounds(pair_);
     state_.turn = pair_.A.turn_rate + pair_.B.turn_rate;
     state_.radii = pair_.A.radius + pair_.B.radius;
-    expand_here();
+    settle();
   }
 
   bool is_at_end() const { return !(theta_ < Scalar(1)); }
   Scalar theta() const { return theta_; }
 
   ClosestPoints<Scalar> closest() const {
-    return closest_points<Scalar>({state_.A[0][0], state_.A[1][0]},
-                                  {state_.B[0][0], state_.B[1][0]});
+    return closest_points<Scalar>(axis(state_.A), axis(state_.B));
   }
   Scalar gap(const ClosestPoints<Scalar>& closest) const { return closest.distance - state_.radii; }
   bool is_contact(const ClosestPoints<Scalar>& closest) const { return !(gap(closest) > slab_); }
 
   /// From twice the middle of A's axis to twice that of B's.
   Vec3<Scalar> line_of_middles() const {
-    return (state_.B[0][0] + state_.B[1][0]) - (state_.A[0][0] + state_.A[1][0]);
+    const auto sum = [](const AxisState<Scalar>& axis) {
+      return Vec3<Scalar>(axis.ends[0].p + axis.ends[1].p);
+    };
+    return sum(state_.B) - sum(state_.A);
   }
 
   /// Advances while n, held fixed, proves a gap of more than the slab, without a distance
@@ -53,7 +55,7 @@ class Walk {
   /// Advances as far as the normal of `closest` proves: held fixed or, where that does not reach
   /// the end, moved along, whichever proves more. @pre `closest` is of this instant, no contact
   void advance_from(const ClosestPoints<Scalar>& closest) {
-    const EdgePair<Scalar> edges(closest, along_axis(state_.A, 0), along_axis(state_.B, 0));
+    const EdgePair<Scalar> edges(closest, state_.A.direction(), state_.B.direction());
     const Vec3<Scalar> n = sharpened(closest.normal_AB, edges);
     const Heights<Scalar> fixed = heights(n, state_);
     Scalar step = step_along(n, fixed);
@@ -76,6 +78,10 @@ class Walk {
   }
 
  private:
+  static Segment<Scalar> axis(const AxisState<Scalar>& state) {
+    return {state.ends[0].p, state.ends[1].p};
+  }
+
   /// How far n, held fixed, proves the pair free.
   Scalar step_along(const Vec3<Scalar>& n, const Heights<Scalar>& heights) const {
     NormalPath<Scalar> fixed;
@@ -89,18 +95,18 @@ class Walk {
 
   void advance(Scalar step) {
     theta_ = min_of(Scalar(1), theta_ + step);
-    if (step > Scalar(0) && !is_at_end()) expand_here();
+    if (step > Scalar(0) && !is_at_end()) settle();
   }
 
-  void expand_here() {
-    state_.A = expand(pair_.A, theta_);
-    state_.B = expand(pair_.B, theta_);
+  void settle() {
+    state_.A = state_at(pair_.A, theta_);
+    state_.B = state_at(pair_.B, theta_);
   }
 
   MovingPair<Scalar> pair_;
   Scalar slab_;
   Scalar theta_ = 0;
-  PairExpansion<Scalar> state_;  ///< at theta
+  PairState<Scalar> state_;  ///< at theta
 };
 
 /// The unit vector along the seed or, where that has no direction, along the other; or zero.

@@ -20,9 +20,9 @@ struct NormalPath {
 
 /// Two axes at one instant, and what is known of them at all others.
 template <class Scalar>
-struct PairExpansion {
-  AxisExpansion<Scalar> A;
-  AxisExpansion<Scalar> B;
+struct PairState {
+  AxisState<Scalar> A;
+  AxisState<Scalar> B;
   DerivativeBounds<Scalar> bounds;
   Scalar turn = 0;   ///< of both bodies over the whole duration, rad
   Scalar radii = 0;  ///< R: sum of the radii
@@ -47,44 +47,54 @@ inline constexpr Scalar kLeastGain = Scalar(1) / 16;
 template <class Scalar>
 using Cubic = std::array<Scalar, 4>;
 
-/// Heights of the ends along a normal path: N(h) . (expansion of the end), without what toll()
-/// accounts for.
+/// Heights of the ends along a normal path: N(h) . p(h), without what toll() accounts for.
 template <class Scalar>
 struct Heights {
   std::array<Cubic<Scalar>, 2> A;
   std::array<Cubic<Scalar>, 2> B;
 };
 
+/// Of both ends of an axis along n, held fixed.
 template <class Scalar>
-Cubic<Scalar> height(const Vec3<Scalar>& n, const EndExpansion<Scalar>& end) {
-  return {n.dot(end[0]), n.dot(end[1]), n.dot(end[2]) / 2, n.dot(end[3]) / 6};
+std::array<Cubic<Scalar>, 2> axis_heights(const Vec3<Scalar>& n, const AxisState<Scalar>& axis) {
+  const Scalar travel = n.dot(axis.travel);
+  const Scalar square = axis.turn * axis.turn;
+  std::array<Cubic<Scalar>, 2> heights;
+  for (std::size_t i = 0; i < 2; ++i) {  // Bound: two ends
+    const EndState<Scalar>& end = axis.ends[i];
+    const Scalar swing = axis.turn * n.dot(end.side);
+    heights[i] = {n.dot(end.p), travel + swing, -square * n.dot(end.arm) / 2, -square * swing / 6};
+  }
+  return heights;
 }
 
-/// Along n, held fixed.
 template <class Scalar>
-Heights<Scalar> heights(const Vec3<Scalar>& n, const PairExpansion<Scalar>& pair) {
-  return {{height(n, pair.A[0]), height(n, pair.A[1])},
-          {height(n, pair.B[0]), height(n, pair.B[1])}};
+Heights<Scalar> heights(const Vec3<Scalar>& n, const PairState<Scalar>& pair) {
+  return {axis_heights(n, pair.A), axis_heights(n, pair.B)};
 }
 
-/// What the motion of the normal adds to the height of an end.
+/// What the motion of the normal adds to the heights of an axis.
 template <class Scalar>
-void add_motion(Cubic<Scalar>& height, const NormalPath<Scalar>& N,
-                const EndExpansion<Scalar>& end) {
-  height[1] += N.m.dot(end[0]);
-  height[2] += N.m.dot(end[1]) + N.m2.dot(end[0]) / 2;
-  height[3] += (N.m.dot(end[2]) + N.m2.dot(end[1])) / 2;
+void add_motion(std::array<Cubic<Scalar>, 2>& heights, const NormalPath<Scalar>& N,
+                const AxisState<Scalar>& axis) {
+  const Scalar travel = N.m.dot(axis.travel);
+  const Scalar travel2 = N.m2.dot(axis.travel);
+  const Scalar square = axis.turn * axis.turn;
+  for (std::size_t i = 0; i < 2; ++i) {  // Bound: two ends
+    const EndState<Scalar>& end = axis.ends[i];
+    heights[i][1] += N.m.dot(end.p);
+    heights[i][2] += travel + axis.turn * N.m.dot(end.side) + N.m2.dot(end.p) / 2;
+    heights[i][3] += (travel2 + axis.turn * N.m2.dot(end.side) - square * N.m.dot(end.arm)) / 2;
+  }
 }
 
 /// Along N, from the heights along N.n held fixed.
 template <class Scalar>
 Heights<Scalar> moved(const Heights<Scalar>& fixed, const NormalPath<Scalar>& N,
-                      const PairExpansion<Scalar>& pair) {
+                      const PairState<Scalar>& pair) {
   Heights<Scalar> heights = fixed;
-  for (std::size_t i = 0; i < 2; ++i) {  // Bound: two ends of each
-    add_motion(heights.A[i], N, pair.A[i]);
-    add_motion(heights.B[i], N, pair.B[i]);
-  }
+  add_motion(heights.A, N, pair.A);
+  add_motion(heights.B, N, pair.B);
   return heights;
 }
 
@@ -96,8 +106,7 @@ using Quartic = std::array<Scalar, 5>;
 /// out, and what rounding may have done to the others. Terms beyond the fourth are taken at the
 /// horizon.
 template <class Scalar>
-Quartic<Scalar> toll(const NormalPath<Scalar>& N, const PairExpansion<Scalar>& pair,
-                     Scalar horizon) {
+Quartic<Scalar> toll(const NormalPath<Scalar>& N, const PairState<Scalar>& pair, Scalar horizon) {
   const DerivativeBounds<Scalar>& bounds = pair.bounds;
   const Scalar m = kRoundUp<Scalar> * N.m.norm();
   const Scalar m2 = kRoundUp<Scalar> * N.m2.norm() / 2;
@@ -154,23 +163,47 @@ void move_origin(Quartic<Scalar>& f, Scalar step) {
   }
 }
 
+/// The clearances that are not positive all over [0, horizon], and for how long all are.
+template <class Scalar>
+struct Race {
+  std::array<Quartic<Scalar>, 4> f;
+  std::size_t count = 0;
+  Scalar step = 0;
+};
+
+/// Drops the pairs of ends that cannot decide.
+template <class Scalar>
+Race<Scalar> start_race(const std::array<Quartic<Scalar>, 4>& clearances, Scalar horizon) {
+  Race<Scalar> race;
+  race.step = horizon;
+  for (const Quartic<Scalar>& f : clearances) {  // Bound: four
+    const Scalar stretch = positive_stretch(f, horizon);
+    if (stretch >= horizon) continue;
+    race.f[race.count++] = f;
+    race.step = min_of(race.step, stretch);
+  }
+  return race;
+}
+
 /// How long the normal path with these heights proves the pair free, at most `rest`; 0: it proves
 /// nothing. Bound: kMaxRounds expansions of four polynomials.
 template <class Scalar>
 Scalar proven_free(const Heights<Scalar>& heights, const NormalPath<Scalar>& N,
-                   const PairExpansion<Scalar>& pair, Scalar rest) {
+                   const PairState<Scalar>& pair, Scalar rest) {
   const bool turns_far = pair.turn * rest > kHorizonTurn<Scalar>;
   const Scalar horizon = turns_far ? kHorizonTurn<Scalar> / pair.turn : rest;
-  std::array<Quartic<Scalar>, 4> f = clearances(heights, toll(N, pair, horizon));
-  Scalar proven = 0;
-  Scalar window = horizon;
-  for (int round = 0; round < kMaxRounds; ++round) {  // Bound: kMaxRounds
+  Race<Scalar> race = start_race(clearances(heights, toll(N, pair, horizon)), horizon);
+  Scalar proven = race.step;
+  for (int round = 1; round < kMaxRounds; ++round) {  // Bound: kMaxRounds
+    if (!(race.step > kLeastGain<Scalar> * proven) || !(proven < horizon)) break;
+    const Scalar window = min_of(horizon - proven, kWindowGrowth<Scalar> * race.step);
     Scalar step = window;
-    for (const Quartic<Scalar>& g : f) step = positive_stretch(g, step);  // Bound: four
+    for (std::size_t i = 0; i < race.count; ++i) {  // Bound: four
+      move_origin(race.f[i], race.step);
+      step = positive_stretch(race.f[i], step);
+    }
     proven += step;
-    if (!(step > kLeastGain<Scalar> * proven) || !(proven < horizon)) break;
-    for (Quartic<Scalar>& g : f) move_origin(g, step);  // Bound: four
-    window = min_of(horizon - proven, kWindowGrowth<Scalar> * step);
+    race.step = step;
   }
   return min_of(proven, horizon);
 }

@@ -11,13 +11,31 @@
 
 namespace batuta {
 
-/// Position of an end and its first three derivatives in theta.
+/// An end: where it is, and what turns. Its derivatives in theta are
+///   travel + turn side, -turn^2 arm, -turn^3 side.
 template <class Scalar>
-using EndExpansion = std::array<Vec3<Scalar>, 4>;
+struct EndState {
+  Vec3<Scalar> p;
+  Vec3<Scalar> arm;   ///< from the axis of rotation to the end
+  Vec3<Scalar> side;  ///< axis of rotation x arm
+};
 
-/// Both ends of one axis at one instant.
+/// One axis at one instant.
 template <class Scalar>
-using AxisExpansion = std::array<EndExpansion<Scalar>, 2>;
+struct AxisState {
+  std::array<EndState<Scalar>, 2> ends;
+  Vec3<Scalar> travel;
+  Scalar turn = 0;
+
+  /// From end 0 to end 1, and the first two derivatives of that vector.
+  Vec3<Scalar> direction() const { return ends[1].p - ends[0].p; }
+  Vec3<Scalar> direction_rate() const { return turn * (ends[1].side - ends[0].side); }
+  Vec3<Scalar> direction_bend() const { return -(turn * turn) * (ends[1].arm - ends[0].arm); }
+  /// Velocity of the point with parameter s.
+  Vec3<Scalar> rate(Scalar s) const {
+    return travel + turn * (ends[0].side + s * (ends[1].side - ends[0].side));
+  }
+};
 
 /// What holds for the derivatives of the difference of any two points of the axes, at every time.
 template <class Scalar>
@@ -106,19 +124,17 @@ DerivativeBounds<Scalar> derivative_bounds(const MovingPair<Scalar>& pair) {
 
 /// @param path  in units of its duration
 template <class Scalar>
-AxisExpansion<Scalar> expand(const CapsulePath<Scalar>& path, Scalar theta) {
+AxisState<Scalar> state_at(const CapsulePath<Scalar>& path, Scalar theta) {
   const Scalar turn = path.turn_rate;
   const SinCos<Scalar> at = turn > Scalar(0) ? sin_cos(turn * theta) : SinCos<Scalar>{};
-  const Vec3<Scalar>& travel = path.v;
-  AxisExpansion<Scalar> axis;
+  AxisState<Scalar> axis;
+  axis.travel = path.v;
+  axis.turn = turn;
   for (std::size_t i = 0; i < 2; ++i) {  // Bound: two ends
     const EndPath<Scalar>& end = path.ends[i];
-    const Vec3<Scalar> arm = at.cos * end.arm + at.sin * end.side;
-    const Vec3<Scalar> side = at.cos * end.side - at.sin * end.arm;
-    axis[i][0] = end.start + (travel * theta + (at.sin * end.side - (1 - at.cos) * end.arm));
-    axis[i][1] = travel + turn * side;
-    axis[i][2] = -(turn * turn) * arm;
-    axis[i][3] = -(turn * turn * turn) * side;
+    axis.ends[i].p = end.start + (path.v * theta + (at.sin * end.side - (1 - at.cos) * end.arm));
+    axis.ends[i].arm = at.cos * end.arm + at.sin * end.side;
+    axis.ends[i].side = at.cos * end.side - at.sin * end.arm;
   }
   return axis;
 }

@@ -14,39 +14,30 @@ namespace batuta {
 template <class Scalar>
 inline constexpr Scalar kFastest = Scalar(16777216);
 
-/// A derivative of the vector along an axis.
-template <class Scalar>
-Vec3<Scalar> along_axis(const AxisExpansion<Scalar>& axis, std::size_t derivative) {
-  return axis[1][derivative] - axis[0][derivative];
-}
-
 /// The path of the normal n: it turns with the closest points, and stays perpendicular to the edges
 /// that hold, to second order.
 /// @param rate  relative_rate() of the closest points
 /// @param distance  of the axes, > 0
 template <class Scalar>
 NormalPath<Scalar> tracking_path(const Vec3<Scalar>& n, const EdgePair<Scalar>& edges,
-                                 const PairExpansion<Scalar>& pair, const Vec3<Scalar>& rate,
+                                 const PairState<Scalar>& pair, const Vec3<Scalar>& rate,
                                  Scalar distance) {
   NormalPath<Scalar> N;
   N.n = n;
   if (!(edges.on_A && edges.on_B)) N.m = (rate - n * n.dot(rate)) / distance;
   if (edges.none_holds()) return N;
-  const Vec3<Scalar> a1 = along_axis(pair.A, 1);
-  const Vec3<Scalar> b1 = along_axis(pair.B, 1);
+  const Vec3<Scalar> a1 = pair.A.direction_rate();
+  const Vec3<Scalar> b1 = pair.B.direction_rate();
   N.m -= edges.solve(n.dot(a1) + N.m.dot(edges.a), n.dot(b1) + N.m.dot(edges.b));
-  N.m2 = -edges.solve(2 * N.m.dot(a1) + n.dot(along_axis(pair.A, 2)),
-                      2 * N.m.dot(b1) + n.dot(along_axis(pair.B, 2)));
+  N.m2 = -edges.solve(2 * N.m.dot(a1) + n.dot(pair.A.direction_bend()),
+                      2 * N.m.dot(b1) + n.dot(pair.B.direction_bend()));
   return N;
 }
 
 /// How the material points at the closest parameters part.
 template <class Scalar>
-Vec3<Scalar> relative_rate(const ClosestPoints<Scalar>& closest,
-                           const PairExpansion<Scalar>& pair) {
-  const Vec3<Scalar> on_A = pair.A[0][1] + closest.s * (pair.A[1][1] - pair.A[0][1]);
-  const Vec3<Scalar> on_B = pair.B[0][1] + closest.u * (pair.B[1][1] - pair.B[0][1]);
-  return on_B - on_A;
+Vec3<Scalar> relative_rate(const ClosestPoints<Scalar>& closest, const PairState<Scalar>& pair) {
+  return pair.B.rate(closest.u) - pair.A.rate(closest.s);
 }
 
 /// Whether its powers are harmless.

@@ -3,8 +3,21 @@
 
 namespace batuta {
 
+namespace {
+
+/// Whether a square neither overflowed nor lost digits to underflow (direction.md).
+template <class Scalar>
+bool is_sound(Scalar square) {
+  constexpr Scalar kLeast = std::numeric_limits<Scalar>::min() / kRoundOff<Scalar>;
+  return square >= kLeast && square <= std::numeric_limits<Scalar>::max();
+}
+
+}  // namespace
+
 template <class Scalar>
 Scalar length(const Vec3<Scalar>& v) {
+  const Scalar square = v.squaredNorm();
+  if (is_sound(square)) return std::sqrt(square);
   const Scalar largest = largest_component(v);
   if (largest == 0) return 0;
   return largest * std::sqrt(Vec3<Scalar>(v / largest).squaredNorm());
@@ -13,6 +26,8 @@ Scalar length(const Vec3<Scalar>& v) {
 template <class Scalar>
 Vec3<Scalar> unit(const Vec3<Scalar>& v) {
   BATUTA_ASSERT(largest_component(v) != 0);
+  const Scalar square = v.squaredNorm();
+  if (is_sound(square)) return v / std::sqrt(square);
   const Vec3<Scalar> w = v / largest_component(v);
   return w / std::sqrt(w.squaredNorm());
 }
