@@ -121,17 +121,27 @@ Quartic<Scalar> toll(const NormalPath<Scalar>& N, const PairState<Scalar>& pair,
           (1 + eps) * (fourth + horizon * (fifth + horizon * sixth)) + R * m2 * m2 / 2};
 }
 
-/// Lower bounds of N.(q_j - p_i) - R |N| on [0, horizon].
+/// One number for each of the four pairs of ends.
 template <class Scalar>
-std::array<Quartic<Scalar>, 4> clearances(const Heights<Scalar>& heights,
-                                          const Quartic<Scalar>& toll) {
-  std::array<Quartic<Scalar>, 4> f;
-  for (std::size_t i = 0; i < 4; ++i) {  // Bound: four pairs of ends
-    const Cubic<Scalar>& p = heights.A[i / 2];
-    const Cubic<Scalar>& q = heights.B[i % 2];
-    f[i] = {(q[0] - p[0]) - toll[0], (q[1] - p[1]) - toll[1], (q[2] - p[2]) - toll[2],
-            (q[3] - p[3]) - toll[3], -toll[4]};
+using Four = std::array<Scalar, 4>;
+
+/// Lower bounds of N.(q_j - p_i) - R |N| on [0, horizon]: for each pair of ends a polynomial in h,
+/// its coefficients side by side. The fourth is the same for all.
+template <class Scalar>
+struct Clearances {
+  std::array<Four<Scalar>, 4> c;
+  Scalar fourth = 0;
+};
+
+template <class Scalar>
+Clearances<Scalar> clearances(const Heights<Scalar>& heights, const Quartic<Scalar>& toll) {
+  Clearances<Scalar> f;
+  for (std::size_t k = 0; k < 4; ++k) {    // Bound: the coefficients
+    for (std::size_t i = 0; i < 4; ++i) {  // Bound: four pairs of ends
+      f.c[k][i] = (heights.B[i % 2][k] - heights.A[i / 2][k]) - toll[k];
+    }
   }
+  f.fourth = -toll[4];
   return f;
 }
 
@@ -143,67 +153,59 @@ Scalar first_root(Scalar c0, Scalar c1, Scalar bend) {
   return c1 < Scalar(0) ? 2 * c0 / (root - c1) : (c1 + root) / (-2 * bend);
 }
 
-/// A stretch of [0, window] on which f is positive: where its tangent and the least bend that it
-/// has on the window say so.
+/// A stretch of [0, window] on which all are positive: where the tangent of each, and the least
+/// bend that it has on the window, say so.
 template <class Scalar>
-Scalar positive_stretch(const Quartic<Scalar>& f, Scalar window) {
-  if (!(f[0] > Scalar(0))) return Scalar(0);
-  const Scalar bend = f[2] + window * (min_of(f[3], Scalar(0)) + window * f[4]);
-  const Scalar least = f[0] + window * (min_of(f[1], Scalar(0)) + window * min_of(bend, Scalar(0)));
-  if (least > Scalar(0)) return window;
-  const Scalar root = kRoundDown<Scalar> * first_root(f[0], f[1], bend);
-  return root > Scalar(0) ? min_of(root, window) : Scalar(0);
+Scalar positive_stretch(const Clearances<Scalar>& f, Scalar window) {
+  Four<Scalar> bend;
+  Four<Scalar> least;
+  for (std::size_t i = 0; i < 4; ++i) {  // Bound: four pairs of ends
+    bend[i] = f.c[2][i] + window * (min_of(f.c[3][i], Scalar(0)) + window * f.fourth);
+    least[i] =
+        f.c[0][i] + window * (min_of(f.c[1][i], Scalar(0)) + window * min_of(bend[i], Scalar(0)));
+  }
+  Scalar stretch = window;
+  for (std::size_t i = 0; i < 4; ++i) {  // Bound: four pairs of ends
+    if (least[i] > Scalar(0)) continue;
+    if (!(f.c[0][i] > Scalar(0))) return Scalar(0);
+    const Scalar root = kRoundDown<Scalar> * first_root(f.c[0][i], f.c[1][i], bend[i]);
+    stretch = root > Scalar(0) ? min_of(root, stretch) : Scalar(0);
+  }
+  return stretch;
 }
 
 /// f(h) -> f(h + step).
 template <class Scalar>
-void move_origin(Quartic<Scalar>& f, Scalar step) {
-  for (std::size_t i = 0; i < 4; ++i) {                           // Bound: the coefficients
-    for (std::size_t k = 4; k > i; --k) f[k - 1] += step * f[k];  // Bound: the coefficients
+void move_origin(Clearances<Scalar>& f, Scalar step) {
+  for (std::size_t i = 0; i < 4; ++i) {  // Bound: four pairs of ends
+    Scalar c3 = f.c[3][i] + step * f.fourth;
+    Scalar c2 = f.c[2][i] + step * c3;
+    Scalar c1 = f.c[1][i] + step * c2;
+    f.c[0][i] += step * c1;
+    c3 += step * f.fourth;
+    c2 += step * c3;
+    f.c[1][i] = c1 + step * c2;
+    c3 += step * f.fourth;
+    f.c[2][i] = c2 + step * c3;
+    f.c[3][i] = c3 + step * f.fourth;
   }
-}
-
-/// The clearances that are not positive all over [0, horizon], and for how long all are.
-template <class Scalar>
-struct Race {
-  std::array<Quartic<Scalar>, 4> f;
-  std::size_t count = 0;
-  Scalar step = 0;
-};
-
-/// Drops the pairs of ends that cannot decide.
-template <class Scalar>
-Race<Scalar> start_race(const std::array<Quartic<Scalar>, 4>& clearances, Scalar horizon) {
-  Race<Scalar> race;
-  race.step = horizon;
-  for (const Quartic<Scalar>& f : clearances) {  // Bound: four
-    const Scalar stretch = positive_stretch(f, horizon);
-    if (stretch >= horizon) continue;
-    race.f[race.count++] = f;
-    race.step = min_of(race.step, stretch);
-  }
-  return race;
 }
 
 /// How long the normal path with these heights proves the pair free, at most `rest`; 0: it proves
-/// nothing. Bound: kMaxRounds expansions of four polynomials.
+/// nothing. Bound: kMaxRounds expansions.
 template <class Scalar>
 Scalar proven_free(const Heights<Scalar>& heights, const NormalPath<Scalar>& N,
                    const PairState<Scalar>& pair, Scalar rest) {
   const bool turns_far = pair.turn * rest > kHorizonTurn<Scalar>;
   const Scalar horizon = turns_far ? kHorizonTurn<Scalar> / pair.turn : rest;
-  Race<Scalar> race = start_race(clearances(heights, toll(N, pair, horizon)), horizon);
-  Scalar proven = race.step;
+  Clearances<Scalar> f = clearances(heights, toll(N, pair, horizon));
+  Scalar step = positive_stretch(f, horizon);
+  Scalar proven = step;
   for (int round = 1; round < kMaxRounds; ++round) {  // Bound: kMaxRounds
-    if (!(race.step > kLeastGain<Scalar> * proven) || !(proven < horizon)) break;
-    const Scalar window = min_of(horizon - proven, kWindowGrowth<Scalar> * race.step);
-    Scalar step = window;
-    for (std::size_t i = 0; i < race.count; ++i) {  // Bound: four
-      move_origin(race.f[i], race.step);
-      step = positive_stretch(race.f[i], step);
-    }
+    if (!(step > kLeastGain<Scalar> * proven) || !(proven < horizon)) break;
+    move_origin(f, step);
+    step = positive_stretch(f, min_of(horizon - proven, kWindowGrowth<Scalar> * step));
     proven += step;
-    race.step = step;
   }
   return min_of(proven, horizon);
 }

@@ -50,7 +50,7 @@ struct DerivativeBounds {
 /// The longest way round that turning takes an end of the axis in the time `duration`, m.
 template <class Scalar>
 Scalar arc(const CapsulePath<Scalar>& path, Scalar duration) {
-  return path.turn_rate * duration * max_of(length(path.ends[0].arm), length(path.ends[1].arm));
+  return path.turn_rate * duration * path.longest_arm;
 }
 
 /// L, m: all lengths of the query, arcs included.
@@ -69,6 +69,7 @@ CapsulePath<Scalar> in_units(CapsulePath<Scalar> path, Scalar duration, Scalar s
   }
   path.v = (path.v * duration) * scale;
   path.turn_rate *= duration;
+  path.longest_arm *= scale;
   path.radius *= scale;
   return path;
 }

@@ -63,6 +63,7 @@ CapsulePath<Scalar> capsule_path(const MovingCapsule<Scalar>& moving, const Vec3
       to_world(Pose<Scalar>{Vec3<Scalar>::Zero(), X_WB.q_WB}, moving.capsule_B);
   if (turns) {
     path.ends = {end_path(center, turned.axis.a, axis), end_path(center, turned.axis.b, axis)};
+    path.longest_arm = max_of(length(path.ends[0].arm), length(path.ends[1].arm));
   } else {
     path.ends[0].start = center + turned.axis.a;
     path.ends[1].start = center + turned.axis.b;

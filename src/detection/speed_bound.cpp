@@ -11,7 +11,7 @@ namespace {
 /// kRoundUp.
 template <class Scalar>
 Scalar turning_speed(const CapsulePath<Scalar>& path) {
-  return path.turn_rate * max_of(length(path.ends[0].arm), length(path.ends[1].arm));
+  return path.turn_rate * path.longest_arm;
 }
 
 template <class Scalar>

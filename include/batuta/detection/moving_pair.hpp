@@ -35,6 +35,7 @@ struct CapsulePath {
   std::array<EndPath<Scalar>, 2> ends;    ///< of axis.a and axis.b
   Vec3<Scalar> v = Vec3<Scalar>::Zero();  ///< of the centre of mass, m/s
   Scalar turn_rate = 0;                   ///< |w|, rad/s; 0: arms and sides are zero
+  Scalar longest_arm = 0;                 ///< of the two ends, m, to within 3 u
   Scalar radius = 0;                      ///< m
 };
 
