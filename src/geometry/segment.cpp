@@ -2,7 +2,7 @@
 #include "batuta/geometry/segment.hpp"
 
 #include <array>
-#include <utility>
+#include <cstddef>
 
 #include "batuta/geometry/direction.hpp"
 #include "scale_window.hpp"
@@ -36,12 +36,24 @@ bool comes_before(const Vec3<Scalar>& p, const Vec3<Scalar>& q) {
   return p.z() < q.z();
 }
 
-/// @returns true if the ends had to change places
+/// The two in the other order if `swapped`. Chosen by index: which order it is cannot be foreseen,
+/// and a branch would be guessed wrong half the time.
+template <class T>
+std::array<T, 2> in_order(const T& first, const T& second, bool swapped) {
+  const std::array<const T*, 2> both = {&first, &second};
+  const std::size_t i = swapped ? 1 : 0;
+  return {*both[i], *both[1 - i]};
+}
+
 template <class Scalar>
-bool order_ends(Segment<Scalar>& segment) {
-  const bool flipped = comes_before(segment.b, segment.a);
-  if (flipped) segment.a.swap(segment.b);
-  return flipped;
+bool is_flipped(const Segment<Scalar>& segment) {
+  return comes_before(segment.b, segment.a);
+}
+
+template <class Scalar>
+Segment<Scalar> ordered(const Segment<Scalar>& segment, bool flipped) {
+  const std::array<Vec3<Scalar>, 2> ends = in_order(segment.a, segment.b, flipped);
+  return {ends[0], ends[1]};
 }
 
 /// The two segments in an order that their caller cannot influence: what makes the answer
@@ -52,9 +64,13 @@ struct Ordered {
   bool flipped_A, flipped_B, swapped;
 
   Ordered(const Segment<Scalar>& A_in, const Segment<Scalar>& B_in)
-      : A(A_in), B(B_in), flipped_A(order_ends(A)), flipped_B(order_ends(B)) {
-    swapped = comes_before(B.a, A.a) || (B.a == A.a && comes_before(B.b, A.b));
-    if (swapped) std::swap(A, B);
+      : flipped_A(is_flipped(A_in)), flipped_B(is_flipped(B_in)) {
+    const Segment<Scalar> P = ordered(A_in, flipped_A);
+    const Segment<Scalar> Q = ordered(B_in, flipped_B);
+    swapped = comes_before(Q.a, P.a) || (Q.a == P.a && comes_before(Q.b, P.b));
+    const std::array<Segment<Scalar>, 2> both = in_order(P, Q, swapped);
+    A = both[0];
+    B = both[1];
   }
 };
 
@@ -103,20 +119,28 @@ struct Candidate {
   Scalar gap2;
 };
 
-/// Measured from the nearest ends: exact at an end, and half the rounding error elsewhere.
+/// From A(s) to B(u). Measured from the nearest ends: exact at an end, and half the rounding error
+/// elsewhere.
+template <class Scalar>
+inline Vec3<Scalar> between(const Query<Scalar>& q, Scalar s, Scalar u) {
+  const std::size_t i = s > Scalar(0.5) ? 1 : 0;
+  const std::size_t j = u > Scalar(0.5) ? 1 : 0;
+  const Scalar from_i = s - static_cast<Scalar>(i);
+  const Scalar from_j = u - static_cast<Scalar>(j);
+  return q.corner[2 * i + j] + (from_j * q.d_B - from_i * q.d_A);
+}
+
 template <class Scalar>
 Candidate<Scalar> candidate(const Query<Scalar>& q, Scalar s, Scalar u) {
-  const Scalar i = s > Scalar(0.5) ? 1 : 0;
-  const Scalar j = u > Scalar(0.5) ? 1 : 0;
-  const Vec3<Scalar>& corner = q.corner[(s > Scalar(0.5) ? 2U : 0U) + (u > Scalar(0.5) ? 1U : 0U)];
-  const Vec3<Scalar> gap = corner + ((u - j) * q.d_B - (s - i) * q.d_A);
+  const Vec3<Scalar> gap = between(q, s, u);
   return {s, u, gap, gap.squaredNorm()};
 }
 
 /// To [0, 1]; never -0, and 0 for NaN.
 template <class Scalar>
 Scalar unit_clamp(Scalar x) {
-  return x > 0 ? min_of(x, Scalar(1)) : Scalar(0);
+  const Scalar low = x > 0 ? x : Scalar(0);
+  return low < 1 ? low : Scalar(1);
 }
 
 template <class Scalar>
@@ -134,8 +158,8 @@ Scalar crossing(const Query<Scalar>& q, const Vec3<Scalar>& n, Scalar nn) {
 template <class Scalar>
 Candidate<Scalar> around_crossing(const Query<Scalar>& q, Scalar s0) {
   const Scalar s1 = unit_clamp(s0);
-  const Scalar u = unit_clamp(-candidate(q, s1, Scalar(0)).gap.dot(q.d_B) * q.inv_BB);
-  const Scalar s2 = unit_clamp(s1 + candidate(q, s1, u).gap.dot(q.d_A) * q.inv_AA);
+  const Scalar u = unit_clamp(-between(q, s1, Scalar(0)).dot(q.d_B) * q.inv_BB);
+  const Scalar s2 = unit_clamp(s1 + between(q, s1, u).dot(q.d_A) * q.inv_AA);
   return candidate(q, s2, u);
 }
 
@@ -219,21 +243,22 @@ ClosestPoints<Scalar> answer(const Ordered<Scalar>& in, const Query<Scalar>& q,
 /// Back to the caller's order of segments and ends.
 template <class Scalar>
 void restore_order(const Ordered<Scalar>& in, ClosestPoints<Scalar>& out) {
-  if (in.swapped) {
-    std::swap(out.s, out.u);
-    out.p_A.swap(out.p_B);
-    out.normal_AB = -out.normal_AB;
-  }
-  if (in.flipped_A) out.s = 1 - out.s;
-  if (in.flipped_B) out.u = 1 - out.u;
+  const std::array<Scalar, 2> parameters = in_order(out.s, out.u, in.swapped);
+  const std::array<Vec3<Scalar>, 2> points = in_order(out.p_A, out.p_B, in.swapped);
+  const Scalar turn = in.swapped ? Scalar(-1) : Scalar(1);
+  out.s = in.flipped_A ? 1 - parameters[0] : parameters[0];
+  out.u = in.flipped_B ? 1 - parameters[1] : parameters[1];
+  out.p_A = points[0];
+  out.p_B = points[1];
+  out.normal_AB *= turn;
 }
 
 }  // namespace
 
 template <class Scalar>
 PointOnSegment<Scalar> closest_point(const Segment<Scalar>& segment, const Vec3<Scalar>& point) {
-  Segment<Scalar> A = segment;
-  const bool flipped = order_ends(A);
+  const bool flipped = is_flipped(segment);
+  const Segment<Scalar> A = ordered(segment, flipped);
   const Query<Scalar> q = make_query(A, {point, point});
   const Scalar s = unit_clamp(q.corner[0].dot(q.d_A) * q.inv_AA);
   const Scalar distance = std::sqrt(candidate(q, s, Scalar(0)).gap2) / q.scale;

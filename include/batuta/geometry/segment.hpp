@@ -17,8 +17,9 @@ struct Segment {
   Vec3<Scalar> direction() const { return b - a; }
   /// Measured from the nearer end, so that at(0) is a and at(1) is b, exactly.
   Vec3<Scalar> at(Scalar s) const {
-    const Vec3<Scalar> d = b - a;
-    return s > Scalar(0.5) ? Vec3<Scalar>(b - (1 - s) * d) : Vec3<Scalar>(a + s * d);
+    const bool nearer_b = s > Scalar(0.5);
+    const Vec3<Scalar>* const end = nearer_b ? &b : &a;
+    return *end + (nearer_b ? s - 1 : s) * (b - a);
   }
 };
 
