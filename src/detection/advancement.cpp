@@ -1,150 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "batuta/detection/advancement.hpp"
 
-#include "../geometry/scale_window.hpp"
-#include "spin_bound.hpp"
-#include "tracking_normal.hpp"
+#include "walk.hpp"
 
 namespace batuta {
-
-namespace {
-
-/// Turn, rad, from which on the amplitude of a swing may bound more than its polynomial does.
-template <class Scalar>
-constexpr Scalar kFastSpin = Scalar(1);
-
-/// A search under way, in units of the duration and of 1 / scale metres: the pair is proven free on
-/// [0, theta].
-template <class Scalar>
-class Walk {
- public:
-  Walk(const MovingPair<Scalar>& pair, Scalar scale, Scalar slab)
-      : pair_(in_units(pair, scale)), slab_(slab * scale) {
-    state_.bounds = derivative_bounds(pair_);
-    state_.turn = pair_.A.turn_rate + pair_.B.turn_rate;
-    state_.radii = pair_.A.radius + pair_.B.radius;
-    settle();
-  }
-
-  bool is_at_end() const { return !(theta_ < Scalar(1)); }
-  Scalar theta() const { return theta_; }
-
-  ClosestPoints<Scalar> closest() const {
-    return closest_points<Scalar>(axis(state_.A), axis(state_.B));
-  }
-  Scalar gap(const ClosestPoints<Scalar>& closest) const { return closest.distance - state_.radii; }
-  bool is_contact(const ClosestPoints<Scalar>& closest) const { return !(gap(closest) > slab_); }
-
-  /// From twice the middle of A's axis to twice that of B's.
-  Vec3<Scalar> line_of_middles() const {
-    const auto sum = [](const AxisState<Scalar>& axis) {
-      return Vec3<Scalar>(axis.ends[0].p + axis.ends[1].p);
-    };
-    return sum(state_.B) - sum(state_.A);
-  }
-
-  /// Advances while n, held fixed, proves a gap of more than the slab, without a distance
-  /// evaluation. @pre n is a unit vector, or zero
-  void advance_along(const Vec3<Scalar>& n) {
-    state_.radii += slab_;
-    const Scalar step = step_along(n, heights(n, state_));
-    state_.radii = pair_.A.radius + pair_.B.radius;
-    advance(step);
-  }
-
-  /// Advances as far as the normal of `closest` proves: held fixed or, where that does not reach
-  /// the end, moved along, whichever proves more. @pre `closest` is of this instant, no contact
-  void advance_from(const ClosestPoints<Scalar>& closest) {
-    const EdgePair<Scalar> edges(closest, state_.A.direction(), state_.B.direction());
-    const Vec3<Scalar> n = sharpened(closest.normal_AB, edges);
-    const Heights<Scalar> fixed = heights(n, state_);
-    Scalar step = step_along(n, fixed);
-    if (theta_ + step < Scalar(1)) {
-      const NormalPath<Scalar> N =
-          tracking_path(n, edges, state_, relative_rate(closest, state_), closest.distance);
-      if (can_be_followed(N)) {
-        step = max_of(step, proven_free(moved(fixed, N, state_), N, state_, 1 - theta_));
-      }
-    }
-    advance(step);
-  }
-
-  /// The foreseen instant of contact after theta.
-  Scalar foreseen_contact(const ClosestPoints<Scalar>& closest) const {
-    const Scalar speed = state_.bounds.speed;
-    const Scalar bend = state_.bounds.acceleration + speed * (speed / closest.distance);
-    const Scalar rate = closest.normal_AB.dot(relative_rate(closest, state_));
-    return min_of(Scalar(1), theta_ + time_to_contact(gap(closest), rate, bend));
-  }
-
- private:
-  static Segment<Scalar> axis(const AxisState<Scalar>& state) {
-    return {state.ends[0].p, state.ends[1].p};
-  }
-
-  /// How far n, held fixed, proves the pair free.
-  Scalar step_along(const Vec3<Scalar>& n, const Heights<Scalar>& heights) const {
-    NormalPath<Scalar> fixed;
-    fixed.n = n;
-    const Scalar rest = 1 - theta_;
-    const Scalar step = proven_free(heights, fixed, state_, rest);
-    if (!(step < rest) || !(state_.turn * rest > kFastSpin<Scalar>)) return step;
-    const Scalar least = state_.radii + kInflation<Scalar> * state_.bounds.length;
-    return max_of(step, free_until_by_spin(pair_, n, least, theta_) - theta_);
-  }
-
-  void advance(Scalar step) {
-    theta_ = min_of(Scalar(1), theta_ + step);
-    if (step > Scalar(0) && !is_at_end()) settle();
-  }
-
-  void settle() {
-    state_.A = state_at(pair_.A, theta_);
-    state_.B = state_at(pair_.B, theta_);
-  }
-
-  MovingPair<Scalar> pair_;
-  Scalar slab_;
-  Scalar theta_ = 0;
-  PairState<Scalar> state_;  ///< at theta
-};
-
-/// The unit vector along the seed or, where that has no direction, along the other; or zero.
-template <class Scalar>
-Vec3<Scalar> direction_of(const Vec3<Scalar>& seed, const Vec3<Scalar>& other) {
-  const bool seeded = is_finite(seed) && largest_component(seed) > Scalar(0);
-  const Vec3<Scalar>& line = seeded ? seed : other;
-  return largest_component(line) > Scalar(0) ? unit(line) : line;
-}
-
-/// How a walk ended, and its last distance evaluation.
-template <class Scalar>
-struct WalkEnd {
-  Outcome outcome = Outcome::kBudget;
-  std::uint32_t evaluations = 0;
-  Scalar theta = 0;  ///< of the last evaluation
-  ClosestPoints<Scalar> closest;
-};
-
-/// Walks until contact, the end, or the end of the budget.
-template <class Scalar>
-WalkEnd<Scalar> walk_on(Walk<Scalar>& walk, std::uint32_t budget) {
-  WalkEnd<Scalar> end;
-  for (std::uint32_t i = 0; i < budget && !walk.is_at_end(); ++i) {  // Bound: kMaxBudget
-    end.theta = walk.theta();
-    end.closest = walk.closest();
-    ++end.evaluations;
-    if (walk.is_contact(end.closest)) {
-      end.outcome = end.theta > Scalar(0) ? Outcome::kContact : Outcome::kTouching;
-      return end;
-    }
-    walk.advance_from(end.closest);
-  }
-  if (walk.is_at_end()) end.outcome = Outcome::kFree;
-  return end;
-}
-
-}  // namespace
 
 template <class Scalar>
 Status validate(const AdvancementOptions<Scalar>& options) {
@@ -162,31 +21,10 @@ template <class Scalar>
 SearchResult<Scalar> search_advancement(const MovingPair<Scalar>& pair,
                                         const AdvancementOptions<Scalar>& options,
                                         const Vec3<Scalar>& seed_AB) {
-  const Scalar length = query_length(pair);
   const bool is_asked_well = validate(options) == Status::kOk && pair.duration >= Scalar(0) &&
-                             length <= kLargestCoordinate<Scalar>;
+                             query_length(pair) <= kLargestCoordinate<Scalar>;
   if (!is_asked_well) return {};
-  const Scalar scale = window_scale(length);
-  Walk<Scalar> walk(pair, scale, slab_of(pair, options));
-  const Vec3<Scalar> first = direction_of(seed_AB, walk.line_of_middles());
-  walk.advance_along(first);
-  const WalkEnd<Scalar> end = walk_on(walk, options.budget);
-
-  SearchResult<Scalar> result;
-  result.outcome = end.outcome;
-  result.evaluations = end.evaluations;
-  result.t_free = walk.theta() * pair.duration;
-  result.t_hit = pair.duration;
-  result.witness.axes.normal_AB = first;
-  if (end.evaluations > 0) {
-    const Scalar t = end.theta * pair.duration;
-    result.witness = gap_at(pair, in_metres(end.closest, scale), t);
-    result.gap_rate = gap_rate_at(pair, result.witness, t);
-  }
-  if (end.outcome == Outcome::kContact || end.outcome == Outcome::kTouching) {
-    result.t_hit = walk.foreseen_contact(end.closest) * pair.duration;
-  }
-  return result;
+  return search_inflated(pair, options, seed_AB, kInflation<Scalar>);
 }
 
 #define BATUTA_INSTANTIATE(Scalar)                                                       \

@@ -24,8 +24,9 @@ struct PairState {
   AxisState<Scalar> A;
   AxisState<Scalar> B;
   DerivativeBounds<Scalar> bounds;
-  Scalar turn = 0;   ///< of both bodies over the whole duration, rad
-  Scalar radii = 0;  ///< R: sum of the radii
+  Scalar turn = 0;       ///< of both bodies over the whole duration, rad
+  Scalar radii = 0;      ///< R: sum of the radii
+  Scalar inflation = 0;  ///< kInflation; the tests try less
 };
 
 /// Expansions of the polynomials in one certificate, at most.
@@ -110,7 +111,7 @@ Quartic<Scalar> toll(const NormalPath<Scalar>& N, const PairState<Scalar>& pair,
   const DerivativeBounds<Scalar>& bounds = pair.bounds;
   const Scalar m = kRoundUp<Scalar> * N.m.norm();
   const Scalar m2 = kRoundUp<Scalar> * N.m2.norm() / 2;
-  const Scalar eps = kInflation<Scalar>;
+  const Scalar eps = pair.inflation;
   const Scalar R = pair.radii;
   const Scalar fourth = bounds.snap / 24 + m * bounds.jerk / 6 + m2 * bounds.acceleration / 2;
   const Scalar fifth = m * bounds.snap / 24 + m2 * bounds.jerk / 6;
