@@ -23,10 +23,11 @@ template <class Scalar>
 struct PairState {
   AxisState<Scalar> A;
   AxisState<Scalar> B;
-  DerivativeBounds<Scalar> bounds;
-  Scalar turn = 0;       ///< of both bodies over the whole duration, rad
-  Scalar radii = 0;      ///< R: sum of the radii
-  Scalar inflation = 0;  ///< kInflation; the tests try less
+  DerivativeBounds<Scalar> bounds;      ///< of the motion
+  DerivativeBounds<Scalar> magnitudes;  ///< of what is rounded: the same with reaches for arms
+  Scalar turn = 0;                      ///< of both bodies over the whole duration, rad
+  Scalar radii = 0;                     ///< R: sum of the radii
+  Scalar inflation = 0;                 ///< kInflation; the tests try less
 };
 
 /// Expansions of the polynomials in one certificate, at most.
@@ -109,6 +110,7 @@ using Quartic = std::array<Scalar, 5>;
 template <class Scalar>
 Quartic<Scalar> toll(const NormalPath<Scalar>& N, const PairState<Scalar>& pair, Scalar horizon) {
   const DerivativeBounds<Scalar>& bounds = pair.bounds;
+  const DerivativeBounds<Scalar>& size = pair.magnitudes;
   const Scalar m = kRoundUp<Scalar> * N.m.norm();
   const Scalar m2 = kRoundUp<Scalar> * N.m2.norm() / 2;
   const Scalar eps = pair.inflation;
@@ -116,9 +118,9 @@ Quartic<Scalar> toll(const NormalPath<Scalar>& N, const PairState<Scalar>& pair,
   const Scalar fourth = bounds.snap / 24 + m * bounds.jerk / 6 + m2 * bounds.acceleration / 2;
   const Scalar fifth = m * bounds.snap / 24 + m2 * bounds.jerk / 6;
   const Scalar sixth = m2 * bounds.snap / 24;
-  return {R + eps * bounds.length, eps * (bounds.speed + m * bounds.length),
-          eps * (bounds.acceleration / 2 + m * bounds.speed + m2 * bounds.length) + R * m * m / 2,
-          eps * (bounds.jerk / 6 + m * bounds.acceleration / 2 + m2 * bounds.speed) + R * m * m2,
+  return {R + eps * size.length, eps * (size.speed + m * size.length),
+          eps * (size.acceleration / 2 + m * size.speed + m2 * size.length) + R * m * m / 2,
+          eps * (size.jerk / 6 + m * size.acceleration / 2 + m2 * size.speed) + R * m * m2,
           (1 + eps) * (fourth + horizon * (fifth + horizon * sixth)) + R * m2 * m2 / 2};
 }
 

@@ -37,27 +37,22 @@ struct AxisState {
   }
 };
 
-/// What holds for the derivatives of the difference of any two points of the axes, at every time.
+/// What holds for the difference of any two points of the axes, at every time.
 template <class Scalar>
 struct DerivativeBounds {
-  Scalar length = 0;        ///< L: distances, travel and arcs
-  Scalar speed = 0;         ///< of the first derivative
-  Scalar acceleration = 0;  ///< of the second
-  Scalar jerk = 0;          ///< of the third
-  Scalar snap = 0;          ///< of the fourth
+  Scalar length = 0;        ///< the difference itself
+  Scalar speed = 0;         ///< its first derivative
+  Scalar acceleration = 0;  ///< its second
+  Scalar jerk = 0;          ///< its third
+  Scalar snap = 0;          ///< its fourth
 };
 
-/// The longest way round that turning takes an end of the axis in the time `duration`, m.
-template <class Scalar>
-Scalar arc(const CapsulePath<Scalar>& path, Scalar duration) {
-  return path.turn_rate * duration * path.longest_arm;
-}
-
-/// L, m: all lengths of the query, arcs included.
+/// L, m: all lengths of the query, and how far turning could take each reach.
 template <class Scalar>
 Scalar query_length(const MovingPair<Scalar>& pair) {
-  return kRoundUp<Scalar> *
-         (pair.scale + (arc(pair.A, pair.duration) + arc(pair.B, pair.duration)));
+  const Scalar arc_A = pair.A.turn_rate * pair.duration * pair.A.reach;
+  const Scalar arc_B = pair.B.turn_rate * pair.duration * pair.B.reach;
+  return kRoundUp<Scalar> * (pair.scale + (arc_A + arc_B));
 }
 
 template <class Scalar>
@@ -69,6 +64,7 @@ CapsulePath<Scalar> in_units(CapsulePath<Scalar> path, Scalar duration, Scalar s
   }
   path.v = (path.v * duration) * scale;
   path.turn_rate *= duration;
+  path.reach *= scale;
   path.longest_arm *= scale;
   path.radius *= scale;
   return path;
@@ -105,21 +101,25 @@ Scalar time_to_contact(Scalar gap, Scalar rate, Scalar bend) {
   return square > Scalar(0) ? 2 * gap / (std::sqrt(square) - rate) : -rate / bend;
 }
 
-/// @pre pair.duration == 1
+/// Bounds for axes whose ends swing on these radii. @param pair  in units of its duration
 template <class Scalar>
-DerivativeBounds<Scalar> derivative_bounds(const MovingPair<Scalar>& pair) {
+DerivativeBounds<Scalar> derivative_bounds(const MovingPair<Scalar>& pair, Scalar radius_A,
+                                           Scalar radius_B) {
   const Scalar turn_A = pair.A.turn_rate;
   const Scalar turn_B = pair.B.turn_rate;
-  const Scalar arc_A = arc(pair.A, Scalar(1));
-  const Scalar arc_B = arc(pair.B, Scalar(1));
-  const Scalar travel = length(pair.B.v);
   const Scalar up = kRoundUp<Scalar>;
   DerivativeBounds<Scalar> bounds;
-  bounds.length = up * (pair.scale + (arc_A + arc_B));
-  bounds.speed = up * (travel + (arc_A + arc_B));
-  bounds.acceleration = up * (turn_A * arc_A + turn_B * arc_B);
-  bounds.jerk = up * (turn_A * turn_A * arc_A + turn_B * turn_B * arc_B);
-  bounds.snap = up * (turn_A * turn_A * (turn_A * arc_A) + turn_B * turn_B * (turn_B * arc_B));
+  Scalar A = up * (turn_A * radius_A);
+  Scalar B = up * (turn_B * radius_B);
+  bounds.length = up * (pair.scale + (A + B));
+  bounds.speed = up * (length(pair.B.v) + (A + B));
+  A *= turn_A;
+  B *= turn_B;
+  bounds.acceleration = up * (A + B);
+  A *= turn_A;
+  B *= turn_B;
+  bounds.jerk = up * (A + B);
+  bounds.snap = up * (A * turn_A + B * turn_B);
   return bounds;
 }
 

@@ -56,6 +56,7 @@ CapsulePath<Scalar> capsule_path(const MovingCapsule<Scalar>& moving, const Vec3
   path.v = twist.v_W - origin_v_W;
   path.turn_rate = length(twist.w_W);
   path.radius = moving.capsule_B.radius;
+  path.reach = reach(moving.capsule_B);
   const bool turns = path.turn_rate > Scalar(0);
   const Vec3<Scalar> axis = turns ? Vec3<Scalar>(twist.w_W / path.turn_rate) : Vec3<Scalar>::Zero();
   const Vec3<Scalar> center = X_WB.p_W - origin_W;
@@ -92,7 +93,7 @@ Result<MovingPair<Scalar>> make_moving_pair(const MovingCapsule<Scalar>& A,
   pair.B = capsule_path(B, pair.origin_W, pair.origin_v_W);
   const Scalar apart = length<Scalar>(B.motion.X_WB.p_W - pair.origin_W);
   const Scalar travel = length(pair.B.v) * pair.duration;
-  const Scalar sizes = reach(A.capsule_B) + reach(B.capsule_B) + (pair.A.radius + pair.B.radius);
+  const Scalar sizes = (pair.A.reach + pair.B.reach) + (pair.A.radius + pair.B.radius);
   pair.scale = kRoundUp<Scalar> * (apart + travel + sizes);
   if (!(pair.scale <= kLargestCoordinate<Scalar>)) return failure<Answer>(Status::kInvalidArgument);
   return success(pair);

@@ -15,6 +15,10 @@ namespace {
 template <class Scalar>
 constexpr Scalar kAim = Scalar(0.75);
 
+/// kInflation where nothing turns: without arms and without polynomials (translation.md).
+template <class Scalar>
+constexpr Scalar kSteadyInflation = 48 * kRoundOff<Scalar>;
+
 /// A search under way, in units of the duration and of 1 / scale metres: proven free on [0, theta].
 template <class Scalar>
 class Glide {
@@ -23,7 +27,7 @@ class Glide {
       : unit_(in_units(pair, scale)),
         slab_(slab * scale),
         radii_(unit_.A.radius + unit_.B.radius),
-        epsilon_(kInflation<Scalar> * unit_.scale) {}
+        epsilon_(kSteadyInflation<Scalar> * unit_.scale) {}
 
   bool is_at_end() const { return !(theta_ < Scalar(1)); }
   Scalar theta() const { return theta_; }

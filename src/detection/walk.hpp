@@ -20,7 +20,8 @@ class Walk {
  public:
   Walk(const MovingPair<Scalar>& pair, Scalar scale, Scalar slab, Scalar inflation)
       : pair_(in_units(pair, scale)), slab_(slab * scale) {
-    state_.bounds = derivative_bounds(pair_);
+    state_.bounds = derivative_bounds(pair_, pair_.A.longest_arm, pair_.B.longest_arm);
+    state_.magnitudes = derivative_bounds(pair_, pair_.A.reach, pair_.B.reach);
     state_.turn = pair_.A.turn_rate + pair_.B.turn_rate;
     state_.radii = pair_.A.radius + pair_.B.radius;
     state_.inflation = inflation;
@@ -90,7 +91,7 @@ class Walk {
     const Scalar rest = 1 - theta_;
     const Scalar step = proven_free(heights, fixed, state_, rest);
     if (!(step < rest) || !(state_.turn * rest > kFastSpin<Scalar>)) return step;
-    const Scalar least = state_.radii + state_.inflation * state_.bounds.length;
+    const Scalar least = state_.radii + state_.inflation * state_.magnitudes.length;
     return max_of(step, free_until_by_spin(pair_, n, least, theta_) - theta_);
   }
 

@@ -10,14 +10,14 @@
 namespace batuta {
 
 /// What rounding can do to a certificate, over the length L of the query: so much is added to the
-/// radii, and no rounding error lets a contact pass. L = S + turn_A reach_A + turn_B reach_B, the
-/// arcs included (advancement.md, "Rounding").
+/// radii, and no rounding error lets a contact pass. L = S + turn_A reach_A + turn_B reach_B: what
+/// turning could do to each reach counts as a length (advancement.md, "Rounding").
 template <class Scalar>
-inline constexpr Scalar kInflation = 48 * kRoundOff<Scalar>;
+inline constexpr Scalar kInflation = 72 * kRoundOff<Scalar>;
 
 /// Least slab over L that a search can resolve; a smaller one is raised to it.
 template <class Scalar>
-inline constexpr Scalar kLeastSlab = 2 * kInflation<Scalar>;
+inline constexpr Scalar kLeastSlab = 96 * kRoundOff<Scalar>;
 
 /// Most distance evaluations that a search may be given.
 inline constexpr std::uint32_t kMaxBudget = 4096;

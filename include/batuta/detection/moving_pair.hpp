@@ -35,7 +35,8 @@ struct CapsulePath {
   std::array<EndPath<Scalar>, 2> ends;    ///< of axis.a and axis.b
   Vec3<Scalar> v = Vec3<Scalar>::Zero();  ///< of the centre of mass, m/s
   Scalar turn_rate = 0;                   ///< |w|, rad/s; 0: arms and sides are zero
-  Scalar longest_arm = 0;                 ///< of the two ends, m, to within 3 u
+  Scalar reach = 0;                       ///< of the ends from the centre of mass, m, to within 3 u
+  Scalar longest_arm = 0;                 ///< of the two ends, m, to within 3 u; at most the reach
   Scalar radius = 0;                      ///< m
 };
 
