@@ -49,6 +49,17 @@ void PoolBase::release(std::size_t index) {
   if (generations_[index] == kLastGeneration) ++retired_;
 }
 
+void PoolBase::copy_slots(const PoolBase& other) {
+  const std::size_t words = words_for(capacity_);
+  // Bound: N.
+  for (std::size_t i = 0; i < capacity_; ++i) generations_[i] = other.generations_[i];
+  // Bound: N / 32.
+  for (std::size_t word = 0; word < words; ++word) live_[word] = other.live_[word];
+  size_ = other.size_;
+  retired_ = other.retired_;
+  number_ = other.number_;
+}
+
 std::size_t PoolBase::next_live(std::size_t index) const {
   if (index >= capacity_) return capacity_;
   std::size_t word = index / kBitsPerWord;

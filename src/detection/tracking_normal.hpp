@@ -14,6 +14,11 @@ namespace batuta {
 template <class Scalar>
 inline constexpr Scalar kFastest = Scalar(16777216);
 
+template <class Scalar>
+Vec3<Scalar> across(const Vec3<Scalar>& x, const Vec3<Scalar>& n) {
+  return x - n * n.dot(x);
+}
+
 /// The path of the normal n: it turns with the closest points, and stays perpendicular to the edges
 /// that hold, to second order.
 /// @param rate  relative_rate() of the closest points
@@ -24,13 +29,17 @@ NormalPath<Scalar> tracking_path(const Vec3<Scalar>& n, const EdgePair<Scalar>& 
                                  Scalar distance) {
   NormalPath<Scalar> N;
   N.n = n;
-  if (!(edges.on_A && edges.on_B)) N.m = (rate - n * n.dot(rate)) / distance;
+  if (!(edges.on_A && edges.on_B)) N.m = across(rate, n) / distance;
   if (edges.none_holds()) return N;
   const Vec3<Scalar> a1 = pair.A.direction_rate();
   const Vec3<Scalar> b1 = pair.B.direction_rate();
   N.m -= edges.solve(n.dot(a1) + N.m.dot(edges.a), n.dot(b1) + N.m.dot(edges.b));
-  N.m2 = -edges.solve(2 * N.m.dot(a1) + n.dot(pair.A.direction_bend()),
-                      2 * N.m.dot(b1) + n.dot(pair.B.direction_bend()));
+  // Edges are perpendicular to n but for rounding, and nearly parallel ones come with large
+  // factors: the certificate needs the vectors themselves perpendicular.
+  N.m = across(N.m, n);
+  N.m2 = across<Scalar>(-edges.solve(2 * N.m.dot(a1) + n.dot(pair.A.direction_bend()),
+                                     2 * N.m.dot(b1) + n.dot(pair.B.direction_bend())),
+                        n);
   return N;
 }
 

@@ -93,13 +93,10 @@ void Target<Scalar>::refit() {
   }
 }
 
+/// The wanted parts that the blade's swept volume meets.
 template <class Scalar>
-TouchSearch<Scalar> Target<Scalar>::find_touch(const MovingCapsule<Scalar>& blade, Scalar from,
-                                               const SteppingOptions<Scalar>& options,
-                                               PartMask parts) const {
-  TouchSearch<Scalar> first;
-  first.known_until = from + blade.motion.duration;
-  first.complete = true;
+PartMask Target<Scalar>::parts_reached(const MovingCapsule<Scalar>& blade, PartMask wanted) const {
+  PartMask reached = 0;
   const Kdop<Scalar, kTargetK> swept = swept_kdop<Scalar, kTargetK>(blade);
   std::size_t i = 0;
   for (int visit = 0; visit < kBodyParts && i < kParts; ++visit) {  // Bound: kBodyParts
@@ -107,24 +104,21 @@ TouchSearch<Scalar> Target<Scalar>::find_touch(const MovingCapsule<Scalar>& blad
       i = kBehind[i];
       continue;
     }
-    const bool wanted = (parts >> i & 1U) != 0;
-    if (wanted && overlaps(swept, own_[i])) {
-      take(search_part(i, blade, from, options), static_cast<BodyPart>(i), from, first);
-    }
+    const PartMask part = mask_of(static_cast<BodyPart>(i));
+    if ((wanted & part) != 0 && overlaps(swept, own_[i])) reached |= part;
     ++i;
   }
-  return first;
+  return reached;
 }
 
+/// The blade and a part over the blade's time.
 template <class Scalar>
-typename Target<Scalar>::PartSearch Target<Scalar>::search_part(
-    std::size_t part, const MovingCapsule<Scalar>& blade, Scalar from,
-    const SteppingOptions<Scalar>& options) const {
+Result<MovingPair<Scalar>> Target<Scalar>::pair_with(std::size_t part,
+                                                     const MovingCapsule<Scalar>& blade,
+                                                     Scalar from) const {
   MovingCapsule<Scalar> target = moving_[part];
   target.motion = piece_of(target.motion, from, blade.motion.duration);
-  const auto pair = make_moving_pair(blade, target);
-  if (!pair.ok()) return {};
-  return {search_stepping(pair.value, options), pair.value.origin_W};
+  return make_moving_pair(blade, target);
 }
 
 /// Joins what the search of one part found to what is known of the parts before it.

@@ -65,6 +65,9 @@ class PoolBase {
   int acquire();
   /// @pre the slot is live
   void release(std::size_t index);
+  /// Takes over which slots of `other` live, and in which generation, and its number.
+  /// @pre the same capacity. Bound: N slots.
+  void copy_slots(const PoolBase& other);
   /// The first live slot at or behind `index`, N where there is none.
   /// Bound: N / 32 words.
   std::size_t next_live(std::size_t index) const;
@@ -163,6 +166,18 @@ class Pool : public PoolBase {
     if (index == kNoIndex) return Status::kStaleHandle;
     release(static_cast<std::size_t>(index));
     return Status::kOk;
+  }
+
+  /// Becomes a copy of `saved`: the same objects in the same slots, known by the same handles. By
+  /// name, so that no pool is copied by accident.
+  /// Bound: N slots.
+  void restore(const Pool& saved) {
+    if (&saved == this) return;
+    for (std::size_t i = 0; i < kSlots; ++i) {  // Bound: N
+      if (!saved.is_live(i)) continue;
+      ::new (storage_ + i * sizeof(T)) T(*saved.slot(i));  // deviation: placement-new
+    }
+    copy_slots(saved);
   }
 
   /// The object, or null for a null, foreign or stale handle.

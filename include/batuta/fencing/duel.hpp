@@ -43,9 +43,11 @@ struct BladeDriver {
   void on_step_end(const Body<Scalar>& body, Scalar dt) { grip.on_step_end(body, dt); }
 };
 
-template <class S>
+template <class S, class SearchT>
 struct DuelScene : Scene {
   using Scalar = S;
+  using Search = SearchT;
+  static constexpr std::uint32_t kBudget = SearchT::kDefaultBudget;
   static constexpr int kMaxBodies = 2;
   static constexpr int kMaxPairs = 1;
   static constexpr int kMaxContacts = 8;
@@ -53,21 +55,24 @@ struct DuelScene : Scene {
   using Driver = BladeDriver<S, kMaxContacts>;
 };
 
-template <class Scalar>
+/// @tparam SearchT  how blades and touches are found: Advancement, or the paper's Stepping to
+///   compare it with
+template <class Scalar, class SearchT = Advancement<Scalar>>
 struct DuelSettings {
   std::int32_t step_us = 1000;  ///< length of a step, us, 100 ... 20000
   std::int32_t double_window_us =
       40000;  ///< a second touch within this time counts as double, us, >= 0
   StickSettings stick;
-  WorldSettings<Scalar> world;    ///< blades: defaults of duel_settings()
-  SteppingOptions<Scalar> touch;  ///< search for touches
-  PartMask target = kAllParts;    ///< parts where a touch counts: the weapon's convention
+  WorldSettings<DuelScene<Scalar, SearchT>> world;  ///< blades: defaults of duel_settings()
+  /// Search for touches.
+  typename SearchT::Options touch = SearchOf<DuelScene<Scalar, SearchT>>::options();
+  PartMask target = kAllParts;  ///< parts where a touch counts: the weapon's convention
   Salle<Scalar> salle;
 };
 
 /// Settings that suit the two fencers of the library.
-template <class Scalar>
-DuelSettings<Scalar> duel_settings();
+template <class Scalar, class SearchT = Advancement<Scalar>>
+DuelSettings<Scalar, SearchT> duel_settings();
 
 enum class BoutState : std::uint8_t {
   kFencing,
@@ -104,14 +109,18 @@ struct DuelReport {
   std::uint64_t evaluations = 0;       ///< distance evaluations of all searches
   std::uint32_t touch_searches = 0;    ///< body parts that the hierarchy could not rule out
   std::uint32_t incomplete_steps = 0;  ///< the world's report was not complete(): blades were held
-  std::uint32_t budget_outs = 0;       ///< searches that ran out of max_steps, blade or touch
+  std::uint32_t budget_outs = 0;       ///< searches that ran out of their budget, blade or touch
   std::uint32_t searches_invalid = 0;  ///< searches that could not be asked, blade or touch
 };
 
-template <class Scalar>
+/// Built into the library for float and double with Advancement, and with Stepping; a program links
+/// the one that it names.
+template <class Scalar, class SearchT = Advancement<Scalar>>
 class Duel {
  public:
-  using WorldType = World<DuelScene<Scalar>>;
+  using SceneType = DuelScene<Scalar, SearchT>;
+  using Settings = DuelSettings<Scalar, SearchT>;
+  using WorldType = World<SceneType>;
 
   Duel() = default;
   Duel(const Duel&) = delete;
@@ -121,7 +130,7 @@ class Duel {
   /// what both fencers come to before anything is changed.
   /// @returns kOk | kInvalidArgument (settings, settings.world, settings.touch or a fencer's data
   /// out of range; nothing changed: a running bout goes on)
-  Status configure(const DuelSettings<Scalar>& settings, const Fencer<Scalar>& left,
+  Status configure(const Settings& settings, const Fencer<Scalar>& left,
                    const Fencer<Scalar>& right);
 
   /// One step. After the bout is over it changes nothing.
@@ -172,7 +181,7 @@ class Duel {
     WeaponBody<Scalar> weapon;
     Pose<Scalar> X_WF;
     KeyedPose<Scalar> hand;
-    Actor<DuelScene<Scalar>> blade;
+    Actor<SceneType> blade;
   };
 
   Place& at(Side side) { return places_[index_of(side)]; }
@@ -180,7 +189,7 @@ class Duel {
   static Result<Seat> seat_for(const Fencer<Scalar>& fencer, const Pose<Scalar>& X_WF);
   static Status arm(const Fencer<Scalar>& fencer, Seat& seat);
   void take_place(Place& place, const Seat& seat, const FencerBuild<Scalar>& build);
-  const Actor<DuelScene<Scalar>>& blade_of(Side side) const;
+  const Actor<SceneType>& blade_of(Side side) const;
   void move_hand(Side side, const InputSample* sample);
   void look_for_touches();
   TouchSearch<Scalar> touch_by(Side side);
@@ -189,7 +198,7 @@ class Duel {
   void close_window();
   void add_up();
 
-  DuelSettings<Scalar> settings_;
+  Settings settings_;
   WorldType world_;
   std::array<Place, 2> places_;
   Bout<Scalar> bout_;

@@ -4,7 +4,7 @@
 // [Kavan §5, refs 10 and 16], and the search for the first touch. Frame W, SI units; times run from
 // 0 to the step's length.
 
-#include "batuta/detection/stepping.hpp"
+#include "batuta/detection/search.hpp"
 #include "batuta/fencing/skeleton.hpp"
 #include "batuta/geometry/kdop.hpp"
 #include "batuta/response/contact.hpp"
@@ -59,10 +59,26 @@ class Target {
   void move_to(const BodyShape<Scalar>& shape_W, Scalar dt);
 
   /// The first touch of a blade that moves over [from, from + blade.motion.duration] of the step.
+  /// @tparam Search  of detection/search.hpp
   /// Bound: kBodyParts searches; no recursion, no stack.
+  template <class Search>
   TouchSearch<Scalar> find_touch(const MovingCapsule<Scalar>& blade, Scalar from,
-                                 const SteppingOptions<Scalar>& options,
-                                 PartMask parts = kAllParts) const;
+                                 const typename Search::Options& options,
+                                 PartMask parts = kAllParts) const {
+    TouchSearch<Scalar> first;
+    first.known_until = from + blade.motion.duration;
+    first.complete = true;
+    const PartMask reached = parts_reached(blade, parts);
+    for (std::size_t i = 0; i < kParts; ++i) {  // Bound: kBodyParts
+      if ((reached >> i & 1U) == 0) continue;
+      const auto pair = pair_with(i, blade, from);
+      const SearchResult<Scalar> result =
+          pair.ok() ? Search::search(pair.value, options, Vec3<Scalar>::Zero())
+                    : SearchResult<Scalar>{};
+      take({result, pair.value.origin_W}, static_cast<BodyPart>(i), from, first);
+    }
+    return first;
+  }
 
   /// Where the body is at the end of the step.
   const BodyShape<Scalar>& shape() const { return shape_W_; }
@@ -83,8 +99,9 @@ class Target {
   };
 
   void refit();
-  PartSearch search_part(std::size_t part, const MovingCapsule<Scalar>& blade, Scalar from,
-                         const SteppingOptions<Scalar>& options) const;
+  PartMask parts_reached(const MovingCapsule<Scalar>& blade, PartMask wanted) const;
+  Result<MovingPair<Scalar>> pair_with(std::size_t part, const MovingCapsule<Scalar>& blade,
+                                       Scalar from) const;
   static void take(const PartSearch& search, BodyPart part, Scalar from,
                    TouchSearch<Scalar>& first);
 

@@ -23,7 +23,8 @@ struct EncounterOptions {
   Scalar rest_speed = 0;           ///< eps_r, m/s, > 0
   Scalar separation = 0;           ///< D, m, > 0
   Scalar min_separation_time = 0;  ///< least f(D), s, > 0
-  /// Gap below which rounding decides whether the pair touches, m, > 0 (src/world/encounter.md).
+  /// Gap below which the next search might call parting bodies touching, m, > 0: by its slab or by
+  /// rounding (src/world/encounter.md).
   Scalar margin = 0;
 };
 
@@ -38,8 +39,8 @@ struct EncounterAnswer {
 
 /// Colliding: both momenta get the impulse [Kavan §4.1]. Resting: both positions are separated to D
 /// [Kavan §4.2]. Receding: nothing. Overlapping by more than `margin`, of whatever kind: separated
-/// as well. Otherwise the gap is opened to `margin` at no charge, so that rounding does not take
-/// parting bodies for touching ones.
+/// as well. Otherwise the gap is opened to `margin` at no charge, so that the next search does not
+/// take parting bodies for touching ones.
 /// @returns kOk | kInvalidArgument (options or contact out of range); then the bodies are unchanged
 /// Bound: no loop.
 template <class Scalar>

@@ -38,8 +38,10 @@ struct StepReport {
   std::uint32_t separations = 0;  ///< resting and overlapping contacts, answered by separation
   std::uint32_t blocked =
       0;  ///< contacts of two bodies that nothing can push: both held for the rest of the step
-  /// Pairs that overlapped when a search began: by rounding; by a touch shallower than epsilon / 2
-  /// that the search passed over (src/detection/stepping.md); or because the caller put them there.
+  /// Pairs that overlapped when a search began: by rounding; because the caller put them there, or
+  /// moved what cannot be pushed (src/world/encounter.md); and with Stepping also by a touch
+  /// shallower than epsilon / 2 that it passed over (src/detection/stepping.md). The other searches
+  /// pass over none.
   std::uint32_t overlaps_at_start = 0;
   Scalar deepest_overlap = 0;  ///< of these, m
   // What did not fit; the bodies concerned were held where they were proven free. All zero in a

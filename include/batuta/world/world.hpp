@@ -9,6 +9,7 @@
 #include "batuta/world/encounter.hpp"
 #include "batuta/world/event.hpp"
 #include "batuta/world/scene.hpp"
+#include "batuta/world/seed_memory.hpp"
 
 namespace batuta {
 
@@ -26,10 +27,17 @@ struct Actor {
   std::uint16_t owner = 0;           ///< bodies of one owner other than 0 never meet
 };
 
+/// What a world keeps for its searches; empty where they take no seed.
 template <class SceneT>
-class World {
+using SeedsOf = std::conditional_t<SceneT::Search::kUsesSeed,
+                                   SeedMemory<typename SceneT::Scalar, SceneT::kMaxPairs>, NoSeeds>;
+
+/// A base, not a member: an empty one takes no room.
+template <class SceneT>
+class World : private SeedsOf<SceneT> {
  public:
   using Scalar = typename SceneT::Scalar;
+  using Search = typename SceneT::Search;
   using ActorType = Actor<SceneT>;
   using BodyId = Handle<ActorType>;
   using EventList = FixedList<ContactEvent<Scalar>, SceneT::kMaxEvents>;
@@ -49,11 +57,15 @@ class World {
   explicit World(std::uint16_t number = 0) : actors_(number) {}
 
   /// @returns kOk | kInvalidArgument (an option out of range; the settings stay as they were)
-  Status configure(const WorldSettings<Scalar>& settings) {
+  Status configure(const WorldSettings<SceneT>& settings) {
     const Status status = validate(settings);
     if (status == Status::kOk) settings_ = settings;
     return status;
   }
+
+  /// Becomes a copy of `saved`, and goes on as that would, to the last bit; ids of one name the
+  /// bodies of the other. By name, because a world is large. Bound: kMaxBodies.
+  void restore(const World& saved);
 
   /// @returns kOk with the id | kPoolFull | kInvalidArgument (not finite, negative radius, C
   /// outside [0, 1])
@@ -79,7 +91,7 @@ class World {
   /// @pre dt > 0 and finite
   /// @returns kOk (also where report().complete() is false: nothing was missed, bodies were held) |
   ///   kInvalidArgument (dt); then nothing has changed
-  /// Bound: kMaxRounds rounds of at most kMaxPairs searches.
+  /// Bound: kMaxRounds rounds of at most kMaxPairs searches of at most kBudget evaluations.
   Status step(Scalar dt);
 
   const StepReport<Scalar>& report() const { return report_; }
@@ -99,10 +111,12 @@ class World {
     BodyPair pair;
     SearchResult<Scalar> search;
     Vec3<Scalar> origin_W = Vec3<Scalar>::Zero();
-    Scalar scale = 0;  ///< S of the pair, m
+    Scalar scale = 0;        ///< S of the pair, m
+    Scalar contact_gap = 0;  ///< the search may speak of contact up to this gap, m
   };
   static bool is_usable(const ActorType& actor);
   ActorType& actor_at(std::size_t slot) { return *actors_.at_index(slot); }
+  const ActorType& actor_at(std::size_t slot) const { return *actors_.at_index(slot); }
   bool is_present(std::size_t slot) const { return actors_.at_index(slot) != nullptr; }
   bool takes_part(std::size_t slot) const { return proxies_[slot].present; }
   bool is_held(std::size_t slot) const { return tracks_[slot].held_until > now_; }
@@ -118,14 +132,17 @@ class World {
   void find_pairs();
   Hit first_hit();
   Hit search(BodyPair pair);
+  SearchResult<Scalar> search_with_seed(BodyPair pair, const MovingPair<Scalar>& moving_pair);
+  SearchResult<Scalar> let_go(const MovingPair<Scalar>& moving_pair, const Hit& hit) const;
   void advance(Scalar duration);
   void hold(std::size_t slot, Scalar until);
   void hold_pair(BodyPair pair, Scalar until);
   void answer(const Hit& hit);
   void answer_contact_of(const Hit& hit);
-  bool is_blocked(const Hit& hit);
+  bool is_immovable(BodyPair pair) const;
   void block(const Hit& hit, const Contact<Scalar>& contact);
-  EncounterOptions<Scalar> options_for(const Hit& hit);
+  EncounterOptions<Scalar> options_for(const Hit& hit) const;
+  Scalar margin_of(const Hit& hit) const;
   Party<Scalar> party(std::size_t slot, std::size_t other);
   Scalar room_of(std::size_t slot, std::size_t other);
   void tell_driver(std::size_t slot, const EncounterAnswer<Scalar>& answer,
@@ -141,7 +158,7 @@ class World {
     return to_world(actor_at(slot).body.X_WB, actor_at(slot).capsule_B);
   }
 
-  WorldSettings<Scalar> settings_;
+  WorldSettings<SceneT> settings_;
   Pool<ActorType, SceneT::kMaxBodies> actors_;
   std::array<Track, kSlots> tracks_{};
   std::array<Proxy<Scalar>, kSlots> proxies_{};

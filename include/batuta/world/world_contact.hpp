@@ -44,7 +44,7 @@ void World<SceneT>::answer_contact_of(const Hit& hit) {
   const std::size_t a = hit.pair.first;
   const std::size_t b = hit.pair.second;
   const Contact<Scalar> contact = contact_from(hit.search.witness, hit.origin_W);
-  if (is_blocked(hit)) return block(hit, contact);
+  if (is_immovable(hit.pair)) return block(hit, contact);
 
   const std::array<Momentum<Scalar>, 2> before = {actor_at(a).body.momentum,
                                                   actor_at(b).body.momentum};
@@ -62,10 +62,10 @@ void World<SceneT>::answer_contact_of(const Hit& hit) {
   record(hit, contact, answer.value);
 }
 
-/// Neither body can be pushed, and at least one is moved into the other.
+/// Neither body can be pushed: where one is moved into the other, both stop.
 template <class SceneT>
-bool World<SceneT>::is_blocked(const Hit& hit) {
-  return is_fixed(actor_at(hit.pair.first).body) && is_fixed(actor_at(hit.pair.second).body);
+bool World<SceneT>::is_immovable(BodyPair pair) const {
+  return is_fixed(actor_at(pair.first).body) && is_fixed(actor_at(pair.second).body);
 }
 
 template <class SceneT>
@@ -79,18 +79,25 @@ void World<SceneT>::block(const Hit& hit, const Contact<Scalar>& contact) {
 }
 
 template <class SceneT>
-EncounterOptions<typename World<SceneT>::Scalar> World<SceneT>::options_for(const Hit& hit) {
-  constexpr Scalar kMarginInUlps = 64;  // src/world/encounter.md
-  const ActorType& A = actor_at(hit.pair.first);
-  const ActorType& B = actor_at(hit.pair.second);
-  const Scalar size = length(A.body.X_WB.p_W) + length(B.body.X_WB.p_W) + hit.scale;
+EncounterOptions<typename World<SceneT>::Scalar> World<SceneT>::options_for(const Hit& hit) const {
   EncounterOptions<Scalar> options;
-  options.restitution = pair_restitution(A.restitution, B.restitution);
+  options.restitution =
+      pair_restitution(actor_at(hit.pair.first).restitution, actor_at(hit.pair.second).restitution);
   options.rest_speed = settings_.rest_speed;
   options.separation = settings_.separation;
   options.min_separation_time = settings_.min_separation_time;
-  options.margin = kMarginInUlps * kRoundOff<Scalar> * size;
+  options.margin = margin_of(hit);
   return options;
+}
+
+/// The gap from which the next search lets parting bodies go (src/world/encounter.md).
+template <class SceneT>
+typename World<SceneT>::Scalar World<SceneT>::margin_of(const Hit& hit) const {
+  constexpr Scalar kContactGaps = 2;
+  constexpr Scalar kUlps = 64;
+  const Scalar size = length(actor_at(hit.pair.first).body.X_WB.p_W) +
+                      length(actor_at(hit.pair.second).body.X_WB.p_W) + hit.scale;
+  return kContactGaps * hit.contact_gap + kUlps * kRoundOff<Scalar> * size;
 }
 
 /// A body at a contact. One that its driver moves gets the momentum that goes with the driver's
@@ -128,7 +135,7 @@ void World<SceneT>::record(const Hit& hit, const Contact<Scalar>& contact,
                            const EncounterAnswer<Scalar>& answer) {
   if (answer.impulse > Scalar(0)) ++report_.collisions;
   if (answer.separated) ++report_.separations;
-  if (hit.search.outcome == Outcome::kTouching) {
+  if (hit.search.outcome == Outcome::kTouching && !(contact.gap > Scalar(0))) {
     ++report_.overlaps_at_start;
     report_.deepest_overlap = max_of(report_.deepest_overlap, -contact.gap);
   }

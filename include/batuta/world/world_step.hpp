@@ -17,6 +17,17 @@ bool World<SceneT>::is_usable(const ActorType& actor) {
          actor.restitution <= Scalar(1);
 }
 
+/// What a step sets up for itself is not part of what is saved.
+template <class SceneT>
+void World<SceneT>::restore(const World& saved) {
+  static_cast<SeedsOf<SceneT>&>(*this) = saved;
+  settings_ = saved.settings_;
+  actors_.restore(saved.actors_);
+  touching_ = saved.touching_;
+  events_ = saved.events_;
+  report_ = saved.report_;
+}
+
 template <class SceneT>
 Status World<SceneT>::step(Scalar dt) {
   if (!is_finite(dt) || !(dt > Scalar(0))) return Status::kInvalidArgument;
@@ -126,11 +137,46 @@ typename World<SceneT>::Hit World<SceneT>::search(BodyPair pair) {
   if (moving_pair.ok()) {
     hit.origin_W = moving_pair.value.origin_W;
     hit.scale = moving_pair.value.scale;
-    hit.search = search_stepping(moving_pair.value, settings_.search);
+    hit.contact_gap = Search::contact_gap(moving_pair.value, settings_.search);
+    hit.search = search_with_seed(pair, moving_pair.value);
+    if (hit.search.outcome == Outcome::kTouching && is_immovable(pair) &&
+        hit.search.gap_rate > settings_.rest_speed) {
+      hit.search = let_go(moving_pair.value, hit);
+    }
     report_.evaluations += hit.search.evaluations;
   }
   hit.any = hit.search.outcome != Outcome::kFree;
   return hit;
+}
+
+/// The seed is a direction in W, and as good a guess in the next round or step.
+template <class SceneT>
+SearchResult<typename World<SceneT>::Scalar> World<SceneT>::search_with_seed(
+    BodyPair pair, const MovingPair<Scalar>& moving_pair) {
+  if constexpr (Search::kUsesSeed) {
+    const auto result = Search::search(moving_pair, settings_.search, this->recall(pair));
+    if (result.outcome != Outcome::kInvalid) this->remember(pair, result.witness.axes.normal_AB);
+    return result;
+  } else {
+    return Search::search(moving_pair, settings_.search, Vec3<Scalar>::Zero());
+  }
+}
+
+/// What cannot be pushed cannot be opened to the margin either; where such a pair touches and
+/// parts, it is searched as if it were thinner by what is missing (src/world/encounter.md).
+template <class SceneT>
+SearchResult<typename World<SceneT>::Scalar> World<SceneT>::let_go(
+    const MovingPair<Scalar>& moving_pair, const Hit& hit) const {
+  const Scalar missing = margin_of(hit) - hit.search.witness.gap;
+  const Scalar radii = moving_pair.A.radius + moving_pair.B.radius;
+  if (!(missing < radii)) return hit.search;
+  MovingPair<Scalar> thinner = moving_pair;
+  thinner.A.radius *= Scalar(1) - missing / radii;
+  thinner.B.radius *= Scalar(1) - missing / radii;
+  SearchResult<Scalar> result =
+      Search::search(thinner, settings_.search, hit.search.witness.axes.normal_AB);
+  result.evaluations += hit.search.evaluations;
+  return result;
 }
 
 template <class SceneT>

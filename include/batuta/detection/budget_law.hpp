@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// How many distance evaluations a certified search needs at most for a pair that stays close for a
+// whole step:
+//   slab = kappa^3 / 6 * lever (turn / budget)^3
+// `turn` is the furthest that a body turns in the step, rad; `lever` the sum of the two distances
+// of the axis ends from their axes of rotation, m. kappa is measured, not proven:
+// src/detection/budget_law.md. Each of the three follows from the two others, at compile time.
+// Where the law fails, the search answers kBudget: nothing is missed.
+
+#include "batuta/core/types.hpp"
+
+namespace batuta {
+
+/// kappa, measured over pairs that stay close for a whole step.
+template <class Scalar>
+inline constexpr Scalar kBudgetKappa = Scalar(3.4);
+
+/// Below this number of evaluations the law says nothing.
+inline constexpr std::uint32_t kLeastLawBudget = 8;
+
+/// x^(1/3), rounded up by at most 4 u relative.
+/// @pre x 0 or 1e-30 ... 1e15
+/// Bound: kCubeRootSteps of Newton, from above, where it falls monotonically; then it has settled.
+inline constexpr int kCubeRootSteps = 80;
+template <class Scalar>
+constexpr Scalar cube_root(Scalar x) {
+  if (!(x > Scalar(0))) return Scalar(0);
+  Scalar root = max_of(x, Scalar(1));         // >= the root
+  for (int i = 0; i < kCubeRootSteps; ++i) {  // Bound: kCubeRootSteps
+    root -= (root - x / (root * root)) / Scalar(3);
+  }
+  return root * (Scalar(1) + Scalar(4) * kRoundOff<Scalar>);
+}
+
+/// Least slab, over the lever, at which `budget` evaluations suffice.
+/// @pre turn >= 0, rad; budget >= kLeastLawBudget
+template <class Scalar>
+constexpr Scalar slab_for(Scalar turn, std::uint32_t budget) {
+  const Scalar share = kBudgetKappa<Scalar> * turn / static_cast<Scalar>(budget);
+  const Scalar rounded_up = Scalar(1) + Scalar(16) * kRoundOff<Scalar>;
+  return share * share * share / Scalar(6) * rounded_up;
+}
+
+/// Furthest turn in a step, rad, at which `budget` evaluations suffice for a slab over the lever.
+/// @pre slab >= 0; budget >= kLeastLawBudget
+template <class Scalar>
+constexpr Scalar turn_for(std::uint32_t budget, Scalar slab) {
+  const Scalar rounded_down = Scalar(1) - Scalar(16) * kRoundOff<Scalar>;
+  return static_cast<Scalar>(budget) / kBudgetKappa<Scalar> * cube_root(Scalar(6) * slab) *
+         rounded_down;
+}
+
+/// Fewest evaluations that suffice.
+/// @pre turn >= 0; slab over the lever > 0
+/// @returns at least kLeastLawBudget; the largest number there is where no number suffices
+template <class Scalar>
+constexpr std::uint32_t budget_for(Scalar turn, Scalar slab) {
+  constexpr std::uint32_t kMost = std::numeric_limits<std::uint32_t>::max();
+  const Scalar root = cube_root(Scalar(6) * slab);
+  if (!(root > Scalar(0))) return kMost;
+  const Scalar share = kBudgetKappa<Scalar> * turn / root;
+  if (!(share < static_cast<Scalar>(kMost / 2))) return kMost;
+  const auto whole = static_cast<std::uint32_t>(share);
+  const std::uint32_t enough = static_cast<Scalar>(whole) < share ? whole + 1 : whole;
+  return max_of(enough, kLeastLawBudget);
+}
+
+}  // namespace batuta

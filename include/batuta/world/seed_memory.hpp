@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The normals that parted pairs when they were last searched: a search that begins with one often
+// needs no other evaluation. Part of a world's saved state, because what a search costs and the
+// last bits of what it answers depend on it; what it proves does not.
+
+#include "batuta/core/types.hpp"
+#include "batuta/world/broadphase.hpp"
+
+namespace batuta {
+
+/// One place for each pair that may meet at the same time. Two pairs that share a place push each
+/// other out, which costs evaluations and nothing else; none do where N is all pairs of the bodies.
+template <class Scalar, int N>
+class SeedMemory {
+ public:
+  /// The normal of the last search, out of the first body towards the second; zero: none known.
+  Vec3<Scalar> recall(BodyPair pair) const {
+    const Entry& entry = entries_[place_of(pair)];
+    const bool same = entry.pair.first == pair.first && entry.pair.second == pair.second;
+    return same ? entry.normal : Vec3<Scalar>(Vec3<Scalar>::Zero());
+  }
+  void remember(BodyPair pair, const Vec3<Scalar>& normal) {
+    entries_[place_of(pair)] = {pair, normal};
+  }
+
+ private:
+  struct Entry {
+    BodyPair pair;  ///< first == second: empty
+    Vec3<Scalar> normal = Vec3<Scalar>::Zero();
+  };
+
+  /// Pairs are numbered (0, 1), (0, 2), (1, 2), (0, 3) ...
+  static std::size_t place_of(BodyPair pair) {
+    const std::size_t second = pair.second;
+    return (second * (second - 1) / 2 + pair.first) % static_cast<std::size_t>(N);
+  }
+
+  std::array<Entry, static_cast<std::size_t>(N)> entries_{};
+};
+
+/// For searches that take no seed: nothing is kept.
+struct NoSeeds {};
+
+}  // namespace batuta

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The duel with the paper's own search, to compare with.
+#include "duel_definitions.hpp"
+
+namespace batuta {
+
+#define BATUTA_INSTANTIATE(S)                            \
+  template DuelSettings<S, Stepping<S>> duel_settings(); \
+  template class Duel<S, Stepping<S>>;
+BATUTA_INSTANTIATE(float)
+BATUTA_INSTANTIATE(double)
+#undef BATUTA_INSTANTIATE
+
+}  // namespace batuta
