@@ -6,7 +6,8 @@
 set -u
 
 HOST_PACKAGES="g++ cmake ninja-build pkg-config libeigen3-dev libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev \
-libevdev-dev libevemu-dev libcli11-dev cppcheck clang-tidy clang-format gcovr python3 git"
+libevdev-dev libevemu-dev libcli11-dev gnuplot-nox libbullet-dev libfcl-dev libode-dev libccd-dev \
+cppcheck clang-tidy clang-format gcovr python3 git"
 TARGET_PACKAGES="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm"
 
 say() { printf '%s\n' "setup: $*"; }

@@ -6,18 +6,6 @@
 namespace batuta {
 
 template <class Scalar>
-Status validate(const AdvancementOptions<Scalar>& options) {
-  const bool good =
-      options.slab >= Scalar(0) && options.slab <= Scalar(1) && options.budget <= kMaxBudget;
-  return good ? Status::kOk : Status::kInvalidArgument;
-}
-
-template <class Scalar>
-Scalar slab_of(const MovingPair<Scalar>& pair, const AdvancementOptions<Scalar>& options) {
-  return max_of(options.slab * pair.scale, kLeastSlab<Scalar> * query_length(pair));
-}
-
-template <class Scalar>
 SearchResult<Scalar> search_advancement(const MovingPair<Scalar>& pair,
                                         const AdvancementOptions<Scalar>& options,
                                         const Vec3<Scalar>& seed_AB) {
@@ -27,13 +15,11 @@ SearchResult<Scalar> search_advancement(const MovingPair<Scalar>& pair,
   return search_inflated(pair, options, seed_AB, kInflation<Scalar>);
 }
 
-#define BATUTA_INSTANTIATE(Scalar)                                                       \
-  template Status validate(const AdvancementOptions<Scalar>&);                           \
-  template Scalar slab_of(const MovingPair<Scalar>&, const AdvancementOptions<Scalar>&); \
-  template SearchResult<Scalar> search_advancement(                                      \
-      const MovingPair<Scalar>&, const AdvancementOptions<Scalar>&, const Vec3<Scalar>&);
-BATUTA_INSTANTIATE(float)
-BATUTA_INSTANTIATE(double)
-#undef BATUTA_INSTANTIATE
+template SearchResult<float> search_advancement(const MovingPair<float>&,
+                                                const AdvancementOptions<float>&,
+                                                const Vec3<float>&);
+template SearchResult<double> search_advancement(const MovingPair<double>&,
+                                                 const AdvancementOptions<double>&,
+                                                 const Vec3<double>&);
 
 }  // namespace batuta

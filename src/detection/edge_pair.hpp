@@ -8,9 +8,9 @@
 
 namespace batuta {
 
-/// Added to the determinant of the edge-edge equations, over the squares of both edges. It only
-/// keeps them solvable: from 1e-4 on it would cost the second order where edges are nearly parallel
-/// (algorithms: case T19b).
+/// Added to sin^2 of the angle between two edges. It only keeps the equations solvable where they
+/// are parallel: from 1e-4 on it would cost the second order where they nearly are
+/// (advancement.md).
 template <class Scalar>
 inline constexpr Scalar kDamping = 16 * kRoundOff<Scalar>;
 
@@ -20,10 +20,8 @@ template <class Scalar>
 struct EdgePair {
   Vec3<Scalar> a;
   Vec3<Scalar> b;
-  Scalar aa;           ///< |a|^2
-  Scalar bb;           ///< |b|^2
-  Scalar ab;           ///< a . b
-  Scalar determinant;  ///< of the equations for both, damped
+  Scalar aa;  ///< |a|^2
+  Scalar bb;  ///< |b|^2
   bool on_A;
   bool on_B;
 
@@ -33,25 +31,32 @@ struct EdgePair {
         b(along_B),
         aa(a.squaredNorm()),
         bb(b.squaredNorm()),
-        ab(a.dot(b)),
-        determinant(a.cross(b).squaredNorm() + kDamping<Scalar> * (aa * bb)),
-        on_A(is_inside(closest.s) && aa > std::numeric_limits<Scalar>::min()),
-        on_B(is_inside(closest.u) && bb > std::numeric_limits<Scalar>::min()) {}
+        on_A(holds(closest.s, closest.normal_AB.dot(a)) && aa > kLeastSquare),
+        on_B(holds(closest.u, -closest.normal_AB.dot(b)) && bb > kLeastSquare) {}
 
   bool none_holds() const { return !on_A && !on_B; }
 
-  /// The shortest vector in the plane of the edges with the given products with those that hold.
-  /// @pre one holds
+  /// The shortest vector in the plane of the edges with the given products with those that hold;
+  /// where both are parallel, with a. @pre one holds
   Vec3<Scalar> solve(Scalar with_a, Scalar with_b) const {
-    if (!on_B) return a * (with_a / aa);
     if (!on_A) return b * (with_b / bb);
-    const Scalar along_a = (with_a * bb - with_b * ab) / determinant;
-    const Scalar along_b = (with_b * aa - with_a * ab) / determinant;
-    return along_a * a + along_b * b;
+    const Vec3<Scalar> along_a = a * (with_a / aa);
+    if (!on_B) return along_a;
+    const Vec3<Scalar> beside_a = b - a * (a.dot(b) / aa);
+    const Scalar square = a.cross(b).squaredNorm() / aa + kDamping<Scalar> * bb;
+    return along_a + beside_a * ((with_b - along_a.dot(b)) / square);
   }
 
  private:
-  static bool is_inside(Scalar parameter) { return parameter > Scalar(0) && parameter < Scalar(1); }
+  static constexpr Scalar kLeastSquare = std::numeric_limits<Scalar>::min();
+
+  /// Inside; or at an end, but the other body is nearer on the way in: rounding has taken the end
+  /// of a near tie.
+  /// @param inward  n . edge, from the first end on, towards the other body
+  static bool holds(Scalar parameter, Scalar inward) {
+    if (!(parameter > Scalar(0))) return inward > Scalar(0);
+    return parameter < Scalar(1) || inward < Scalar(0);
+  }
 };
 
 /// The unit normal n, made perpendicular to the edges that hold once more: where the axes are close

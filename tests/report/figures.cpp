@@ -22,9 +22,7 @@ void row(const char* what, std::size_t value, const char* unit) {
 
 template <class SceneT>
 constexpr std::size_t longest_step() {
-  const SteppingOptions<typename SceneT::Scalar> search;
-  const std::size_t per_search = search.max_steps + static_cast<std::size_t>(search.halvings) + 1;
-  return static_cast<std::size_t>(World<SceneT>::kMaxRounds) * SceneT::kMaxPairs * per_search;
+  return static_cast<std::size_t>(World<SceneT>::kMaxRounds) * SceneT::kMaxPairs * SceneT::kBudget;
 }
 
 }  // namespace

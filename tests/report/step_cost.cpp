@@ -12,6 +12,7 @@ namespace {
 template <class S>
 struct BladesScene : Scene {
   using Scalar = S;
+  using Search = Advancement<S>;
   using Driver = Hand<S>;
 };
 

@@ -52,13 +52,20 @@ def room_of(path, base):
     return path.relative_to(base).parts[0]
 
 
+def is_private(path, target):
+    """Whether a file of src/ includes a header of src/: of its own room, or "../room/noun.hpp"."""
+    shape = re.fullmatch(r"(\.\./[a-z_]+/)?[a-z_]+\.hpp", target)
+    return "include" not in path.parts and bool(shape) and (path.parent / target).is_file()
+
+
 def check_include(room, path, where, target):
     """A finding for one #include "target" in a file of a room of the library, or None."""
-    if "/" not in target and path.suffix == ".cpp" and (path.parent / target).is_file():
+    private = is_private(path, target)
+    if private and "/" not in target:
         return None  # a header of the room's own, not for users
-    if not target.startswith("batuta/"):
+    if not private and not target.startswith("batuta/"):
         return f"{where}: includes \"{target}\"; the library includes \"batuta/...\" only"
-    other = target.split("/")[1]
+    other = target.split("/")[1]  # "batuta/room/noun.hpp" or "../room/noun.hpp"
     if other not in ROOMS:
         return f"{where}: includes \"{target}\": there is no such room"
     if ROOMS.index(other) > ROOMS.index(room):

@@ -13,6 +13,7 @@ import tempfile
 import unittest
 
 PROGRAM = sys.argv.pop()
+METHODS = ["advancement", "translation", "stepping"]
 
 
 def bits(x):
@@ -29,13 +30,13 @@ def body_columns(b, ends):
     return columns + (vec(b + "e0") + vec(b + "e1") + [b + "r"] if ends else [])
 
 
-def toc_file(speed, radius=0.1):
-    """T01: two parallel capsules, B comes from x = 3."""
+def toc_file(speed, radius=0.1, turn=0):
+    """T01: two parallel capsules, B comes from x = 3 and turns about z."""
     header = ["family", "T"] + body_columns("A", True) + body_columns("B", True)
     pose = [1, 0, 0, 0]
     ends = [0, -1, 0, 0, 1, 0, radius]
     A = [0, 0, 0] + pose + [0, 0, 0, 0, 0, 0] + ends
-    B = [3, 0, 0] + pose + [speed, 0, 0, 0, 0, 0] + ends
+    B = [3, 0, 0] + pose + [speed, 0, 0, 0, 0, turn] + ends
     return [header, ["made"] + [bits(x) for x in [1] + A + B]]
 
 
@@ -83,30 +84,77 @@ class Answer(unittest.TestCase):
     def test_toc(self):
         radius = struct.unpack(">f", struct.pack(">f", 0.1))[0]
         truth = (3 - 2 * radius) / 4
-        for scalar, tolerance in (("double", 1e-14), ("float", 1e-6)):
-            rows, _ = self.ask("toc", toc_file(-4), "--scalar", scalar)
-            self.assertEqual(rows[0], ["line", "outcome", "t_free", "t_hit", "steps"])
-            self.assertEqual(rows[1][:2], ["1", "CONTACT"])
-            self.assertAlmostEqual(float(rows[1][2]), truth, delta=tolerance)
-            self.assertAlmostEqual(float(rows[1][3]), truth, delta=tolerance)
+        for method in METHODS:
+            for scalar, tolerance in (("double", 1e-5), ("float", 2e-5)):
+                rows, _ = self.ask("toc", toc_file(-4), "--scalar", scalar, "--method", method)
+                self.assertEqual(rows[0], ["line", "outcome", "t_free", "t_hit", "steps"])
+                self.assertEqual(rows[1][:2], ["1", "CONTACT"])
+                t_free, t_hit = float(rows[1][2]), float(rows[1][3])
+                self.assertLessEqual(t_free, truth + 1e-7)
+                self.assertLessEqual(t_free, t_hit)
+                self.assertAlmostEqual(t_free, truth, delta=tolerance)
+                self.assertAlmostEqual(t_hit, truth, delta=tolerance)
 
-    def test_toc_outcomes(self):
-        self.assertEqual(self.ask("toc", toc_file(-1))[0][1][1], "FREE")
-        self.assertEqual(self.ask("toc", toc_file(-1, radius=2))[0][1][1], "TOUCHING")
-        rows, _ = self.ask("toc", toc_file(-4), "--budget", "4")
+    def test_stepping_is_as_fine_as_time_itself(self):
+        radius = struct.unpack(">f", struct.pack(">f", 0.1))[0]
+        rows, _ = self.ask("toc", toc_file(-4), "--method", "stepping")
+        for time in rows[1][2:4]:
+            self.assertAlmostEqual(float(time), (3 - 2 * radius) / 4, delta=1e-14)
+
+    def test_no_contact_is_free_and_contact_at_the_start_is_told(self):
+        for method in METHODS:
+            self.assertEqual(self.ask("toc", toc_file(-1), "--method", method)[0][1][1], "FREE")
+            rows, _ = self.ask("toc", toc_file(-1, radius=2), "--method", method)
+            self.assertEqual(rows[1][:4], ["1", "TOUCHING", "0", "0"])
+
+    def test_default_method_is_advancement(self):
+        for turn in (0, 2):
+            rows, _ = self.ask("toc", toc_file(-2.5, turn=turn))
+            same, _ = self.ask("toc", toc_file(-2.5, turn=turn), "--method", "advancement")
+            self.assertEqual(rows, same)
+            self.assertLess(int(rows[1][4]), 40)
+
+    def test_budget(self):
+        rows, _ = self.ask("toc", toc_file(-4), "--method", "stepping", "--budget", "4")
         self.assertEqual(rows[1][1], "BUDGET")
         self.assertGreater(float(rows[1][2]), 0)
         self.assertEqual(rows[1][3:], ["1", "5"])
+        turning = toc_file(-2.5, turn=2)
+        whole, _ = self.ask("toc", turning)
+        self.assertEqual(whole[1][1], "CONTACT")
+        rows, _ = self.ask("toc", turning, "--budget", "1")
+        self.assertEqual(rows[1][1], "BUDGET")
+        self.assertGreater(float(rows[1][2]), 0)
+        self.assertLessEqual(float(rows[1][2]), float(whole[1][2]))
+        self.assertEqual(rows[1][3:], ["1", "1"])
 
     def test_tolerance_sets_the_steps(self):
-        coarse, _ = self.ask("toc", toc_file(-1), "--tolerance", "1")
-        fine, _ = self.ask("toc", toc_file(-1), "--tolerance", "0.01")
+        how = ["--method", "stepping", "--tolerance"]
+        coarse, _ = self.ask("toc", toc_file(-1), *how, "1")
+        fine, _ = self.ask("toc", toc_file(-1), *how, "0.01")
         self.assertLess(int(coarse[1][4]) * 50, int(fine[1][4]))
 
+    def test_tolerance_sets_the_slab(self):
+        """Over S, which no gap of the query exceeds."""
+        for method in ("advancement", "translation"):
+            coarse, _ = self.ask("toc", toc_file(-1), "--method", method, "--tolerance", "1")
+            fine, _ = self.ask("toc", toc_file(-1), "--method", method, "--tolerance", "1e-9")
+            self.assertEqual([coarse[1][1], fine[1][1]], ["TOUCHING", "FREE"])
+
     def test_zero_radius_is_explained(self):
-        rows, errors = self.ask("toc", toc_file(-4, radius=0), status=1)
+        rows, errors = self.ask("toc", toc_file(-4, radius=0), "--method", "stepping", status=1)
         self.assertEqual(rows[1], ["1", "INVALID"])
         self.assertIn("line 1", errors)
+        self.assertIn("radius", errors)
+        rows, _ = self.ask("toc", toc_file(-4, radius=0))
+        self.assertEqual(rows[1][1], "CONTACT")
+
+    def test_turning_line_of_translation_is_explained(self):
+        good, turning = toc_file(-4), toc_file(-4, turn=1)
+        rows, errors = self.ask("toc", good + turning[1:], "--method", "translation", status=1)
+        self.assertEqual(rows[1][1], "CONTACT")
+        self.assertEqual(rows[2], ["2", "INVALID"])
+        self.assertIn("line 2: a capsule turns", errors)
 
     def test_distance(self):
         rows, _ = self.ask("distance", distance_file())
@@ -147,7 +195,12 @@ class Answer(unittest.TestCase):
             ["toc", "--in", self.path("none.csv"), "--out", out],
             ["toc", "--in", self.path("in.csv"), "--out", self.path("no/such/folder.csv")],
             ["toc", *files],
-            ["toc", *files, "--method", "advancement"],
+            ["toc", *files, "--method", "magic"],
+            ["toc", *files, "--budget", "4097"],
+            ["toc", *files, "--method", "translation", "--budget", "4097"],
+            ["toc", *files, "--tolerance", "1.5"],
+            ["toc", *files, "--tolerance", "0"],
+            ["toc", *files, "--method", "stepping", "--budget", "-1"],
             ["toc", *files, "--scalar", "half"],
             ["toc", *files, "--budget", "0"],
             ["toc", *files, "--tolerance", "-1"],
@@ -164,7 +217,8 @@ class Answer(unittest.TestCase):
         self.assertEqual(self.run_program("--help").returncode, 0)
         done = self.run_program("toc", "--help")
         self.assertEqual(done.returncode, 0)
-        self.assertIn("stepping", done.stdout)
+        for word in METHODS + ["BUDGET", "4096"]:
+            self.assertIn(word, done.stdout)
 
 
 if __name__ == "__main__":

@@ -3,6 +3,10 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <iostream>
+#include <map>
+
+#include "batuta/detection/advancement.hpp"
 
 namespace batuta::answer {
 
@@ -18,6 +22,15 @@ std::string one_line(const CLI::App* app, const CLI::Error& error) {
   return app->get_name() + ": " + error.what() + " (--help shows the usage)\n";
 }
 
+const std::map<std::string, Method> kMethods = {{"advancement", Method::kAdvancement},
+                                                {"translation", Method::kTranslation},
+                                                {"stepping", Method::kStepping}};
+
+constexpr const char* kFooter = R"(Methods of toc:
+  advancement  misses no contact (default)
+  translation  misses none; a capsule that turns makes its line invalid
+  stepping     the paper's; passes over touches that are shallower than its tolerance)";
+
 /// Every kind takes the same options, so that one script can ask all of them.
 void add_options(CLI::App& app, Command& command, std::string& scalar, std::string& method) {
   app.add_option("--in", command.in, "query file (CSV); - reads standard input")->required();
@@ -26,16 +39,27 @@ void add_options(CLI::App& app, Command& command, std::string& scalar, std::stri
       ->check(CLI::IsMember({"float", "double"}))
       ->capture_default_str();
   app.add_option("--method", method, "search for the time of contact (toc)")
-      ->check(CLI::IsMember({"stepping"}))
+      ->check(CLI::IsMember(kMethods))
       ->capture_default_str();
   app.add_option("--budget", command.search.budget,
-                 "most steps of a search (toc); where they do not suffice the answer is BUDGET")
-      ->check(CLI::Range(std::uint32_t{1}, std::numeric_limits<std::uint32_t>::max()))
-      ->capture_default_str();
+                 "most distance evaluations of a search (toc), 1 ... 4096 (default); with stepping "
+                 "most steps, default 100000000. Where they do not suffice the answer is BUDGET")
+      ->check(CLI::Range(std::uint32_t{1}, std::numeric_limits<std::uint32_t>::max()));
   app.add_option("--tolerance", command.search.tolerance,
-                 "deepest touch that may be missed, times the thinner radius (toc)")
-      ->check(require_positive, "NUMBER > 0")
-      ->capture_default_str();
+                 "gap that counts as contact (toc), over the query's length S, at most 1, default "
+                 "1e-6; with stepping the deepest touch that may be missed, over the thinner "
+                 "radius, default 0.5")
+      ->check(require_positive, "NUMBER > 0");
+  app.footer(kFooter);
+}
+static_assert(kMaxBudget == 4096 && kAmpleSteps == 100'000'000, "the help says so");
+
+/// What is wrong with options that are right one by one; empty: nothing.
+std::string conflict_in(const SearchSettings& search) {
+  if (search.method == Method::kStepping) return {};
+  if (search.budget.value_or(1) > kMaxBudget) return "--budget: at most 4096 but for stepping";
+  if (search.tolerance.value_or(1) > 1) return "--tolerance: at most 1 but for stepping";
+  return {};
 }
 
 }  // namespace
@@ -43,7 +67,7 @@ void add_options(CLI::App& app, Command& command, std::string& scalar, std::stri
 std::variant<Command, Exit> read_command_line(int argc, char** argv) {
   Command command;
   std::string scalar = "double";
-  std::string method = "stepping";
+  std::string method = "advancement";
   CLI::App app(
       "Answers query files: when moving capsules touch, how far segments are apart, what a "
       "collision does.\nExit status: 0; 1 if a line was invalid; 2 on wrong usage.",
@@ -65,7 +89,11 @@ std::variant<Command, Exit> read_command_line(int argc, char** argv) {
                  : distance->parsed() ? Kind::kDistance
                                       : Kind::kImpulse;
   command.in_float = scalar == "float";
-  return command;
+  command.search.method = kMethods.at(method);
+  const std::string conflict = conflict_in(command.search);
+  if (conflict.empty()) return command;
+  std::cerr << one_line(&app, CLI::ValidationError(conflict));
+  return Exit{kExitUsage};
 }
 
 }  // namespace batuta::answer

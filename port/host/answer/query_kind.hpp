@@ -4,6 +4,7 @@
 // main.cpp.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,12 +12,20 @@
 
 namespace batuta::answer {
 
+/// The searches of batuta/detection/search.hpp.
+enum class Method { kAdvancement, kTranslation, kStepping };
+
 /// How time-of-contact queries are searched.
 struct SearchSettings {
-  std::uint32_t budget =
-      100'000'000;  ///< steps; the thinnest query of the project's own files takes 5.2 million
-  double tolerance = 0.5;  ///< epsilon, times the thinner radius
+  Method method = Method::kAdvancement;
+  /// Distance evaluations; of stepping: steps.
+  std::optional<std::uint32_t> budget;
+  /// The gap that counts as contact, over S; of stepping: epsilon, times the thinner radius.
+  std::optional<double> tolerance;
 };
+
+/// Of stepping: the thinnest query of the project's own files takes 5.2 million steps.
+inline constexpr std::uint32_t kAmpleSteps = 100'000'000;
 
 /// The answer to one query: either what goes into the row, or why there is none.
 struct Answer {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // toc: when two moving capsules first touch.
-#include "batuta/detection/stepping.hpp"
+#include "batuta/detection/search.hpp"
 #include "fields.hpp"
 #include "query_kind.hpp"
 
@@ -50,18 +50,55 @@ const char* word_for(Outcome outcome) {
 }
 
 template <class Scalar>
+SearchResult<Scalar> step_through(const MovingPair<Scalar>& pair, const SearchSettings& settings) {
+  SteppingOptions<Scalar> options;
+  if (settings.tolerance) options.epsilon = static_cast<Scalar>(*settings.tolerance);
+  options.max_steps = settings.budget.value_or(kAmpleSteps);
+  options.halvings = kMaxHalvings;
+  return search_stepping(pair, options);
+}
+
+template <class Scalar, class Search>
+SearchResult<Scalar> search_by(const MovingPair<Scalar>& pair, const SearchSettings& settings) {
+  typename Search::Options options;
+  if (settings.tolerance) options.slab = static_cast<Scalar>(*settings.tolerance);
+  options.budget = settings.budget.value_or(kMaxBudget);
+  return Search::search(pair, options, Vec3<Scalar>::Zero());
+}
+
+template <class Scalar>
+SearchResult<Scalar> search(const MovingPair<Scalar>& pair, const SearchSettings& settings) {
+  switch (settings.method) {
+    case Method::kStepping:
+      return step_through(pair, settings);
+    case Method::kTranslation:
+      return search_by<Scalar, Translation<Scalar>>(pair, settings);
+    case Method::kAdvancement:
+      break;
+  }
+  return search_by<Scalar, Advancement<Scalar>>(pair, settings);
+}
+
+/// Why a search answers kInvalid to a pair that could be made.
+const char* reason_for(Method method) {
+  switch (method) {
+    case Method::kStepping:
+      return "the tolerance is relative to the thinner radius, which is 0";
+    case Method::kTranslation:
+      return "a capsule turns: the method is for what does not";
+    case Method::kAdvancement:
+      break;
+  }
+  return "a distance cannot be told";
+}
+
+template <class Scalar>
 Answer answer(host::QueryRow& row, const SearchSettings& settings) {
   const auto query = read<Scalar>(row);
   const auto pair = make_moving_pair(query.A, query.B);
   if (!pair.ok()) return {{}, {}, "not finite, or a negative radius or time, or too many turns"};
-  SteppingOptions<Scalar> options;
-  options.epsilon = static_cast<Scalar>(settings.tolerance);
-  options.max_steps = settings.budget;
-  options.halvings = kMaxHalvings;
-  const SearchResult<Scalar> found = search_stepping(pair.value, options);
-  if (found.outcome == Outcome::kInvalid) {
-    return {{}, {}, "the tolerance is relative to the thinner radius, which is 0"};
-  }
+  const SearchResult<Scalar> found = search(pair.value, settings);
+  if (found.outcome == Outcome::kInvalid) return {{}, {}, reason_for(settings.method)};
   const auto steps = static_cast<double>(found.evaluations);
   const auto t_free = static_cast<double>(found.t_free);
   const auto t_hit = static_cast<double>(found.t_hit);

@@ -4,7 +4,7 @@
 #include "batuta/world/world.hpp"
 using namespace batuta;
 
-struct TwoBlades : Scene {};  // a scene is a type: capacities, scalar, driver
+struct TwoBlades : Scene {};  // a scene is a type: capacities, scalar, driver, search
 
 Actor<TwoBlades> blade(Vec3<float> center, Vec3<float> velocity) {
   Actor<TwoBlades> actor;
@@ -20,7 +20,7 @@ Actor<TwoBlades> blade(Vec3<float> center, Vec3<float> velocity) {
 
 int main() {
   World<TwoBlades> world;  // one object, no heap
-  (void)world.add(blade({0, 0, 1}, {5, 0, 0}));
+  (void)world.add(blade({0, 0, 1}, {4, 0, 0}));
   (void)world.add(blade({0.2F, 0, 1.3F}, {0, 0, 0}));
   for (int millisecond = 0; millisecond < 100; ++millisecond) {
     if (world.step(1e-3F) != Status::kOk || !world.report().complete()) return 1;

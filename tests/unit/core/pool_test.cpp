@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <vector>
 
 #include "heap_trap.hpp"
 
@@ -246,6 +247,30 @@ TEST(Pool, Work_AllocatesNothing) {
     pool.clear();
   }
   EXPECT_EQ(trap.allocations(), 0);
+}
+
+TEST(Pool, Restored_HoldsTheSameObjectsUnderTheSameHandles) {
+  Pool<Pair, 40> pool(3);
+  Pool<Pair, 40> copy(9);
+  const auto old = copy.make(1, 1.0F).value;
+  std::vector<Handle<Pair>> handles;
+  for (int i = 0; i < 40; ++i) handles.push_back(pool.make(i, 0.5F).value);
+  for (std::size_t i = 0; i < 40; i += 3) ASSERT_EQ(pool.remove(handles[i]), Status::kOk);
+  copy.restore(pool);
+  EXPECT_EQ(copy.get(old), nullptr);
+  EXPECT_EQ(copy.size(), pool.size());
+  for (std::size_t i = 0; i < 40; ++i) {
+    const Pair* object = copy.get(handles[i]);
+    ASSERT_EQ(object == nullptr, i % 3 == 0);
+    if (object == nullptr) continue;
+    EXPECT_EQ(object->first, static_cast<int>(i));
+  }
+  const auto next = pool.make(7, 1.0F).value;
+  const auto same = copy.make(7, 1.0F).value;
+  EXPECT_EQ(next.index1, same.index1);
+  EXPECT_EQ(next.generation, same.generation);
+  copy.restore(copy);
+  EXPECT_EQ(copy.get(same)->first, 7);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <cstring>
 #include <memory>
+#include <vector>
 
 namespace batuta {
 namespace {
@@ -37,14 +38,29 @@ Vec2<double> hacking(int k) {
   return {std::sin(37e-3 * k) > 0 ? 1.0 : -1.0, -0.4};
 }
 
-template <class S>
+InputSample sample_of(Script script, int k) {
+  InputSample s;
+  s.time = static_cast<Microseconds>(k) * 1000U;
+  s.sequence = static_cast<std::uint32_t>(k) / 10U;
+  s.x = static_cast<float>(script(k).x());
+  s.y = static_cast<float>(script(k).y());
+  return s;
+}
+
+template <class DuelT>
 class DuelOf : public ::testing::Test {
  protected:
-  std::unique_ptr<Duel<S>> duel = std::make_unique<Duel<S>>();
-  DuelSettings<S> settings = duel_settings<S>();
+  using ScalarT = typename DuelT::SceneType::Scalar;
+  std::unique_ptr<DuelT> duel = std::make_unique<DuelT>();
+  typename DuelT::Settings settings = fresh_settings();
   double least_gap = 1e9;
 
-  Status configure() { return duel->configure(settings, first_fencer<S>(), second_fencer<S>()); }
+  static typename DuelT::Settings fresh_settings() {
+    return duel_settings<ScalarT, typename DuelT::SceneType::Search>();
+  }
+  Status configure() {
+    return duel->configure(settings, first_fencer<ScalarT>(), second_fencer<ScalarT>());
+  }
   void SetUp() override { ASSERT_EQ(configure(), Status::kOk); }
 
   /// A sample each 10 ms, a step each 1 ms.
@@ -59,21 +75,21 @@ class DuelOf : public ::testing::Test {
       least_gap = std::min(least_gap, gap);
     }
   }
-  static InputSample sample(Script script, int k) {
-    InputSample s;
-    s.time = static_cast<Microseconds>(k) * 1000U;
-    s.sequence = static_cast<std::uint32_t>(k) / 10U;
-    s.x = static_cast<float>(script(k).x());
-    s.y = static_cast<float>(script(k).y());
-    return s;
-  }
-  const Bout<S>& bout() const { return duel->bout(); }
+  static InputSample sample(Script script, int k) { return sample_of(script, k); }
+  const Bout<ScalarT>& bout() const { return duel->bout(); }
   double touch_time(int i) const {
     return static_cast<double>(duel->time_us(bout().touches[i].when)) * 1e-6;
   }
 };
-using Scalars = ::testing::Types<float, double>;
-TYPED_TEST_SUITE(DuelOf, Scalars);
+using Duels = ::testing::Types<Duel<float>, Duel<double>, Duel<float, Stepping<float>>,
+                               Duel<double, Stepping<double>>>;
+TYPED_TEST_SUITE(DuelOf, Duels);
+
+/// What only the paper's search has.
+template <class DuelT>
+class PaperDuelOf : public DuelOf<DuelT> {};
+using PaperDuels = ::testing::Types<Duel<float, Stepping<float>>, Duel<double, Stepping<double>>>;
+TYPED_TEST_SUITE(PaperDuelOf, PaperDuels);
 
 TYPED_TEST(DuelOf, BothOnGuard_NothingHappens) {
   this->run(guard, guard, 2000);
@@ -84,6 +100,7 @@ TYPED_TEST(DuelOf, BothOnGuard_NothingHappens) {
 }
 
 TYPED_TEST(DuelOf, LungeAgainstGuard_TouchesTheTorso) {
+  using S = typename TestFixture::ScalarT;
   this->run(lunge, guard, 1000);
   ASSERT_EQ(this->bout().state, BoutState::kTouched);
   ASSERT_EQ(this->bout().touches.size(), 1);
@@ -91,9 +108,9 @@ TYPED_TEST(DuelOf, LungeAgainstGuard_TouchesTheTorso) {
   EXPECT_EQ(touch.by, Side::kLeft);
   EXPECT_EQ(touch.part, BodyPart::kTorso);
   EXPECT_TRUE(touch.certain);
-  EXPECT_GT(touch.place, TypeParam(0.99));
+  EXPECT_GT(touch.place, S(0.99));
   EXPECT_LT(touch.contact.normal_BA_W.x(),
-            TypeParam(-0.8));  // out of the right fencer, towards the left one
+            S(-0.8));  // out of the right fencer, towards the left one
   EXPECT_GT(this->touch_time(0), 0.25);
   EXPECT_LT(this->touch_time(0), 0.37);
   // The point lies on the torso, up to what the search may miss and a step's movement.
@@ -179,8 +196,9 @@ TYPED_TEST(DuelOf, NoSamplesAtAll_IsStaleAndStill) {
 }
 
 // Budget that does not suffice is told: the bout does not run on as if nobody had been touched.
-TYPED_TEST(DuelOf, TouchSearchesWithoutBudget_AreReported) {
-  this->settings.touch.epsilon = TypeParam(1e-6);
+TYPED_TEST(PaperDuelOf, TouchSearchesWithoutBudget_AreReported) {
+  using S = typename TestFixture::ScalarT;
+  this->settings.touch.epsilon = S(1e-6);
   this->settings.touch.max_steps = 2;
   ASSERT_EQ(this->configure(), Status::kOk);
   this->run(lunge, guard, 1000);
@@ -188,10 +206,62 @@ TYPED_TEST(DuelOf, TouchSearchesWithoutBudget_AreReported) {
   EXPECT_EQ(this->duel->report().searches_invalid, 0U);
 }
 
+template <class DuelT>
+class CertifiedDuelOf : public DuelOf<DuelT> {};
+using CertifiedDuels = ::testing::Types<Duel<float>, Duel<double>>;
+TYPED_TEST_SUITE(CertifiedDuelOf, CertifiedDuels);
+
+TYPED_TEST(CertifiedDuelOf, TouchSearchesWithoutBudget_AreReported) {
+  this->settings.touch.budget = 0;
+  ASSERT_EQ(this->configure(), Status::kOk);
+  this->run(lunge, guard, 1000);
+  EXPECT_GT(this->duel->report().budget_outs, 0U);
+  EXPECT_EQ(this->duel->report().searches_invalid, 0U);
+}
+
+TYPED_TEST(CertifiedDuelOf, SearchOptionsOutOfRange_AreRefused) {
+  this->settings.touch.budget = kMaxBudget + 1;
+  EXPECT_EQ(this->configure(), Status::kInvalidArgument);
+  this->settings = this->fresh_settings();
+  this->settings.touch.slab = -1;
+  EXPECT_EQ(this->configure(), Status::kInvalidArgument);
+  this->settings = this->fresh_settings();
+  this->settings.world.search.budget = TypeParam::SceneType::kBudget + 1;
+  EXPECT_EQ(this->configure(), Status::kInvalidArgument);
+}
+
+// Both searches tell the same bout: who touches, where and when.
+TEST(Duel, BothSearches_TellTheSameBout) {
+  const auto play = [](auto duel, Script left, Script right) {
+    using DuelT = std::decay_t<decltype(*duel)>;
+    using S = typename DuelT::SceneType::Scalar;
+    const auto settings = duel_settings<S, typename DuelT::SceneType::Search>();
+    EXPECT_EQ(duel->configure(settings, first_fencer<S>(), second_fencer<S>()), Status::kOk);
+    for (int k = 0; k < 1000 && !duel->bout().is_over(); ++k) {
+      const InputSample l = sample_of(left, k);
+      const InputSample r = sample_of(right, k);
+      EXPECT_EQ(duel->step(&l, &r), Status::kOk);
+    }
+    std::vector<double> told = {static_cast<double>(duel->bout().state)};
+    for (const auto& touch : duel->bout().touches) {
+      told.push_back(static_cast<double>(touch.by));
+      told.push_back(static_cast<double>(touch.part));
+      told.push_back(static_cast<double>(duel->time_us(touch.when)) * 1e-6);
+    }
+    return told;
+  };
+  for (const auto& [left, right] : {std::pair{lunge, guard}, {lunge, late_lunge}, {guard, lunge}}) {
+    const auto paper = play(std::make_unique<Duel<double, Stepping<double>>>(), left, right);
+    const auto ours = play(std::make_unique<Duel<double>>(), left, right);
+    ASSERT_EQ(paper.size(), ours.size());
+    for (std::size_t i = 0; i < paper.size(); ++i) EXPECT_NEAR(paper[i], ours[i], 1e-4) << i;
+  }
+}
+
 // Relative to a blade without thickness no epsilon is small enough: the searches are invalid, not
 // short of budget, and the report says so.
-TYPED_TEST(DuelOf, TouchSearchesThatMakeNoSense_AreReported) {
-  using S = TypeParam;
+TYPED_TEST(PaperDuelOf, TouchSearchesThatMakeNoSense_AreReported) {
+  using S = typename TestFixture::ScalarT;
   this->settings.touch.unit = EpsilonIn::kThinnerRadius;
   Fencer<S> wire = first_fencer<S>();
   wire.weapon.parts[0].capsule_H.radius = 0;
@@ -209,7 +279,7 @@ TYPED_TEST(DuelOf, PartsThatDoNotCount_AreNotTouched) {
 }
 
 TYPED_TEST(DuelOf, NotConfigured_StepIsRefused) {
-  this->duel = std::make_unique<Duel<TypeParam>>();
+  this->duel = std::make_unique<TypeParam>();
   EXPECT_EQ(this->duel->step(nullptr, nullptr), Status::kInvalidArgument);
   this->settings.step_us = 0;
   EXPECT_EQ(this->configure(), Status::kInvalidArgument);
@@ -219,16 +289,14 @@ TYPED_TEST(DuelOf, NotConfigured_StepIsRefused) {
 }
 
 TYPED_TEST(DuelOf, SettingsOutOfRange_AreRefused) {
+  using S = typename TestFixture::ScalarT;
   const auto refused = [this](auto change) {
-    this->settings = duel_settings<TypeParam>();
+    this->settings = this->fresh_settings();
     change(this->settings);
     return this->configure() == Status::kInvalidArgument;
   };
-  constexpr TypeParam kNan = std::numeric_limits<TypeParam>::quiet_NaN();
-  EXPECT_TRUE(refused([](auto& s) { s.touch.epsilon = kNan; }));
-  EXPECT_TRUE(refused([](auto& s) { s.touch.max_steps = 0; }));
-  EXPECT_TRUE(refused([](auto& s) { s.touch.halvings = -1; }));
-  EXPECT_TRUE(refused([](auto& s) { s.salle.distance = TypeParam(1e30); }));
+  constexpr S kNan = std::numeric_limits<S>::quiet_NaN();
+  EXPECT_TRUE(refused([](auto& s) { s.salle.distance = S(1e30); }));
   EXPECT_TRUE(refused([](auto& s) { s.salle.distance = kNan; }));
   EXPECT_TRUE(refused([](auto& s) { s.step_us = 99; }));
   EXPECT_TRUE(refused([](auto& s) { s.step_us = 20001; }));
@@ -239,10 +307,23 @@ TYPED_TEST(DuelOf, SettingsOutOfRange_AreRefused) {
   EXPECT_TRUE(refused([](auto& s) { s.world.separation = 0; }));
 }
 
+TYPED_TEST(PaperDuelOf, SearchOptionsOutOfRange_AreRefused) {
+  using S = typename TestFixture::ScalarT;
+  const auto refused = [this](auto change) {
+    this->settings = this->fresh_settings();
+    change(this->settings);
+    return this->configure() == Status::kInvalidArgument;
+  };
+  constexpr S kNan = std::numeric_limits<S>::quiet_NaN();
+  EXPECT_TRUE(refused([](auto& s) { s.touch.epsilon = kNan; }));
+  EXPECT_TRUE(refused([](auto& s) { s.touch.max_steps = 0; }));
+  EXPECT_TRUE(refused([](auto& s) { s.touch.halvings = -1; }));
+}
+
 // A refused configure() leaves the running bout as it is, to the bit.
 TYPED_TEST(DuelOf, RefusedConfigure_ChangesNothing) {
-  using S = TypeParam;
-  auto twin = std::make_unique<Duel<S>>();
+  using S = typename TestFixture::ScalarT;
+  auto twin = std::make_unique<TypeParam>();
   ASSERT_EQ(twin->configure(this->settings, first_fencer<S>(), second_fencer<S>()), Status::kOk);
   const auto step_both = [&](int from, int to) {
     for (int k = from; k < to; ++k) {
@@ -259,7 +340,7 @@ TYPED_TEST(DuelOf, RefusedConfigure_ChangesNothing) {
   other.step_us = 2000;
   other.world.separation *= 2;
   EXPECT_EQ(this->duel->configure(other, second_fencer<S>(), bad), Status::kInvalidArgument);
-  other.touch.max_steps = 0;
+  other.salle.distance = 0;
   EXPECT_EQ(this->duel->configure(other, second_fencer<S>(), first_fencer<S>()),
             Status::kInvalidArgument);
   EXPECT_EQ(this->duel->steps(), 500U);
@@ -272,7 +353,7 @@ TYPED_TEST(DuelOf, RefusedConfigure_ChangesNothing) {
 }
 
 TYPED_TEST(DuelOf, FencerOutOfRange_IsRefused) {
-  using S = TypeParam;
+  using S = typename TestFixture::ScalarT;
   const auto refused = [this](auto change) {
     Fencer<S> bad = first_fencer<S>();
     change(bad);
@@ -296,7 +377,8 @@ TYPED_TEST(DuelOf, FencerOutOfRange_IsRefused) {
 }
 
 TYPED_TEST(DuelOf, TimeOfAMoment_IsExactAfterHours) {
-  const Moment<TypeParam> moment{4000000000U, TypeParam(0.00025)};
+  using S = typename TestFixture::ScalarT;
+  const Moment<S> moment{4000000000U, S(0.00025)};
   EXPECT_EQ(this->duel->time_us(moment), 4000000000000ULL + 250ULL);
 }
 

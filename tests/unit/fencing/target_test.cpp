@@ -130,7 +130,7 @@ TEST(FindTouch, RandomBlades_AgreeWithSamplingOfAllParts) {
         blade_at(hilt, aim, V(-15 + 10 * dice.unit(), 5 * dice.unit(), 5 * dice.unit()),
                  10 * dice.vec(), kStep / 2);
     const double from = kStep / 4;
-    const auto found = target.find_touch(blade, from, fine());
+    const auto found = target.find_touch<Stepping<double>>(blade, from, fine());
     const auto truth = by_sampling(target, blade, from);
     ASSERT_TRUE(found.complete);
     ASSERT_TRUE(found.certain());
@@ -170,13 +170,13 @@ TEST(FindTouch, HandInFrontOfTheTorso_IsHitFirst) {
   const V chest = shape[static_cast<std::size_t>(BodyPart::kTorso)].axis.at(0.5);
   const V aim = (chest - hand).normalized();
   const auto blade = blade_at(hand - 1.2 * aim, aim, 60 * aim, V::Zero(), kStep);
-  const auto touch = target.find_touch(blade, 0.0, fine());
+  const auto touch = target.find_touch<Stepping<double>>(blade, 0.0, fine());
   ASSERT_TRUE(touch.found);
   EXPECT_EQ(touch.part, BodyPart::kWeaponHand);
   EXPECT_GT(touch.searches, 1);
   const PartMask without_arm =
       kAllParts & ~(PartMask{7} << static_cast<int>(BodyPart::kWeaponUpperArm));
-  const auto behind = target.find_touch(blade, 0.0, fine(), without_arm);
+  const auto behind = target.find_touch<Stepping<double>>(blade, 0.0, fine(), without_arm);
   ASSERT_TRUE(behind.found);
   EXPECT_EQ(behind.part, BodyPart::kTorso);
   EXPECT_GT(behind.t_free, touch.t_free);
@@ -186,8 +186,8 @@ TEST(FindTouch, FarAway_CostsNoSearch) {
   Target<double> target;
   target.place(shape_at(0, 0));
   target.move_to(shape_at(0, 0.1), kStep);
-  const auto touch =
-      target.find_touch(blade_at({4, 0, 1}, {1, 0, 0}, {1, 0, 0}, {0, 0, 0}, kStep), 0.0, fine());
+  const auto touch = target.find_touch<Stepping<double>>(
+      blade_at({4, 0, 1}, {1, 0, 0}, {1, 0, 0}, {0, 0, 0}, kStep), 0.0, fine());
   EXPECT_FALSE(touch.found);
   EXPECT_TRUE(touch.complete);
   EXPECT_EQ(touch.searches, 0);
@@ -201,8 +201,8 @@ TEST(FindTouch, InsideAtTheStart_IsATouchAtTheStart) {
   target.place(shape);
   target.move_to(shape, kStep);
   const V chest = shape[static_cast<std::size_t>(BodyPart::kTorso)].axis.at(0.5);
-  const auto touch =
-      target.find_touch(blade_at(chest, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}, kStep), 0.0, fine());
+  const auto touch = target.find_touch<Stepping<double>>(
+      blade_at(chest, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}, kStep), 0.0, fine());
   ASSERT_TRUE(touch.found);
   EXPECT_EQ(touch.t_free, 0.0);
   EXPECT_EQ(touch.part, BodyPart::kTorso);
@@ -216,8 +216,8 @@ TEST(FindTouch, OutOfBudget_IsReportedAsUnknown) {
   auto options = fine();
   options.max_steps = 2;
   const auto blade = blade_at({2.2, 0, 1.15}, {-1, 0, 0}, {-60, 0, 0}, {0, 0, 0}, kStep);
-  ASSERT_TRUE(target.find_touch(blade, 0.0, fine()).found);
-  const auto touch = target.find_touch(blade, 0.0, options);
+  ASSERT_TRUE(target.find_touch<Stepping<double>>(blade, 0.0, fine()).found);
+  const auto touch = target.find_touch<Stepping<double>>(blade, 0.0, options);
   EXPECT_FALSE(touch.found);
   EXPECT_FALSE(touch.complete);
   EXPECT_FALSE(touch.certain());
@@ -231,7 +231,7 @@ TEST(FindTouch, InvalidSearch_IsReportedAsUnknown) {
   auto options = fine();
   options.epsilon = -1;
   const auto blade = blade_at({0.8, 0, 1.15}, {-1, 0, 0}, {0, 0, 0}, {0, 0, 0}, kStep);
-  const auto touch = target.find_touch(blade, 0.0, options);
+  const auto touch = target.find_touch<Stepping<double>>(blade, 0.0, options);
   EXPECT_FALSE(touch.complete);
   EXPECT_EQ(touch.known_until, 0.0);
 }
@@ -257,8 +257,8 @@ TEST(FindTouch, Float_AgreesWithDouble) {
   SteppingOptions<float> options;
   options.epsilon = 0.0005F;
   options.unit = EpsilonIn::kMetres;
-  const auto f = in_float.find_touch(blade_f, 0.0F, options);
-  const auto d = in_double.find_touch(blade, 0.0, fine());
+  const auto f = in_float.find_touch<Stepping<float>>(blade_f, 0.0F, options);
+  const auto d = in_double.find_touch<Stepping<double>>(blade, 0.0, fine());
   ASSERT_TRUE(f.found && d.found);
   EXPECT_EQ(f.part, d.part);
   EXPECT_NEAR(f.t_hit, d.t_hit, 1e-6);
@@ -276,11 +276,11 @@ TEST(FindTouch, SearchesWithoutAnAnswer_AreCountedByTheirReason) {
   tight.unit = EpsilonIn::kMetres;
   tight.epsilon = 1e-9;
   tight.max_steps = 1;
-  const auto cut = target.find_touch(blade, 0, tight);
+  const auto cut = target.find_touch<Stepping<double>>(blade, 0, tight);
   EXPECT_GT(cut.budget_outs, 0);
   EXPECT_EQ(cut.searches_invalid, 0);
   tight.epsilon = 0;
-  const auto invalid = target.find_touch(blade, 0, tight);
+  const auto invalid = target.find_touch<Stepping<double>>(blade, 0, tight);
   EXPECT_FALSE(invalid.complete);
   EXPECT_EQ(invalid.known_until, 0.0);
   EXPECT_EQ(invalid.budget_outs, 0);

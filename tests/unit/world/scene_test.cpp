@@ -8,35 +8,74 @@
 namespace batuta {
 namespace {
 
+template <class S, template <class> class SearchT>
+struct SceneOf : Scene {
+  using Scalar = S;
+  using Search = SearchT<S>;
+  static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
+};
+
 TEST(Scene, DefaultSettings_AreValid) {
-  EXPECT_EQ(validate(WorldSettings<float>{}), Status::kOk);
-  EXPECT_EQ(validate(WorldSettings<double>{}), Status::kOk);
+  EXPECT_EQ(validate(WorldSettings<Scene>{}), Status::kOk);
+  EXPECT_EQ(validate(WorldSettings<SceneOf<double, Advancement>>{}), Status::kOk);
+  EXPECT_EQ(validate(WorldSettings<SceneOf<float, Translation>>{}), Status::kOk);
+  EXPECT_EQ(validate(WorldSettings<SceneOf<float, Stepping>>{}), Status::kOk);
+  EXPECT_EQ(validate(WorldSettings<SceneOf<double, Stepping>>{}), Status::kOk);
+}
+
+/// Whether a world refuses its settings after a change.
+template <class SceneT, class Change>
+bool refuses(const Change& change) {
+  WorldSettings<SceneT> settings;
+  change(settings);
+  return validate(settings) == Status::kInvalidArgument;
 }
 
 TEST(Scene, EachOptionOutOfRange_IsRefused) {
   const double infinity = std::numeric_limits<double>::infinity();
+  using Plain = SceneOf<double, Advancement>;
+  using Paper = SceneOf<double, Stepping>;
   for (const double bad : {0.0, -1.0, infinity, std::nan("")}) {
-    WorldSettings<double> settings;
-    settings.search.epsilon = bad;
-    EXPECT_EQ(validate(settings), Status::kInvalidArgument);
-    settings = {};
-    settings.rest_speed = bad;
-    EXPECT_EQ(validate(settings), Status::kInvalidArgument);
-    settings = {};
-    settings.separation = bad;
-    EXPECT_EQ(validate(settings), Status::kInvalidArgument);
-    settings = {};
-    settings.min_separation_time = bad;
-    EXPECT_EQ(validate(settings), Status::kInvalidArgument);
+    EXPECT_TRUE(refuses<Paper>([bad](auto& settings) { settings.search.epsilon = bad; }));
+    EXPECT_TRUE(refuses<Plain>([bad](auto& settings) { settings.rest_speed = bad; }));
+    EXPECT_TRUE(refuses<Plain>([bad](auto& settings) { settings.separation = bad; }));
+    EXPECT_TRUE(refuses<Plain>([bad](auto& settings) { settings.min_separation_time = bad; }));
   }
-  WorldSettings<double> settings;
-  settings.search.max_steps = 0;
-  EXPECT_EQ(validate(settings), Status::kInvalidArgument);
-  settings = {};
-  settings.search.halvings = -1;
-  EXPECT_EQ(validate(settings), Status::kInvalidArgument);
-  settings.search.halvings = kMaxHalvings + 1;
-  EXPECT_EQ(validate(settings), Status::kInvalidArgument);
+  for (const double bad : {-1.0, 1.1, infinity, std::nan("")}) {
+    EXPECT_TRUE(refuses<Plain>([bad](auto& settings) { settings.search.slab = bad; }));
+  }
+  EXPECT_TRUE(refuses<Paper>([](auto& settings) { settings.search.max_steps = 0; }));
+  EXPECT_TRUE(refuses<Paper>([](auto& settings) { settings.search.halvings = -1; }));
+  EXPECT_TRUE(refuses<Paper>([](auto& settings) { settings.search.halvings = kMaxHalvings + 1; }));
+}
+
+// The longest step is a constant of the scene, whatever the settings.
+TEST(Scene, SearchBeyondTheScenesBudget_IsRefused) {
+  using Plain = SceneOf<float, Advancement>;
+  using Paper = SceneOf<float, Stepping>;
+  EXPECT_EQ(WorldSettings<Plain>{}.search.budget, Plain::kBudget);
+  EXPECT_FALSE(refuses<Plain>([](auto& settings) { --settings.search.budget; }));
+  EXPECT_TRUE(refuses<Plain>([](auto& settings) { ++settings.search.budget; }));
+  EXPECT_EQ(Paper::Search::most_evaluations(WorldSettings<Paper>{}.search), Paper::kBudget);
+  EXPECT_FALSE(refuses<Paper>([](auto& settings) { --settings.search.max_steps; }));
+  EXPECT_TRUE(refuses<Paper>([](auto& settings) { ++settings.search.max_steps; }));
+  EXPECT_TRUE(refuses<Paper>([](auto& settings) { ++settings.search.halvings; }));
+}
+
+struct SpinScene : Scene {
+  static constexpr std::uint32_t kBudget = 32;
+  static constexpr float kTurnPerStep = 3.0F;
+};
+struct CoarseScene : SpinScene {
+  static constexpr float kSlab = 6e-3F;
+};
+
+TEST(Scene, TurnAndBudget_GiveTheSlab) {
+  const float slab = WorldSettings<SpinScene>{}.search.slab;
+  EXPECT_EQ(slab, slab_for(3.0F, 32));
+  EXPECT_GT(slab, 1e-3F);
+  EXPECT_EQ(WorldSettings<CoarseScene>{}.search.slab, 6e-3F);
+  EXPECT_EQ(WorldSettings<Scene>{}.search.slab, AdvancementOptions<float>{}.slab);
 }
 
 TEST(Scene, PairRestitution_IsThatOfTheBouncierBody) {

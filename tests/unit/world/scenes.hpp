@@ -6,9 +6,11 @@
 
 namespace batuta::test {
 
-template <class S>
+template <class S, template <class> class SearchT = Advancement>
 struct FlightScene : Scene {
   using Scalar = S;
+  using Search = SearchT<S>;
+  static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
   using Driver = AnyDriver<S, FreeFlight<S>, Fixed<S>, Hand<S>>;
   static constexpr int kMaxBodies = 6;
   static constexpr int kMaxPairs = 15;

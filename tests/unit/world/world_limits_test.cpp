@@ -15,18 +15,18 @@ using test::ball;
 using test::post;
 using test::vec;
 
-struct TightScene : test::FlightScene<double> {
+struct TightScene : test::FlightScene<double, Stepping> {
   static constexpr int kMaxBodies = 4;
   static constexpr int kMaxPairs = 1;
   static constexpr int kMaxContacts = 1;
   static constexpr int kMaxEvents = 1;
 };
 
-struct OneContactScene : test::FlightScene<double> {
+struct OneContactScene : test::FlightScene<double, Stepping> {
   static constexpr int kMaxContacts = 1;
 };
 
-struct RoomyScene : test::FlightScene<double> {
+struct RoomyScene : test::FlightScene<double, Stepping> {
   static constexpr int kMaxContacts = 2;
   static constexpr int kMaxEvents = 1;
 };
@@ -137,7 +137,7 @@ TEST(WorldLimits, TooManyEvents_AreCountedAndStillAnswered) {
 
 TEST(WorldLimits, SearchOutOfBudget_StopsThePairBeforeTheContact) {
   World<TightScene> world;
-  WorldSettings<double> settings;
+  WorldSettings<TightScene> settings;
   settings.search.max_steps = 3;
   ASSERT_EQ(world.configure(settings), Status::kOk);
   (void)world.add(ball<TightScene>(0, 0.1, 10));
@@ -173,7 +173,7 @@ TEST(WorldLimits, OverlapAtStart_IsAnsweredReportedAndUndone) {
 // The push-out of a pair must not push a body into its neighbour.
 TEST(WorldLimits, SeparationStopsShortOfTheNeighbour) {
   World<TightScene> world;
-  WorldSettings<double> settings;
+  WorldSettings<TightScene> settings;
   settings.separation = 0.05;
   ASSERT_EQ(world.configure(settings), Status::kOk);
   (void)world.add(ball<TightScene>(0, 0.1, 0.005));
@@ -234,8 +234,7 @@ TEST(WorldLimits, AnswerThatOverflows_HoldsThePairAndKeepsTheMomenta) {
   other.driver = Fixed<double>{};
   (void)world.add(heavy);
   const auto id = world.add(other).value;
-  WorldSettings<double> settings;
-  settings.search.max_steps = 0xffffffffU;
+  WorldSettings<TightScene> settings;
   settings.search.epsilon = 1e9;
   settings.search.unit = EpsilonIn::kMetres;
   ASSERT_EQ(world.configure(settings), Status::kOk);
@@ -245,7 +244,7 @@ TEST(WorldLimits, AnswerThatOverflows_HoldsThePairAndKeepsTheMomenta) {
 
 TEST(WorldLimits, BadSettings_AreRefusedAndTheOldStay) {
   World<TightScene> world;
-  WorldSettings<double> settings;
+  WorldSettings<TightScene> settings;
   settings.rest_speed = 0;
   EXPECT_EQ(world.configure(settings), Status::kInvalidArgument);
   (void)world.add(ball<TightScene>(0, 0.1, 1));

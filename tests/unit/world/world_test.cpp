@@ -15,21 +15,22 @@ using test::FlightScene;
 using test::post;
 using test::vec;
 
-template <class S>
+template <class SceneT>
 class WorldOf : public ::testing::Test {
  protected:
-  using SceneT = FlightScene<S>;
   using WorldT = World<SceneT>;
   WorldT world;
 
   Actor<SceneT>& at(typename WorldT::BodyId id) { return *world.get(id); }
 };
-using Scalars = ::testing::Types<float, double>;
-TYPED_TEST_SUITE(WorldOf, Scalars);
+using Scenes = ::testing::Types<FlightScene<float, Advancement>, FlightScene<double, Advancement>,
+                                FlightScene<float, Stepping>, FlightScene<double, Stepping>>;
+TYPED_TEST_SUITE(WorldOf, Scenes);
 
 TYPED_TEST(WorldOf, FreeBody_MovesByItsMomentum) {
-  const auto id = this->world.add(ball<FlightScene<TypeParam>>(1, 0.1, 2)).value;
-  ASSERT_EQ(this->world.step(TypeParam(0.5)), Status::kOk);
+  using S = typename TypeParam::Scalar;
+  const auto id = this->world.add(ball<TypeParam>(1, 0.1, 2)).value;
+  ASSERT_EQ(this->world.step(S(0.5)), Status::kOk);
   EXPECT_NEAR(this->at(id).body.X_WB.p_W.x(), 2.0, 1e-6);
   EXPECT_TRUE(this->world.report().complete());
   EXPECT_EQ(this->world.events().size(), 0);
@@ -37,9 +38,9 @@ TYPED_TEST(WorldOf, FreeBody_MovesByItsMomentum) {
 
 // Two equal balls, elastic: they exchange velocities at t = (2 - 0.2) / 3, whatever the step.
 TYPED_TEST(WorldOf, HeadOnElastic_ExchangesVelocities) {
-  using S = TypeParam;
-  const auto left = this->world.add(ball<FlightScene<S>>(0, 0.1, 2)).value;
-  const auto right = this->world.add(ball<FlightScene<S>>(2, 0.1, -1)).value;
+  using S = typename TypeParam::Scalar;
+  const auto left = this->world.add(ball<TypeParam>(0, 0.1, 2)).value;
+  const auto right = this->world.add(ball<TypeParam>(2, 0.1, -1)).value;
   int begins = 0;
   double t_hit = 0;
   for (int i = 0; i < 100; ++i) {
@@ -65,9 +66,9 @@ TYPED_TEST(WorldOf, HeadOnElastic_ExchangesVelocities) {
 }
 
 TYPED_TEST(WorldOf, ContactEvents_BeginOnceAndEndOnce) {
-  using S = TypeParam;
-  (void)this->world.add(ball<FlightScene<S>>(0, 0.1, 1));
-  (void)this->world.add(post<FlightScene<S>>(0.5, 0.1));
+  using S = typename TypeParam::Scalar;
+  (void)this->world.add(ball<TypeParam>(0, 0.1, 1));
+  (void)this->world.add(post<TypeParam>(0.5, 0.1));
   int begins = 0;
   int ends = 0;
   for (int i = 0; i < 100; ++i) {
@@ -84,9 +85,9 @@ TYPED_TEST(WorldOf, ContactEvents_BeginOnceAndEndOnce) {
 }
 
 TYPED_TEST(WorldOf, FixedBody_StaysAndReflectsElastically) {
-  using S = TypeParam;
-  const auto id = this->world.add(ball<FlightScene<S>>(0, 0.1, 1)).value;
-  const auto wall = this->world.add(post<FlightScene<S>>(0.5, 0.1)).value;
+  using S = typename TypeParam::Scalar;
+  const auto id = this->world.add(ball<TypeParam>(0, 0.1, 1)).value;
+  const auto wall = this->world.add(post<TypeParam>(0.5, 0.1)).value;
   for (int i = 0; i < 60; ++i) ASSERT_EQ(this->world.step(S(0.01)), Status::kOk);
   EXPECT_NEAR(this->at(id).body.momentum.p_W.x(), -1.0, 1e-6);
   EXPECT_NEAR(this->at(id).body.X_WB.p_W.x(), 0.3 - 0.3, 1e-4);
@@ -96,9 +97,9 @@ TYPED_TEST(WorldOf, FixedBody_StaysAndReflectsElastically) {
 
 // A bullet that crosses the wall within one step is found (the paper's Fig. 1).
 TYPED_TEST(WorldOf, FastBody_DoesNotTunnel) {
-  using S = TypeParam;
-  const auto id = this->world.add(ball<FlightScene<S>>(0, 0.01, 1000)).value;
-  (void)this->world.add(post<FlightScene<S>>(0.5, 0.01));
+  using S = typename TypeParam::Scalar;
+  const auto id = this->world.add(ball<TypeParam>(0, 0.01, 1000)).value;
+  (void)this->world.add(post<TypeParam>(0.5, 0.01));
   ASSERT_EQ(this->world.step(S(0.001)), Status::kOk);
   EXPECT_EQ(this->world.report().collisions, 1);
   EXPECT_LT(this->at(id).body.X_WB.p_W.x(), 0.5);
@@ -107,12 +108,11 @@ TYPED_TEST(WorldOf, FastBody_DoesNotTunnel) {
 
 // Newton's cradle with gaps: the collisions come one after the other within one step.
 TYPED_TEST(WorldOf, ChainOfBalls_PassesTheMomentumOnWithinOneStep) {
-  using S = TypeParam;
+  using S = typename TypeParam::Scalar;
   std::array<typename TestFixture::WorldT::BodyId, 4> ids;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     ids[i] =
-        this->world.add(ball<FlightScene<S>>(0.25 * static_cast<double>(i), 0.1, i == 0 ? 1 : 0))
-            .value;
+        this->world.add(ball<TypeParam>(0.25 * static_cast<double>(i), 0.1, i == 0 ? 1 : 0)).value;
   }
   ASSERT_EQ(this->world.step(S(0.5)), Status::kOk);
   EXPECT_TRUE(this->world.report().complete());
@@ -124,13 +124,13 @@ TYPED_TEST(WorldOf, ChainOfBalls_PassesTheMomentumOnWithinOneStep) {
 
 // Five elastic balls on a line: momentum and energy are kept, no overlap ever.
 TYPED_TEST(WorldOf, BallsOnALine_ConserveMomentumAndEnergyAndNeverOverlap) {
-  using S = TypeParam;
+  using S = typename TypeParam::Scalar;
   const std::array<double, 5> x = {-2, -1, 0.2, 1.1, 2.3};
   const std::array<double, 5> v = {1.7, -0.4, 0.9, -2.1, -0.6};
   double momentum = 0;
   double energy = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    (void)this->world.add(ball<FlightScene<S>>(x[i], 0.1, v[i]));
+    (void)this->world.add(ball<TypeParam>(x[i], 0.1, v[i]));
     momentum += v[i];
     energy += v[i] * v[i] / 2;
   }
@@ -157,13 +157,13 @@ TYPED_TEST(WorldOf, BallsOnALine_ConserveMomentumAndEnergyAndNeverOverlap) {
 // C = 0 against a wall that is pressed on by a velocity below eps_r: separation, not a thousand
 // impulses.
 TYPED_TEST(WorldOf, SlowApproach_IsSeparatedToD) {
-  using S = TypeParam;
-  WorldSettings<S> settings;
+  using S = typename TypeParam::Scalar;
+  WorldSettings<TypeParam> settings;
   settings.rest_speed = S(0.01);
   settings.separation = S(1e-3);
   ASSERT_EQ(this->world.configure(settings), Status::kOk);
-  const auto id = this->world.add(ball<FlightScene<S>>(0, 0.1, 0.005)).value;
-  (void)this->world.add(post<FlightScene<S>>(0.2 + 1e-5, 0.1));
+  const auto id = this->world.add(ball<TypeParam>(0, 0.1, 0.005)).value;
+  (void)this->world.add(post<TypeParam>(0.2 + 1e-5, 0.1));
   ASSERT_EQ(this->world.step(S(0.01)), Status::kOk);
   EXPECT_EQ(this->world.report().separations, 1);
   EXPECT_EQ(this->world.report().collisions, 0);
@@ -175,9 +175,9 @@ TYPED_TEST(WorldOf, SlowApproach_IsSeparatedToD) {
 // Two hands that want their bodies in the same place: one blow a step each, no overlap, nothing
 // left out.
 TYPED_TEST(WorldOf, PressedTogetherByHands_NeverOverlaps) {
-  using S = TypeParam;
-  auto left = ball<FlightScene<S>>(-0.2, 0.1, 0);
-  auto right = ball<FlightScene<S>>(0.2, 0.1, 0);
+  using S = typename TypeParam::Scalar;
+  auto left = ball<TypeParam>(-0.2, 0.1, 0);
+  auto right = ball<TypeParam>(0.2, 0.1, 0);
   left.driver = Hand<S>{{vec<S>(0.05, 0, 0), Quat<S>::Identity()}, S(0.001)};
   right.driver = Hand<S>{{vec<S>(-0.05, 0, 0), Quat<S>::Identity()}, S(0.001)};
   const auto a = this->world.add(left).value;
@@ -194,8 +194,8 @@ TYPED_TEST(WorldOf, PressedTogetherByHands_NeverOverlaps) {
 // A disc whose only capsule is a spoke: the spin about the disc's axis shows, and must not be left
 // out.
 TYPED_TEST(WorldOf, SpinOfACapsuleOffTheAxis_IsShown) {
-  using S = TypeParam;
-  auto disc = ball<FlightScene<S>>(0, 0.1, 0);
+  using S = typename TypeParam::Scalar;
+  auto disc = ball<TypeParam>(0, 0.1, 0);
   disc.body = make_body<S>({}, S(1), Vec3<S>(1, 1, 2)).value;
   disc.body.momentum.b_W = vec<S>(0, 0, 2);  // one radian a second
   disc.capsule_B = {{vec<S>(0, 0, 0), vec<S>(1, 0, 0)}, S(0.01)};
@@ -209,11 +209,11 @@ TYPED_TEST(WorldOf, SpinOfACapsuleOffTheAxis_IsShown) {
 // What a hand carries has the momentum of its motion when it strikes: equal balls, elastic,
 // exchange velocities.
 TYPED_TEST(WorldOf, BallInAHand_StrikesWithTheMomentumOfItsMotion) {
-  using S = TypeParam;
-  auto carried = ball<FlightScene<S>>(0, 0.1, 0);
+  using S = typename TypeParam::Scalar;
+  auto carried = ball<TypeParam>(0, 0.1, 0);
   carried.driver = Hand<S>{{vec<S>(0.2, 0, 0), Quat<S>::Identity()}, S(0.1)};  // 2 m/s
   const auto hand = this->world.add(carried).value;
-  const auto free = this->world.add(ball<FlightScene<S>>(0.3, 0.1, 0)).value;
+  const auto free = this->world.add(ball<TypeParam>(0.3, 0.1, 0)).value;
   ASSERT_EQ(this->world.step(S(0.1)), Status::kOk);
   EXPECT_NEAR(this->at(free).body.momentum.p_W.x(), 2, 1e-5);
   EXPECT_NEAR(this->at(hand).body.momentum.p_W.x(), 0, 1e-5);
@@ -222,10 +222,10 @@ TYPED_TEST(WorldOf, BallInAHand_StrikesWithTheMomentumOfItsMotion) {
 // A contact ends in the step in which the gap has opened beyond twice the separation distance, not
 // later.
 TYPED_TEST(WorldOf, EndOfAContact_ComesWhenTheGapIsBeyondTwiceD) {
-  using S = TypeParam;
-  const auto id = this->world.add(ball<FlightScene<S>>(0.2, 0.1, 0.05)).value;
-  (void)this->world.add(post<FlightScene<S>>(0.4 + 1e-4, 0.1));
-  const S beyond = S(2) * WorldSettings<S>{}.separation;
+  using S = typename TypeParam::Scalar;
+  const auto id = this->world.add(ball<TypeParam>(0.2, 0.1, 0.05)).value;
+  (void)this->world.add(post<TypeParam>(0.4 + 1e-4, 0.1));
+  const S beyond = S(2) * WorldSettings<TypeParam>{}.separation;
   int ends = 0;
   for (int i = 0; i < 20; ++i) {
     ASSERT_EQ(this->world.step(S(0.001)), Status::kOk);
@@ -243,9 +243,9 @@ TYPED_TEST(WorldOf, EndOfAContact_ComesWhenTheGapIsBeyondTwiceD) {
 // A hand of infinite mass cannot be pushed, and neither can the wall it is led into: it stops
 // there, and an event says so.
 TYPED_TEST(WorldOf, UnyieldingHandAgainstAWall_IsBlocked) {
-  using S = TypeParam;
-  auto hand = post<FlightScene<S>>(0, 0.1);
-  const auto wall = this->world.add(post<FlightScene<S>>(0.5, 0.1)).value;
+  using S = typename TypeParam::Scalar;
+  auto hand = post<TypeParam>(0, 0.1);
+  const auto wall = this->world.add(post<TypeParam>(0.5, 0.1)).value;
   hand.driver = Hand<S>{{vec<S>(1, 0, 0), Quat<S>::Identity()}, S(0.1)};
   const auto id = this->world.add(hand).value;
   for (int i = 0; i < 3; ++i) {
@@ -262,10 +262,10 @@ TYPED_TEST(WorldOf, UnyieldingHandAgainstAWall_IsBlocked) {
 
 // A beat is a new beat when the bodies have parted in between, also within a few steps.
 TYPED_TEST(WorldOf, EveryBeatOfABounceBetweenTwoWalls_BeginsAndEnds) {
-  using S = TypeParam;
-  (void)this->world.add(post<FlightScene<S>>(-0.2, 0.1));
-  const auto id = this->world.add(ball<FlightScene<S>>(0, 0.05, 20)).value;
-  (void)this->world.add(post<FlightScene<S>>(0.2, 0.1));
+  using S = typename TypeParam::Scalar;
+  (void)this->world.add(post<TypeParam>(-0.2, 0.1));
+  const auto id = this->world.add(ball<TypeParam>(0, 0.05, 20)).value;
+  (void)this->world.add(post<TypeParam>(0.2, 0.1));
   std::uint32_t collisions = 0;
   int begins = 0;
   int ends = 0;
@@ -285,8 +285,8 @@ TYPED_TEST(WorldOf, EveryBeatOfABounceBetweenTwoWalls_BeginsAndEnds) {
 }
 
 TYPED_TEST(WorldOf, QuaternionThatIsNotUnit_IsRenewed) {
-  using S = TypeParam;
-  auto actor = ball<FlightScene<S>>(0, 0.1, 0);
+  using S = typename TypeParam::Scalar;
+  auto actor = ball<TypeParam>(0, 0.1, 0);
   actor.body.X_WB.q_WB = Quat<S>(1, 1, 0, 0);
   const auto id = this->world.add(actor).value;
   EXPECT_NEAR(this->at(id).body.X_WB.q_WB.norm(), 1, 1e-6);
@@ -329,9 +329,9 @@ Vec3<double> total_momentum(World<SceneT>& world) {
 }
 
 TYPED_TEST(WorldOf, TurningRods_NeitherGainEnergyNorLoseMomentumNorOverlap) {
-  using S = TypeParam;
+  using S = typename TypeParam::Scalar;
   for (const double restitution : {0.0, 0.6, 1.0}) {
-    World<FlightScene<S>> gas;
+    World<TypeParam> gas;
     fill_with_rods(gas, restitution);
     const Vec3<double> momentum = total_momentum(gas);
     const double energy = test::total_energy(gas);
@@ -379,7 +379,9 @@ TEST(World, FloatAgreesWithDouble) {
     const auto& f = single.get(single.id_at(slot))->body;
     const auto& d = oracle.get(oracle.id_at(slot))->body;
     EXPECT_LT((f.X_WB.p_W.cast<double>() - d.X_WB.p_W).norm(), 1e-4);
-    EXPECT_LT((f.momentum.p_W.cast<double>() - d.momentum.p_W).norm(), 1e-4);
+    // Each takes a gap within its own slab for contact, 6e-6 S in float: seen from the axes the
+    // normal differs by the slab over the radii, and the impulse of 2.7 N s with it.
+    EXPECT_LT((f.momentum.p_W.cast<double>() - d.momentum.p_W).norm(), 1e-3);
     EXPECT_LT((f.momentum.b_W.cast<double>() - d.momentum.b_W).norm(), 1e-4);
   }
 }

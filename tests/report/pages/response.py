@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: MIT
+"""Separation distance against penetration, jitter and cost; keyframe grids against their size."""
+
+import math
+
+from markdown import number, share, table, times
+from plot import Panel, Series, draw
+
+TITLE = "Separation distance, and keyframe grids"
+FILES = ["separation", "keyframes"]
+
+PLAYS = ["rest", "slide", "bridge", "press"]
+SEARCHES = ["advancement", "stepping"]
+TRUTHS = ["arm", "wide"]
+DEFAULT_DISTANCE = 1e-4  # D of WorldSettings, m
+STEP_NS = 1000000  # of the world, 1 ms
+LEAST_KEYS_FOR_SLOPE = 6  # below, the grid is too coarse for its order to show
+
+
+def _mean_square(hist):
+    """Mean of the values, and of their squares, from the middles of the bins."""
+    middles = [((hist.edge(b) + hist.edge(b + 1)) / 2 if b > 0 else 0.0, n) for b, n in hist.items()]
+    return (sum(x * n for x, n in middles) / hist.count, sum(x * x * n for x, n in middles) / hist.count)
+
+
+def _jitter(row):
+    """Root of the mean square of the gap about its mean, over D."""
+    mean, square = _mean_square(row["gap_m"])
+    return math.sqrt(max(square - mean * mean, 0)) / float(row["distance"])
+
+
+def _slide(row):
+    """How far a body slid, over how far it would have slid alone; None where nothing slides."""
+    return row["travel_nm"] / row["free_travel_nm"] if row["free_travel_nm"] else None
+
+
+def _slide_error(row):
+    return None if _slide(row) is None else abs(_slide(row) - 1)
+
+
+def _per_step(name):
+    return lambda row: row[name] / row["steps"]
+
+
+def _gap(row):
+    return row["gap_m"].quantile(0.5) / float(row["distance"])
+
+
+# Title, value of a row.
+SEPARATION_PANELS = [
+    ("median gap over D", _gap),
+    ("jitter: rms of the gap about its mean, over D", _jitter),
+    ("separations per step", _per_step("separations")),
+    ("error of the slide, share", _slide_error),
+    ("distance evaluations per step", _per_step("evaluations")),
+    ("time per step over one plain segment distance", lambda row: row["time_step_in_plain"]),
+]
+
+
+def _curve(rows, value):
+    points = [(float(row["distance"]), value(row)) for row in rows.rows if row["steps"]]
+    return sorted((x, y) for x, y in points if y is not None and y > 0)
+
+
+def _separation_picture(rows, folder, scalar):
+    panels = []
+    for title, value in SEPARATION_PANELS:
+        series = [Series(f"{play}, {search}", _curve(rows.where(scalar=scalar, play=play, search=search), value), look,
+                         dashed=search != SEARCHES[0])
+                  for look, play in enumerate(PLAYS) for search in SEARCHES]
+        panels.append(Panel(title, "D over the length of a capsule", "", series, x_range=(1e-6, 1e-2)))
+    return draw(folder, f"response_separation_{scalar}", f"Separation distance D, {scalar}", panels, columns=3)
+
+
+SEPARATION_HEADER = ["play", "search", "scalar", "D / length", "deepest overlap / D", "overlapping, share", "gap / D, median",
+                     "jitter / D", "separations per step", "at most", "longest hold, of the step", "blows per step",
+                     "contacts begun anew", "slide, of the free one", "evaluations per step", "at most",
+                     "steps in which something did not fit", "time"]
+
+
+def _percent(value):
+    return "-" if value is None else f"{100 * value:.3g} %"
+
+
+def _separation_cells(row):
+    steps = row["steps"]
+    return [row["play"], row["search"], row["scalar"], row["distance"],
+            number(row["penetration_m"] / float(row["distance"])), share(row["overlaps"], row["samples"]),
+            number(_gap(row)), number(_jitter(row)), number(row["separations"] / steps), number(row["most_separations"]),
+            _percent(row["held_ns"] / (steps * STEP_NS)), number(row["collisions"] / steps), str(row["begins"]),
+            _percent(_slide(row)), number(row["evaluations"] / steps), number(row["most_evaluations"]),
+            share(row["incomplete"], steps), times(row["time_step_in_plain"])]
+
+
+def _separation_table(rows, only_default):
+    chosen = [row for row in rows.rows
+              if row["steps"] and (not only_default or float(row["distance"]) == DEFAULT_DISTANCE)]
+    return table(SEPARATION_HEADER, [_separation_cells(row) for row in chosen])
+
+
+def slope(points):
+    """Of the straight line through (log x, log y), by least squares."""
+    logs = [(math.log(x), math.log(y)) for x, y in points]
+    mean_x = sum(x for x, _ in logs) / len(logs)
+    mean_y = sum(y for _, y in logs) / len(logs)
+    return sum((x - mean_x) * (y - mean_y) for x, y in logs) / sum((x - mean_x) ** 2 for x, _ in logs)
+
+
+def _errors(rows, name):
+    """(cells per axis, value)."""
+    return sorted((int(row["keys"]) - 1, row[name]) for row in rows.rows if row[name])
+
+
+ERRORS = [("place of the hand, m", "worst_place_m"), ("turn, rad", "worst_turn_rad"),
+          ("tip of a 0.9 m blade, m", "worst_tip_m")]
+JUMPS = ["jump_place_m", "jump_turn_rad", "jump_rate"]
+
+
+def _third_order(curve):
+    """A line of slope -3 through the last point of a curve."""
+    cells, error = curve[-1]
+    return [(n, error * (cells / n) ** 3) for n, _ in curve]
+
+
+def _keyframe_picture(rows, folder):
+    panels = []
+    for title, name in ERRORS:
+        series = [Series(f"{truth}, {scalar}", _errors(rows.where(truth=truth, scalar=scalar), name), look,
+                         dashed=scalar == "float")
+                  for look, truth in enumerate(TRUTHS) for scalar in ("double", "float")]
+        series.append(Series("third order", _third_order(series[0].points), 6, marks=False))
+        panels.append(Panel(f"largest error: {title}", "cells along a coordinate", "", series, x_range=(1, 16)))
+    cost = [Series(f"{truth}, {scalar}", _errors(rows.where(truth=truth, scalar=scalar), "time_in_plain"), look,
+                   dashed=scalar == "float")
+            for look, truth in enumerate(TRUTHS) for scalar in ("double", "float")]
+    panels.append(Panel("time of a pose over one plain segment distance", "cells along a coordinate", "", cost, logs="x",
+                        x_range=(1, 16), y_range=(0, None)))
+    return draw(folder, "response_keyframes", "Keyframe grids", panels)
+
+
+def _slope_lines(rows):
+    for truth in TRUTHS:
+        chosen = rows.where(truth=truth, scalar="double")
+        fine = [[(n, e) for n, e in _errors(chosen, name) if n + 1 >= LEAST_KEYS_FOR_SLOPE] for _, name in ERRORS]
+        yield [truth] + [number(slope(points)) for points in fine]
+
+
+def _jump_lines(rows):
+    """The largest jumps of all grids."""
+    for row in rows.where(truth="wide").merged(by=["scalar"]).rows:
+        yield [row["scalar"], str(row["borders"])] + [number(row[name]) for name in JUMPS]
+
+
+def _keyframe_lines(rows):
+    for row in rows.where(scalar="float").rows:
+        tip = row["tip_m"]
+        yield [row["truth"], row["keys"]] + [number(row[name], 4) for _, name in ERRORS] + [
+            number(tip.quantile(0.5), 4), number(tip.quantile(0.99), 4), times(row["time_in_plain"])]
+
+
+KEYFRAME_HEADER = ["truth", "keys per axis", "place, largest", "turn, largest", "tip, largest", "tip, median", "tip, 99 %",
+                   "time"]
+
+SEPARATION_TEXT = """### Separation distance D
+
+Resting contacts are pushed apart to D and held for f(D) (src/response/separation.md). Capsules 1 m long and 1 cm thick are stepped
+by 1 ms; what is drawn is seen after half a second. *Rest*, *slide*: a rod under its weight across one post, lying or sliding
+along it. *Bridge*: a rod that slides along two posts, three bodies, which the paper leaves out. *Press*: two hands press
+crossed blades together and draw them along each other. A resting contact keeps its momentum, so weight adds up until the
+contact counts as a blow (0.05 m/s here). Bodies are held as a whole, so D costs slide along the contact too; a hand makes up for
+it, and where it is held for most of a step it overshoots. Times are multiples of one plain segment-segment distance in double.
+In float, D is raised to what rounding allows (src/world/encounter.md); contacts that end and begin anew tell that it was. On the
+bridge, a shift ends halfway to the other post, wherever that is: gaps stay far below D, and the rod is held most of the time.
+"""
+
+KEYFRAME_TEXT = """
+### Keyframe grids
+
+A grid of n x n keys samples a smooth hand that is known everywhere: *arm* turns by up to 0.8 rad, *wide* by up to 1.7.
+Between the keys the error falls with the third power of the cell (src/fencing/keyframes.md); two keys per axis give a bilinear
+surface. Slopes are fitted from 6 keys on, in double. Pose and velocity are continuous: across borders of cells, from a few
+roundings on one side to a few on the other, they jump by rounding.
+"""
+
+
+def page(tables, folder):
+    separation, keyframes = tables["separation"], tables["keyframes"]
+    everything = f"# {TITLE}: all distances\n\n{_separation_table(separation, only_default=False)}"
+    (folder / "response_all.md").write_text(everything)
+    parts = [SEPARATION_TEXT, "\n"]
+    parts += [_separation_picture(separation, folder, scalar) + "\n" for scalar in ("float", "double")]
+    parts += [f"At D = {DEFAULT_DISTANCE} (all: [response_all.md](response_all.md), data: [separation.csv](separation.csv)):\n\n"]
+    parts += [_separation_table(separation, only_default=True), KEYFRAME_TEXT, "\n"]
+    parts += [_keyframe_picture(keyframes, folder), "\n"]
+    parts += [table(["slope of the largest error", "place", "turn", "tip"], list(_slope_lines(keyframes))), "\n"]
+    parts += [table(["largest jump, wide", "borders looked at", "place, m", "turn, rad", "velocity per unit of stick"],
+                    list(_jump_lines(keyframes))), "\n"]
+    parts += ["Float (data: [keyframes.csv](keyframes.csv)):\n\n", table(KEYFRAME_HEADER, list(_keyframe_lines(keyframes)))]
+    return "".join(parts)

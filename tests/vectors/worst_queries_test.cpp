@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// The queries that cost search_advancement the most, as far as hill climbing found them
+// (worst_queries.csv, written by `batuta_report_climb --mode full --keep FILE`, which computes the
+// truth by the reference in long double): the answers stay true, and no query costs more than the
+// limit for its turn or, where it did so when it was found, more than then.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "batuta/detection/advancement.hpp"
+#include "host/answer/fields.hpp"
+
+namespace batuta {
+namespace {
+
+enum Kind { kNever = 0, kOnTheWay = 1, kAtStart = 2 };
+
+/// What any query may cost: up to a turn of 45 degrees, and beyond.
+constexpr std::uint32_t kLimit45 = 25;
+constexpr std::uint32_t kLimit180 = 75;
+
+struct Truth {
+  int kind = kNever;
+  double t = 0;          ///< s; free until here
+  double least_gap = 0;  ///< m; what sampling found, so not below the truth
+  double slab = 0;       ///< m
+  std::uint32_t limit = 0;
+};
+
+template <class Scalar>
+MovingCapsule<Scalar> read_body(host::QueryRow& row, const std::string& body) {
+  MovingCapsule<Scalar> moving;
+  moving.motion.duration = answer::number<Scalar>(row, "T");
+  moving.motion.X_WB = {answer::vector<Scalar>(row, body + 'c'),
+                        answer::rotation<Scalar>(row, body + 'q')};
+  moving.motion.twist.v_W = answer::vector<Scalar>(row, body + 'v');
+  moving.motion.twist.w_W = answer::vector<Scalar>(row, body + 'w');
+  moving.capsule_B.axis.a = answer::vector<Scalar>(row, body + "e0");
+  moving.capsule_B.axis.b = answer::vector<Scalar>(row, body + "e1");
+  moving.capsule_B.radius = answer::number<Scalar>(row, body + 'r');
+  return moving;
+}
+
+template <class Scalar>
+MovingPair<Scalar> read_pair(host::QueryRow& row) {
+  const auto pair = make_moving_pair(read_body<Scalar>(row, "A"), read_body<Scalar>(row, "B"));
+  EXPECT_TRUE(pair.ok());
+  return pair.value;
+}
+
+Truth read_truth(host::QueryRow& row) {
+  Truth truth;
+  truth.kind = static_cast<int>(row.decimal("kind"));
+  truth.t = row.decimal("t");
+  truth.least_gap = row.decimal("gmin");
+  truth.slab = row.decimal("slab");
+  const std::uint32_t limit = row.decimal("degrees") <= 45 ? kLimit45 : kLimit180;
+  truth.limit = std::max(limit, static_cast<std::uint32_t>(row.decimal("evaluations")));
+  return truth;
+}
+
+template <class Scalar>
+AdvancementOptions<Scalar> options_for(const MovingPair<Scalar>& pair, const Truth& truth) {
+  AdvancementOptions<Scalar> options;
+  options.slab = static_cast<Scalar>(truth.slab) / pair.scale;
+  return options;
+}
+
+/// The gap in double, whatever the search computed in.
+double gap_when(host::QueryRow& row, double t) {
+  return gap_at(read_pair<double>(row), t).gap;
+}
+
+/// Free as long as it says so, and in contact only where it is.
+template <class Scalar>
+void expect_true(host::QueryRow& row, const Truth& truth, const MovingPair<Scalar>& pair,
+                 const SearchResult<Scalar>& found) {
+  const auto slab = static_cast<double>(slab_of(pair, options_for(pair, truth)));
+  const auto inflation = 2 * static_cast<double>(kInflation<Scalar> * pair.scale);
+  const auto t_free = static_cast<double>(found.t_free);
+  EXPECT_TRUE(truth.kind != kOnTheWay || t_free <= truth.t);
+  EXPECT_TRUE(truth.kind != kAtStart || found.outcome == Outcome::kTouching);
+  EXPECT_TRUE(found.outcome != Outcome::kFree || truth.kind == kNever);
+  if (found.outcome != Outcome::kContact && found.outcome != Outcome::kTouching) return;
+  EXPECT_LE(gap_when(row, t_free), slab + inflation);
+  EXPECT_TRUE(truth.kind != kNever || truth.least_gap <= slab + inflation);
+}
+
+template <class Scalar>
+void judge(host::QueryRow& row, const Truth& truth) {
+  const MovingPair<Scalar> pair = read_pair<Scalar>(row);
+  AdvancementOptions<Scalar> options = options_for(pair, truth);
+  const SearchResult<Scalar> within_budget = search_advancement(pair, options);
+  EXPECT_NE(within_budget.outcome, Outcome::kInvalid);
+  expect_true(row, truth, pair, within_budget);
+  options.budget = kMaxBudget;
+  const SearchResult<Scalar> found = search_advancement(pair, options);
+  EXPECT_LE(found.evaluations, truth.limit);
+  const bool may_run_out = truth.limit >= kMaxBudget;
+  EXPECT_TRUE(found.outcome != Outcome::kBudget || may_run_out);
+  expect_true(row, truth, pair, found);
+}
+
+template <class Scalar>
+void judge_all() {
+  std::ifstream in(BATUTA_WORST_QUERIES);
+  host::QueryFile file(in);
+  ASSERT_TRUE(file.ok()) << file.error();
+  host::QueryRow row;
+  long rows = 0;
+  while (file.next(row)) {  // Bound: the length of the file
+    SCOPED_TRACE(testing::Message() << "line " << row.line());
+    const Truth truth = read_truth(row);
+    judge<Scalar>(row, truth);
+    ASSERT_TRUE(row.ok()) << row.error();
+    ++rows;
+  }
+  EXPECT_GE(rows, 100);
+}
+
+TEST(WorstQueries, Double_TrueAndNoneCostsMoreThanItMay) {
+  judge_all<double>();
+}
+TEST(WorstQueries, Float_TrueAndNoneCostsMoreThanItMay) {
+  judge_all<float>();
+}
+
+}  // namespace
+}  // namespace batuta
