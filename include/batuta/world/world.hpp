@@ -143,8 +143,8 @@ class World : private SeedsOf<SceneT> {
   void block(const Hit& hit, const Contact<Scalar>& contact);
   EncounterOptions<Scalar> options_for(const Hit& hit) const;
   Scalar margin_of(const Hit& hit) const;
-  Party<Scalar> party(std::size_t slot, std::size_t other);
-  Scalar room_of(std::size_t slot, std::size_t other);
+  Party<Scalar> party(std::size_t slot, std::size_t other, const Vec3<Scalar>& away_W);
+  Scalar room_of(std::size_t slot, std::size_t other, const Vec3<Scalar>& away_W);
   void tell_driver(std::size_t slot, const EncounterAnswer<Scalar>& answer,
                    const Vec3<Scalar>& shift_W);
   void record(const Hit& hit, const Contact<Scalar>& contact,

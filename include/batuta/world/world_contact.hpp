@@ -48,7 +48,8 @@ void World<SceneT>::answer_contact_of(const Hit& hit) {
 
   const std::array<Momentum<Scalar>, 2> before = {actor_at(a).body.momentum,
                                                   actor_at(b).body.momentum};
-  const auto answer = answer_contact(party(a, b), party(b, a), contact, options_for(hit));
+  const auto answer = answer_contact(party(a, b, contact.normal_BA_W),
+                                     party(b, a, -contact.normal_BA_W), contact, options_for(hit));
   if (!answer.ok()) {
     actor_at(a).body.momentum = before[0];
     actor_at(b).body.momentum = before[1];
@@ -102,23 +103,32 @@ typename World<SceneT>::Scalar World<SceneT>::margin_of(const Hit& hit) const {
 
 /// A body at a contact. One that its driver moves gets the momentum that goes with the driver's
 /// twist, so that the impulse is added to what the body really has.
+/// @param away_W  unit, out of the other body: where a separation shifts this one
 template <class SceneT>
-Party<typename World<SceneT>::Scalar> World<SceneT>::party(std::size_t slot, std::size_t other) {
+Party<typename World<SceneT>::Scalar> World<SceneT>::party(std::size_t slot, std::size_t other,
+                                                           const Vec3<Scalar>& away_W) {
   Body<Scalar>& body = actor_at(slot).body;
   const Course<Scalar>& course = tracks_[slot].course;
   if (!course.by_momentum) body.momentum = momentum_of(body, course.motion.twist);
-  return {&body, course.by_momentum ? twist_of(body) : course.motion.twist, room_of(slot, other)};
+  return {&body, course.by_momentum ? twist_of(body) : course.motion.twist,
+          room_of(slot, other, away_W)};
 }
 
 /// Half the way to the nearest neighbour: both may be pushed towards each other in the same round.
+/// A neighbour that the shift does not lead towards stays as far away as it is: the plane between
+/// the two goes on separating them.
+/// @param away_W  direction of the shift
 template <class SceneT>
-typename World<SceneT>::Scalar World<SceneT>::room_of(std::size_t slot, std::size_t other) {
+typename World<SceneT>::Scalar World<SceneT>::room_of(std::size_t slot, std::size_t other,
+                                                      const Vec3<Scalar>& away_W) {
   Scalar room = std::numeric_limits<Scalar>::max();
   for (std::size_t k = 0; k < kSlots; ++k) {  // Bound: kMaxBodies
     const bool same_owner =
         actor_at(slot).owner != 0 && is_present(k) && actor_at(k).owner == actor_at(slot).owner;
     if (k == slot || k == other || !is_present(k) || same_owner) continue;
-    room = min_of(room, capsule_gap(shape_W(slot), shape_W(k)).gap / Scalar(2));
+    const CapsuleGap<Scalar> gap = capsule_gap(shape_W(slot), shape_W(k));
+    const bool leads_away = gap.gap > Scalar(0) && !(gap.axes.normal_AB.dot(away_W) > Scalar(0));
+    if (!leads_away) room = min_of(room, gap.gap / Scalar(2));
   }
   return max_of(room, Scalar(0));
 }
