@@ -75,6 +75,12 @@ Heights<Scalar> heights(const Vec3<Scalar>& n, const PairState<Scalar>& pair) {
   return {axis_heights(n, pair.A), axis_heights(n, pair.B)};
 }
 
+/// How far apart the axes are along the normal now.
+template <class Scalar>
+Scalar separation(const Heights<Scalar>& heights) {
+  return min_of(heights.B[0][0], heights.B[1][0]) - max_of(heights.A[0][0], heights.A[1][0]);
+}
+
 /// What the motion of the normal adds to the heights of an axis.
 template <class Scalar>
 void add_motion(std::array<Cubic<Scalar>, 2>& heights, const NormalPath<Scalar>& N,

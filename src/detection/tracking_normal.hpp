@@ -29,7 +29,7 @@ NormalPath<Scalar> tracking_path(const Vec3<Scalar>& n, const EdgePair<Scalar>& 
                                  Scalar distance) {
   NormalPath<Scalar> N;
   N.n = n;
-  if (!(edges.on_A && edges.on_B)) N.m = across(rate, n) / distance;
+  N.m = across(rate, n) / distance;  // between two edges: what is left where they are parallel
   if (edges.none_holds()) return N;
   const Vec3<Scalar> a1 = pair.A.direction_rate();
   const Vec3<Scalar> b1 = pair.B.direction_rate();

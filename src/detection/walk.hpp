@@ -20,7 +20,7 @@ class Walk {
  public:
   Walk(const MovingPair<Scalar>& pair, Scalar scale, Scalar slab, Scalar inflation)
       : pair_(in_units(pair, scale)), slab_(slab * scale) {
-    state_.bounds = derivative_bounds(pair_, pair_.A.longest_arm, pair_.B.longest_arm);
+    state_.bounds = derivative_bounds(pair_, arm(pair_.A), arm(pair_.B));
     state_.magnitudes = derivative_bounds(pair_, pair_.A.reach, pair_.B.reach);
     state_.turn = pair_.A.turn_rate + pair_.B.turn_rate;
     state_.radii = pair_.A.radius + pair_.B.radius;
@@ -58,8 +58,9 @@ class Walk {
   /// the end, moved along, whichever proves more. @pre `closest` is of this instant, no contact
   void advance_from(const ClosestPoints<Scalar>& closest) {
     const EdgePair<Scalar> edges(closest, state_.A.direction(), state_.B.direction());
-    const Vec3<Scalar> n = sharpened(closest.normal_AB, edges);
-    const Heights<Scalar> fixed = heights(n, state_);
+    Vec3<Scalar> n = sharpened(closest.normal_AB, edges);
+    Heights<Scalar> fixed = heights(n, state_);
+    if (!(separation(fixed) + slab_ > closest.distance)) take_better(closest.normal_AB, n, fixed);
     Scalar step = step_along(n, fixed);
     if (theta_ + step < Scalar(1)) {
       const NormalPath<Scalar> N =
@@ -80,8 +81,21 @@ class Walk {
   }
 
  private:
+  /// An upper bound of both arms; rounding has changed them by some u of the reach.
+  static Scalar arm(const CapsulePath<Scalar>& path) {
+    return path.longest_arm + kInflation<Scalar> * path.reach;
+  }
   static Segment<Scalar> axis(const AxisState<Scalar>& state) {
     return {state.ends[0].p, state.ends[1].p};
+  }
+
+  /// Edges at an angle within rounding can turn a good normal away: takes the witness's own if that
+  /// separates more.
+  void take_better(const Vec3<Scalar>& own, Vec3<Scalar>& n, Heights<Scalar>& fixed) const {
+    const Heights<Scalar> other = heights(own, state_);
+    if (!(separation(other) > separation(fixed))) return;
+    n = own;
+    fixed = other;
   }
 
   /// How far n, held fixed, proves the pair free.
