@@ -144,6 +144,7 @@ SearchResult<Scalar> glide_on(Glide<Scalar>& glide, const MovingPair<Scalar>& pa
   Scalar instant = glide.instant_to_look_at();
   for (std::uint32_t i = 0; i < budget && !glide.is_at_end(); ++i) {  // Bound: kMaxBudget
     const ClosestPoints<Scalar> closest = glide.closest_at(instant);
+    if (!is_finite(closest.distance)) return {};
     const Scalar t = instant * pair.duration;
     ++result.evaluations;
     result.witness = gap_at(pair, in_metres(closest, scale), t);

@@ -150,6 +150,10 @@ WalkEnd<Scalar> walk_on(Walk<Scalar>& walk, std::uint32_t budget) {
     end.theta = walk.theta();
     end.closest = walk.closest();
     ++end.evaluations;
+    if (!is_finite(end.closest.distance)) {
+      end.outcome = Outcome::kInvalid;
+      return end;
+    }
     if (walk.is_contact(end.closest)) {
       end.outcome = end.theta > Scalar(0) ? Outcome::kContact : Outcome::kTouching;
       return end;
