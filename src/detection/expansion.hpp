@@ -102,9 +102,10 @@ Scalar time_to_contact(Scalar gap, Scalar rate, Scalar bend) {
 }
 
 /// Bounds for axes whose ends swing on these radii. @param pair  in units of its duration
+/// @param travel  length of B's
 template <class Scalar>
-DerivativeBounds<Scalar> derivative_bounds(const MovingPair<Scalar>& pair, Scalar radius_A,
-                                           Scalar radius_B) {
+DerivativeBounds<Scalar> derivative_bounds(const MovingPair<Scalar>& pair, Scalar travel,
+                                           Scalar radius_A, Scalar radius_B) {
   const Scalar turn_A = pair.A.turn_rate;
   const Scalar turn_B = pair.B.turn_rate;
   const Scalar up = kRoundUp<Scalar>;
@@ -112,7 +113,7 @@ DerivativeBounds<Scalar> derivative_bounds(const MovingPair<Scalar>& pair, Scala
   Scalar A = up * (turn_A * radius_A);
   Scalar B = up * (turn_B * radius_B);
   bounds.length = up * (pair.scale + (A + B));
-  bounds.speed = up * (length(pair.B.v) + (A + B));
+  bounds.speed = up * (travel + (A + B));
   A *= turn_A;
   B *= turn_B;
   bounds.acceleration = up * (A + B);
@@ -127,7 +128,8 @@ DerivativeBounds<Scalar> derivative_bounds(const MovingPair<Scalar>& pair, Scala
 template <class Scalar>
 AxisState<Scalar> state_at(const CapsulePath<Scalar>& path, Scalar theta) {
   const Scalar turn = path.turn_rate;
-  const SinCos<Scalar> at = turn > Scalar(0) ? sin_cos(turn * theta) : SinCos<Scalar>{};
+  const Scalar angle = turn * theta;
+  const SinCos<Scalar> at = angle > Scalar(0) ? sin_cos(angle) : SinCos<Scalar>{};
   AxisState<Scalar> axis;
   axis.travel = path.v;
   axis.turn = turn;

@@ -28,26 +28,37 @@ inline constexpr Scalar kNever = std::numeric_limits<Scalar>::max();
 template <class Scalar>
 Scalar enter_ball(const Vec3<Scalar>& x, const Vec3<Scalar>& travel, Scalar rho) {
   const Scalar approach = -x.dot(travel);
+  const Scalar square = rho * rho * travel.squaredNorm() - x.cross(travel).squaredNorm();
+  if (!(approach > Scalar(0)) || !(square >= Scalar(0))) return kNever<Scalar>;
   const Scalar distance = std::sqrt(x.squaredNorm());
   const Scalar outside = (distance - rho) * (distance + rho);
-  if (!(approach > Scalar(0)) || !(outside > Scalar(0))) return kNever<Scalar>;
-  const Scalar square = rho * rho * travel.squaredNorm() - x.cross(travel).squaredNorm();
-  if (!(square >= Scalar(0))) return kNever<Scalar>;
-  return outside / (approach + std::sqrt(square));
+  return outside > Scalar(0) ? outside / (approach + std::sqrt(square)) : kNever<Scalar>;
 }
 
-/// The same against the side of the cylinder about the segment from 0 to d.
+/// An edge of the parallelogram, and the travel across it.
 template <class Scalar>
-Scalar enter_tube(const Vec3<Scalar>& x, const Vec3<Scalar>& travel, const Vec3<Scalar>& d,
+struct Side {
+  Vec3<Scalar> d;
+  Scalar inverse_square = 0;  ///< 1 / |d|^2; 0: a point
+  Vec3<Scalar> travel;
+
+  Side(const Vec3<Scalar>& edge, const Vec3<Scalar>& whole_travel) : d(edge) {
+    const Scalar square = d.squaredNorm();
+    if (square > std::numeric_limits<Scalar>::min()) inverse_square = 1 / square;
+    travel = across(whole_travel);
+  }
+  Vec3<Scalar> across(const Vec3<Scalar>& x) const { return x - d * (x.dot(d) * inverse_square); }
+};
+
+/// The same against the tube about the side from 0 to d.
+template <class Scalar>
+Scalar enter_tube(const Vec3<Scalar>& x, const Vec3<Scalar>& travel, const Side<Scalar>& side,
                   Scalar rho) {
-  const Scalar dd = d.squaredNorm();
-  if (!(dd > std::numeric_limits<Scalar>::min())) return kNever<Scalar>;
-  const Vec3<Scalar> across = x - d * (x.dot(d) / dd);
-  const Vec3<Scalar> travel_across = travel - d * (travel.dot(d) / dd);
-  const Scalar t = enter_ball(across, travel_across, rho);
+  if (!(side.inverse_square > Scalar(0))) return kNever<Scalar>;
+  const Scalar t = enter_ball<Scalar>(side.across(x), side.travel, rho);
   if (!(t < kNever<Scalar>)) return kNever<Scalar>;
-  const Scalar place = (x + travel * t).dot(d);
-  return place >= Scalar(0) && place <= dd ? t : kNever<Scalar>;
+  const Scalar place = (x + travel * t).dot(side.d) * side.inverse_square;
+  return place >= Scalar(0) && place <= Scalar(1) ? t : kNever<Scalar>;
 }
 
 /// The same against the two faces.
@@ -81,11 +92,13 @@ Scalar first_entry(const Cast<Scalar>& cast) {
   const bool balls = a == Vec3<Scalar>::Zero() && b == Vec3<Scalar>::Zero();
   Scalar first = enter_ball<Scalar>(cast.B.a - cast.A.a, cast.travel, cast.rho);
   if (balls) return first;
+  const Side<Scalar> along_A(a, cast.travel);
+  const Side<Scalar> along_B(b, -cast.travel);
   const std::array<Vec3<Scalar>, 2> p = {cast.A.a, cast.A.b};
   const std::array<Vec3<Scalar>, 2> q = {cast.B.a, cast.B.b};
   for (std::size_t i = 0; i < 2; ++i) {  // Bound: two ends of each
-    first = min_of(first, enter_tube<Scalar>(q[i] - p[0], cast.travel, a, cast.rho));
-    first = min_of(first, enter_tube<Scalar>(p[i] - q[0], -cast.travel, b, cast.rho));
+    first = min_of(first, enter_tube<Scalar>(q[i] - p[0], cast.travel, along_A, cast.rho));
+    first = min_of(first, enter_tube<Scalar>(p[i] - q[0], -cast.travel, along_B, cast.rho));
     for (std::size_t k = 0; k < 2; ++k) {  // Bound: two ends of each
       if (i + k > 0) {
         first = min_of(first, enter_ball<Scalar>(q[k] - p[i], cast.travel, cast.rho));

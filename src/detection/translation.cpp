@@ -148,7 +148,7 @@ SearchResult<Scalar> glide_on(Glide<Scalar>& glide, const MovingPair<Scalar>& pa
     const Scalar t = instant * pair.duration;
     ++result.evaluations;
     result.witness = gap_at(pair, in_metres(closest, scale), t);
-    result.gap_rate = gap_rate_at(pair, result.witness, t);
+    result.gap_rate = closest.normal_AB.dot(pair.B.v);
     if (glide.advance_by(closest, instant) && glide.is_contact(closest)) {
       glide.stop_at(instant);
       result.outcome = instant > Scalar(0) ? Outcome::kContact : Outcome::kTouching;

@@ -20,8 +20,9 @@ class Walk {
  public:
   Walk(const MovingPair<Scalar>& pair, Scalar scale, Scalar slab, Scalar inflation)
       : pair_(in_units(pair, scale)), slab_(slab * scale) {
-    state_.bounds = derivative_bounds(pair_, arm(pair_.A), arm(pair_.B));
-    state_.magnitudes = derivative_bounds(pair_, pair_.A.reach, pair_.B.reach);
+    const Scalar travel = length(pair_.B.v);
+    state_.bounds = derivative_bounds(pair_, travel, arm(pair_.A), arm(pair_.B));
+    state_.magnitudes = derivative_bounds(pair_, travel, pair_.A.reach, pair_.B.reach);
     state_.turn = pair_.A.turn_rate + pair_.B.turn_rate;
     state_.radii = pair_.A.radius + pair_.B.radius;
     state_.inflation = inflation;
@@ -72,12 +73,16 @@ class Walk {
     advance(step);
   }
 
+  /// d gap / d theta.
+  Scalar rate(const ClosestPoints<Scalar>& closest) const {
+    return closest.normal_AB.dot(relative_rate(closest, state_));
+  }
+
   /// The foreseen instant of contact after theta.
   Scalar foreseen_contact(const ClosestPoints<Scalar>& closest) const {
     const Scalar speed = state_.bounds.speed;
     const Scalar bend = state_.bounds.acceleration + speed * (speed / closest.distance);
-    const Scalar rate = closest.normal_AB.dot(relative_rate(closest, state_));
-    return min_of(Scalar(1), theta_ + time_to_contact(gap(closest), rate, bend));
+    return min_of(Scalar(1), theta_ + time_to_contact(gap(closest), rate(closest), bend));
   }
 
  private:
@@ -139,6 +144,7 @@ struct WalkEnd {
   Outcome outcome = Outcome::kBudget;
   std::uint32_t evaluations = 0;
   Scalar theta = 0;  ///< of the last evaluation
+  Scalar rate = 0;   ///< there
   ClosestPoints<Scalar> closest;
 };
 
@@ -149,6 +155,7 @@ WalkEnd<Scalar> walk_on(Walk<Scalar>& walk, std::uint32_t budget) {
   for (std::uint32_t i = 0; i < budget && !walk.is_at_end(); ++i) {  // Bound: kMaxBudget
     end.theta = walk.theta();
     end.closest = walk.closest();
+    end.rate = walk.rate(end.closest);
     ++end.evaluations;
     if (!is_finite(end.closest.distance)) {
       end.outcome = Outcome::kInvalid;
@@ -184,7 +191,8 @@ SearchResult<Scalar> search_inflated(const MovingPair<Scalar>& pair,
   if (end.evaluations > 0) {
     const Scalar t = end.theta * pair.duration;
     result.witness = gap_at(pair, in_metres(end.closest, scale), t);
-    result.gap_rate = gap_rate_at(pair, result.witness, t);
+    result.gap_rate = pair.duration > Scalar(0) ? end.rate / scale / pair.duration
+                                                : gap_rate_at(pair, result.witness, t);
   }
   if (end.outcome == Outcome::kContact || end.outcome == Outcome::kTouching) {
     result.t_hit = walk.foreseen_contact(end.closest) * pair.duration;
