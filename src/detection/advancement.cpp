@@ -9,9 +9,7 @@ template <class Scalar>
 SearchResult<Scalar> search_advancement(const MovingPair<Scalar>& pair,
                                         const AdvancementOptions<Scalar>& options,
                                         const Vec3<Scalar>& seed_AB) {
-  const bool is_asked_well = validate(options) == Status::kOk && pair.duration >= Scalar(0) &&
-                             query_length(pair) <= kLargestCoordinate<Scalar>;
-  if (!is_asked_well) return {};
+  if (!can_be_searched(pair, options)) return {};
   return search_inflated(pair, options, seed_AB, kInflation<Scalar>);
 }
 

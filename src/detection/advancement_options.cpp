@@ -5,6 +5,17 @@
 
 namespace batuta {
 
+namespace {
+
+/// Zero, or so far above the least normal number that no product with a share of it loses more than
+/// rounding does.
+template <class Scalar>
+bool has_all_digits(Scalar x) {
+  return x == Scalar(0) || x >= std::numeric_limits<Scalar>::min() / kRoundOff<Scalar>;
+}
+
+}  // namespace
+
 template <class Scalar>
 Status validate(const AdvancementOptions<Scalar>& options) {
   const bool good =
@@ -17,9 +28,25 @@ Scalar slab_of(const MovingPair<Scalar>& pair, const AdvancementOptions<Scalar>&
   return max_of(options.slab * pair.scale, kLeastSlab<Scalar> * query_length(pair));
 }
 
+template <class Scalar>
+Scalar inflation_of(const MovingPair<Scalar>& pair) {
+  return kInflation<Scalar> * query_length(pair);
+}
+
+template <class Scalar>
+bool can_be_searched(const MovingPair<Scalar>& pair, const AdvancementOptions<Scalar>& options) {
+  const Scalar length = query_length(pair);
+  return validate(options) == Status::kOk && has_all_digits(pair.duration) &&
+         has_all_digits(length) && length <= kLargestCoordinate<Scalar>;
+}
+
 template Status validate(const AdvancementOptions<float>&);
 template Status validate(const AdvancementOptions<double>&);
 template float slab_of(const MovingPair<float>&, const AdvancementOptions<float>&);
 template double slab_of(const MovingPair<double>&, const AdvancementOptions<double>&);
+template float inflation_of(const MovingPair<float>&);
+template double inflation_of(const MovingPair<double>&);
+template bool can_be_searched(const MovingPair<float>&, const AdvancementOptions<float>&);
+template bool can_be_searched(const MovingPair<double>&, const AdvancementOptions<double>&);
 
 }  // namespace batuta

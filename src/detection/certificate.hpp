@@ -10,7 +10,7 @@
 
 namespace batuta {
 
-/// N(h) = n + m h + m2 h^2 / 2, with m and m2 perpendicular to the unit vector n: |N| >= 1.
+/// N(h) = n + m h + m2 h^2 / 2, n a unit vector.
 template <class Scalar>
 struct NormalPath {
   Vec3<Scalar> n = Vec3<Scalar>::Zero();
@@ -26,8 +26,7 @@ struct PairState {
   DerivativeBounds<Scalar> bounds;      ///< of the motion
   DerivativeBounds<Scalar> magnitudes;  ///< of what is rounded: the same with reaches for arms
   Scalar turn = 0;                      ///< of both bodies over the whole duration, rad
-  Scalar radii = 0;                     ///< R: sum of the radii
-  Scalar inflation = 0;                 ///< kInflation; the tests try less
+  Scalar inflation = 0;                 ///< kInflation; tests try less, to see that it is needed
 };
 
 /// Expansions of the polynomials in one certificate, at most.
@@ -75,12 +74,6 @@ Heights<Scalar> heights(const Vec3<Scalar>& n, const PairState<Scalar>& pair) {
   return {axis_heights(n, pair.A), axis_heights(n, pair.B)};
 }
 
-/// How far apart the axes are along the normal now.
-template <class Scalar>
-Scalar separation(const Heights<Scalar>& heights) {
-  return min_of(heights.B[0][0], heights.B[1][0]) - max_of(heights.A[0][0], heights.A[1][0]);
-}
-
 /// What the motion of the normal adds to the heights of an axis.
 template <class Scalar>
 void add_motion(std::array<Cubic<Scalar>, 2>& heights, const NormalPath<Scalar>& N,
@@ -113,21 +106,24 @@ using Quartic = std::array<Scalar, 5>;
 /// What is taken off every height difference on [0, horizon]: R |N|, all terms that heights leave
 /// out, and what rounding may have done to the others. Terms beyond the fourth are taken at the
 /// horizon.
+/// @param R  what the distance of the axes has to exceed: the sum of the radii, or more
 template <class Scalar>
-Quartic<Scalar> toll(const NormalPath<Scalar>& N, const PairState<Scalar>& pair, Scalar horizon) {
+Quartic<Scalar> toll(const NormalPath<Scalar>& N, const PairState<Scalar>& pair, Scalar R,
+                     Scalar horizon) {
   const DerivativeBounds<Scalar>& bounds = pair.bounds;
   const DerivativeBounds<Scalar>& size = pair.magnitudes;
   const Scalar m = kRoundUp<Scalar> * N.m.norm();
-  const Scalar m2 = kRoundUp<Scalar> * N.m2.norm() / 2;
+  const Scalar half_m2 = kRoundUp<Scalar> * N.m2.norm() / 2;
   const Scalar eps = pair.inflation;
-  const Scalar R = pair.radii;
-  const Scalar fourth = bounds.snap / 24 + m * bounds.jerk / 6 + m2 * bounds.acceleration / 2;
-  const Scalar fifth = m * bounds.snap / 24 + m2 * bounds.jerk / 6;
-  const Scalar sixth = m2 * bounds.snap / 24;
-  return {R + eps * size.length, eps * (size.speed + m * size.length),
-          eps * (size.acceleration / 2 + m * size.speed + m2 * size.length) + R * m * m / 2,
-          eps * (size.jerk / 6 + m * size.acceleration / 2 + m2 * size.speed) + R * m * m2,
-          (1 + eps) * (fourth + horizon * (fifth + horizon * sixth)) + R * m2 * m2 / 2};
+  const Scalar fourth = bounds.snap / 24 + m * bounds.jerk / 6 + half_m2 * bounds.acceleration / 2;
+  const Scalar fifth = m * bounds.snap / 24 + half_m2 * bounds.jerk / 6;
+  const Scalar sixth = half_m2 * bounds.snap / 24;
+  return {
+      R + eps * size.length, eps * (size.speed + m * size.length) + R * N.n.dot(N.m),
+      eps * (size.acceleration / 2 + m * size.speed + half_m2 * size.length) +
+          R * (m * m + N.n.dot(N.m2)) / 2,
+      eps * (size.jerk / 6 + m * size.acceleration / 2 + half_m2 * size.speed) + R * m * half_m2,
+      (1 + eps) * (fourth + horizon * (fifth + horizon * sixth)) + R * half_m2 * half_m2 / 2};
 }
 
 /// One number for each of the four pairs of ends.
@@ -200,14 +196,14 @@ void move_origin(Clearances<Scalar>& f, Scalar step) {
   }
 }
 
-/// How long the normal path with these heights proves the pair free, at most `rest`; 0: it proves
-/// nothing. Bound: kMaxRounds expansions.
+/// How long the normal path with these heights proves the axes further apart than R, at most
+/// `rest`; 0: it proves nothing. Bound: kMaxRounds expansions.
 template <class Scalar>
 Scalar proven_free(const Heights<Scalar>& heights, const NormalPath<Scalar>& N,
-                   const PairState<Scalar>& pair, Scalar rest) {
+                   const PairState<Scalar>& pair, Scalar R, Scalar rest) {
   const bool turns_far = pair.turn * rest > kHorizonTurn<Scalar>;
   const Scalar horizon = turns_far ? kHorizonTurn<Scalar> / pair.turn : rest;
-  Clearances<Scalar> f = clearances(heights, toll(N, pair, horizon));
+  Clearances<Scalar> f = clearances(heights, toll(N, pair, R, horizon));
   Scalar step = positive_stretch(f, horizon);
   Scalar proven = step;
   for (int round = 1; round < kMaxRounds; ++round) {  // Bound: kMaxRounds

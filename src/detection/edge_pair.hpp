@@ -40,8 +40,8 @@ struct EdgePair {
   /// where both are parallel, with a. @pre one holds
   Vec3<Scalar> solve(Scalar with_a, Scalar with_b) const {
     if (!on_A) return b * (with_b / bb);
+    if (!on_B) return a * (with_a / aa);
     const Vec3<Scalar> along_a = a * (with_a / aa);
-    if (!on_B) return along_a;
     const Vec3<Scalar> beside_a = b - a * (a.dot(b) / aa);
     const Scalar square = a.cross(b).squaredNorm() / aa + kDamping<Scalar> * bb;
     return along_a + beside_a * ((with_b - along_a.dot(b)) / square);

@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "batuta/detection/moving_pair.hpp"
+#include "batuta/detection/advancement.hpp"
 #include "round_up.hpp"
 
 namespace batuta {
@@ -35,6 +35,10 @@ struct AxisState {
   Vec3<Scalar> rate(Scalar s) const {
     return travel + turn * (ends[0].side + s * (ends[1].side - ends[0].side));
   }
+  /// Acceleration of the point with parameter s.
+  Vec3<Scalar> bend(Scalar s) const {
+    return -(turn * turn) * (ends[0].arm + s * (ends[1].arm - ends[0].arm));
+  }
 };
 
 /// What holds for the difference of any two points of the axes, at every time.
@@ -54,6 +58,10 @@ Scalar query_length(const MovingPair<Scalar>& pair) {
   const Scalar arc_B = pair.B.turn_rate * pair.duration * pair.B.reach;
   return kRoundUp<Scalar> * (pair.scale + (arc_A + arc_B));
 }
+
+/// Whether a search with these options makes sense; see search_advancement() for what does not.
+template <class Scalar>
+bool can_be_searched(const MovingPair<Scalar>& pair, const AdvancementOptions<Scalar>& options);
 
 template <class Scalar>
 CapsulePath<Scalar> in_units(CapsulePath<Scalar> path, Scalar duration, Scalar scale) {
@@ -91,9 +99,8 @@ ClosestPoints<Scalar> in_metres(ClosestPoints<Scalar> closest, Scalar scale) {
   return closest;
 }
 
-/// How long until a gap that falls at `rate` is zero, or least where it is not going to be. The
-/// material points at the closest parameters are never closer than the capsules, and their distance
-/// bends up by `bend` at most; 0 for a gap that does not fall.
+/// How long until a gap that falls at `rate` and bends up by `bend` is zero, or least where it is
+/// not going to be; 0 for a gap that does not fall.
 template <class Scalar>
 Scalar time_to_contact(Scalar gap, Scalar rate, Scalar bend) {
   if (!(rate < Scalar(0)) || !(gap > Scalar(0))) return Scalar(0);

@@ -54,20 +54,23 @@ class Glide {
   /// Advances while the line between the middles proves a gap of more than the slab, without a
   /// distance evaluation; returns its direction.
   Vec3<Scalar> advance_along_middles() {
-    const Vec3<Scalar> line = line_of_middles();
-    if (!(largest_component(line) > Scalar(0))) return line;
-    const Vec3<Scalar> n = unit(line);
+    Vec3<Scalar> n = line_of_middles();
+    if (!(largest_component(n) > Scalar(0))) return n;
+    n = unit(n);
     (void)advance_along(n, slab_, Scalar(1));
     return n;
   }
 
-  /// Extends the proof by the normal of `closest`, taken at `instant`.
+  /// Extends the proof by the normal of `closest`, taken at `instant` >= theta.
   /// @returns whether [0, instant] is proven
   bool advance_by(const ClosestPoints<Scalar>& closest, Scalar instant) {
     const EdgePair<Scalar> edges(closest, axis_A().direction(), axis_B(Scalar(0)).direction());
     const Vec3<Scalar> n = sharpened(closest.normal_AB, edges);
     if (instant > theta_) return advance_along(n, least_here(), instant);
-    if (!is_contact(closest)) (void)advance_along(n, Scalar(0), instant);
+    if (is_contact(closest)) return true;
+    const Scalar sure = theta_ + sure_step(closest);
+    (void)advance_along(n, Scalar(0), instant);
+    theta_ = clamp(sure, theta_, Scalar(1));
     return true;
   }
 
@@ -76,12 +79,20 @@ class Glide {
 
   /// The foreseen instant of contact after theta.
   Scalar foreseen_contact(const ClosestPoints<Scalar>& closest) const {
-    const Scalar bend = unit_.B.v.squaredNorm() / closest.distance;
     const Scalar rate = closest.normal_AB.dot(unit_.B.v);
+    const Vec3<Scalar> sideways = unit_.B.v - closest.normal_AB * rate;
+    const Scalar bend = sideways.squaredNorm() / closest.distance;
     return min_of(Scalar(1), theta_ + time_to_contact(closest.distance - radii_, rate, bend));
   }
 
  private:
+  /// How far the gap alone proves the pair free: nothing is faster than the travel.
+  Scalar sure_step(const ClosestPoints<Scalar>& closest) const {
+    const Scalar sure = closest.distance - (radii_ + epsilon_);
+    const Scalar speed = length(unit_.B.v);
+    return sure < speed ? kRoundDown<Scalar> * (sure / speed) : Scalar(1);
+  }
+
   /// From twice the middle of A's axis to twice that of B's, at the start.
   Vec3<Scalar> line_of_middles() const {
     return (unit_.B.ends[0].start + unit_.B.ends[1].start) -
@@ -123,17 +134,10 @@ class Glide {
   Scalar theta_ = 0;
 };
 
+/// A ball about its centre of mass may: nobody sees it.
 template <class Scalar>
 bool turns(const CapsulePath<Scalar>& path) {
-  const bool swings =
-      path.ends[0].arm != Vec3<Scalar>::Zero() || path.ends[1].arm != Vec3<Scalar>::Zero();
-  return path.turn_rate > Scalar(0) && swings;
-}
-
-template <class Scalar>
-bool can_be_asked(const MovingPair<Scalar>& pair, const AdvancementOptions<Scalar>& options) {
-  return validate(options) == Status::kOk && pair.duration >= Scalar(0) &&
-         pair.scale <= kLargestCoordinate<Scalar> && !turns(pair.A) && !turns(pair.B);
+  return path.turn_rate > Scalar(0) && path.reach > Scalar(0);
 }
 
 template <class Scalar>
@@ -165,7 +169,7 @@ SearchResult<Scalar> glide_on(Glide<Scalar>& glide, const MovingPair<Scalar>& pa
 template <class Scalar>
 SearchResult<Scalar> search_translation(const MovingPair<Scalar>& pair,
                                         const AdvancementOptions<Scalar>& options) {
-  if (!can_be_asked(pair, options)) return {};
+  if (!can_be_searched(pair, options) || turns(pair.A) || turns(pair.B)) return {};
   const Scalar scale = window_scale(pair.scale);
   Glide<Scalar> glide(pair, scale, slab_of(pair, options));
   const Vec3<Scalar> first = glide.advance_along_middles();

@@ -19,12 +19,11 @@ template <class Scalar>
 class Walk {
  public:
   Walk(const MovingPair<Scalar>& pair, Scalar scale, Scalar slab, Scalar inflation)
-      : pair_(in_units(pair, scale)), slab_(slab * scale) {
+      : pair_(in_units(pair, scale)), radii_(pair_.A.radius + pair_.B.radius), slab_(slab * scale) {
     const Scalar travel = length(pair_.B.v);
     state_.bounds = derivative_bounds(pair_, travel, arm(pair_.A), arm(pair_.B));
     state_.magnitudes = derivative_bounds(pair_, travel, pair_.A.reach, pair_.B.reach);
     state_.turn = pair_.A.turn_rate + pair_.B.turn_rate;
-    state_.radii = pair_.A.radius + pair_.B.radius;
     state_.inflation = inflation;
     settle();
   }
@@ -35,7 +34,7 @@ class Walk {
   ClosestPoints<Scalar> closest() const {
     return closest_points<Scalar>(axis(state_.A), axis(state_.B));
   }
-  Scalar gap(const ClosestPoints<Scalar>& closest) const { return closest.distance - state_.radii; }
+  Scalar gap(const ClosestPoints<Scalar>& closest) const { return closest.distance - radii_; }
   bool is_contact(const ClosestPoints<Scalar>& closest) const { return !(gap(closest) > slab_); }
 
   /// From twice the middle of A's axis to twice that of B's.
@@ -49,25 +48,21 @@ class Walk {
   /// Advances while n, held fixed, proves a gap of more than the slab, without a distance
   /// evaluation. @pre n is a unit vector, or zero
   void advance_along(const Vec3<Scalar>& n) {
-    state_.radii += slab_;
-    const Scalar step = step_along(n, heights(n, state_));
-    state_.radii = pair_.A.radius + pair_.B.radius;
-    advance(step);
+    advance(step_along(n, heights(n, state_), radii_ + slab_));
   }
 
   /// Advances as far as the normal of `closest` proves: held fixed or, where that does not reach
   /// the end, moved along, whichever proves more. @pre `closest` is of this instant, no contact
   void advance_from(const ClosestPoints<Scalar>& closest) {
     const EdgePair<Scalar> edges(closest, state_.A.direction(), state_.B.direction());
-    Vec3<Scalar> n = sharpened(closest.normal_AB, edges);
-    Heights<Scalar> fixed = heights(n, state_);
-    if (!(separation(fixed) + slab_ > closest.distance)) take_better(closest.normal_AB, n, fixed);
-    Scalar step = step_along(n, fixed);
+    const Vec3<Scalar> n = sharpened(closest.normal_AB, edges);
+    const Heights<Scalar> fixed = heights(n, state_);
+    Scalar step = max_of(sure_step(gap(closest)), step_along(n, fixed, radii_));
     if (theta_ + step < Scalar(1)) {
       const NormalPath<Scalar> N =
           tracking_path(n, edges, state_, relative_rate(closest, state_), closest.distance);
       if (can_be_followed(N)) {
-        step = max_of(step, proven_free(moved(fixed, N, state_), N, state_, 1 - theta_));
+        step = max_of(step, proven_free(moved(fixed, N, state_), N, state_, radii_, 1 - theta_));
       }
     }
     advance(step);
@@ -80,8 +75,10 @@ class Walk {
 
   /// The foreseen instant of contact after theta.
   Scalar foreseen_contact(const ClosestPoints<Scalar>& closest) const {
-    const Scalar speed = state_.bounds.speed;
-    const Scalar bend = state_.bounds.acceleration + speed * (speed / closest.distance);
+    const Vec3<Scalar>& n = closest.normal_AB;
+    const Vec3<Scalar> sideways = across(relative_rate(closest, state_), n);
+    const Vec3<Scalar> relative_bend = state_.B.bend(closest.u) - state_.A.bend(closest.s);
+    const Scalar bend = n.dot(relative_bend) + sideways.squaredNorm() / closest.distance;
     return min_of(Scalar(1), theta_ + time_to_contact(gap(closest), rate(closest), bend));
   }
 
@@ -94,23 +91,23 @@ class Walk {
     return {state.ends[0].p, state.ends[1].p};
   }
 
-  /// Edges at an angle within rounding can turn a good normal away: takes the witness's own if that
-  /// separates more.
-  void take_better(const Vec3<Scalar>& own, Vec3<Scalar>& n, Heights<Scalar>& fixed) const {
-    const Heights<Scalar> other = heights(own, state_);
-    if (!(separation(other) > separation(fixed))) return;
-    n = own;
-    fixed = other;
+  /// How far the gap alone proves the pair free, as no two points are faster: little, but always
+  /// something, whatever rounding has made of the normal.
+  Scalar sure_step(Scalar gap) const {
+    const Scalar sure = gap - state_.inflation * state_.magnitudes.length;
+    const Scalar rest = 1 - theta_;
+    if (!(sure < state_.bounds.speed * rest)) return rest;
+    return kRoundDown<Scalar> * (sure / state_.bounds.speed);
   }
 
-  /// How far n, held fixed, proves the pair free.
-  Scalar step_along(const Vec3<Scalar>& n, const Heights<Scalar>& heights) const {
+  /// How far n, held fixed, proves the axes further apart than R.
+  Scalar step_along(const Vec3<Scalar>& n, const Heights<Scalar>& heights, Scalar R) const {
     NormalPath<Scalar> fixed;
     fixed.n = n;
     const Scalar rest = 1 - theta_;
-    const Scalar step = proven_free(heights, fixed, state_, rest);
+    const Scalar step = proven_free(heights, fixed, state_, R, rest);
     if (!(step < rest) || !(state_.turn * rest > kFastSpin<Scalar>)) return step;
-    const Scalar least = state_.radii + state_.inflation * state_.magnitudes.length;
+    const Scalar least = R + state_.inflation * state_.magnitudes.length;
     return max_of(step, free_until_by_spin(pair_, n, least, theta_) - theta_);
   }
 
@@ -125,6 +122,7 @@ class Walk {
   }
 
   MovingPair<Scalar> pair_;
+  Scalar radii_;
   Scalar slab_;
   Scalar theta_ = 0;
   PairState<Scalar> state_;  ///< at theta

@@ -19,12 +19,19 @@ def number(value, digits=2):
     return f"{value:.1e}"
 
 
+def percent(fraction, digits=2):
+    """With so many significant digits, and every digit before the point."""
+    if fraction is None:
+        return "-"
+    value = 100 * fraction
+    return f"{value:.0f} %" if abs(value) >= 10 ** (digits - 1) else f"{value:.{digits}g} %"
+
+
 def share(part, whole):
     """As a percentage."""
     if not whole:
         return "-"
-    percent = 100 * part / whole
-    return "0" if part == 0 else (f"{percent:.0f} %" if percent >= 10 else f"{percent:.2g} %")
+    return "0" if part == 0 else percent(part / whole)
 
 
 def times(value):

@@ -23,16 +23,6 @@ double seconds() {
   std::exit(2);
 }
 
-void show_help(const About& about) {
-  std::printf(
-      "usage: batuta_report_%s [--out DIR] [--mode tiny|quick|full] [--shard I/N] [--help]\n"
-      "%s\n"
-      "  --out DIR     where %s.csv goes (default: .); with --shard it is %s.I-of-N.csv\n"
-      "  --mode MODE   tiny: does it run; quick: some seconds (default); full: %s\n"
-      "  --shard I/N   only the I-th of N parts; merge.py puts the files together again\n",
-      about.section, about.what, about.section, about.section, about.full_time);
-}
-
 /// A whole number of at most seven digits, or 0.
 std::uint64_t number(std::string_view text) {
   if (text.empty() || text.size() > 7) return 0;
@@ -79,11 +69,26 @@ void read(Options& options, const About& about, std::string_view name, const cha
 
 }  // namespace
 
+void print_help(const About& about) {
+  const std::string files =
+      about.files == nullptr ? std::string(about.section) + ".csv" : about.files;
+  std::printf(
+      "usage: batuta_report_%s [--out DIR] [--mode tiny|quick|full] [--shard I/N] [--help]\n"
+      "%s\n"
+      "  --out DIR     folder of %s (default: .)\n"
+      "  --mode MODE   tiny: does it run; quick: some seconds (default); full: %s\n"
+      "  --shard I/N   only the I-th of N parts; NAME.csv is then NAME.I-of-N.csv, and merge.py "
+      "puts\n"
+      "                the parts together again\n"
+      "%s",
+      about.section, about.what, files.c_str(), about.full_time, about.own_options);
+}
+
 Options parse(int argc, const char* const* argv, const About& about) {
   Options options;
   for (int i = 1; i < argc; i += 2) {
     if (std::string_view(argv[i]) == "--help") {
-      show_help(about);
+      print_help(about);
       std::exit(0);
     }
     read(options, about, argv[i], i + 1 < argc ? argv[i + 1] : nullptr);

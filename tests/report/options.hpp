@@ -22,10 +22,15 @@ struct Options {
 
 /// What --help says about a section.
 struct About {
-  const char* section;    ///< name of the CSV file and of the program after batuta_report_
-  const char* what;       ///< one sentence
-  const char* full_time;  ///< how long the full mode takes, such as "2 minutes"
+  const char* section;           ///< name of the program after batuta_report_, and of its CSV file
+  const char* what;              ///< one sentence
+  const char* full_time;         ///< how long the full mode takes, such as "2 minutes"
+  const char* files = nullptr;   ///< what it writes, where that is not <section>.csv
+  const char* own_options = "";  ///< whole lines about options that no other section has
 };
+
+/// What --help prints, on standard output.
+void print_help(const About& about);
 
 /// Reads --out DIR, --mode tiny|quick|full, --shard I/N, --help. Ends the program with 0 after
 /// --help, and with 2 and a sentence on standard error where the command line makes no sense.

@@ -44,6 +44,18 @@ TEST(OptionsDeathTest, Help_ExitsWithZero) {
   EXPECT_EXIT(parsed({"--help"}), testing::ExitedWithCode(0), "");
 }
 
+TEST(Options, Help_NamesFilesAndOwnOptions) {
+  const auto help = [](const About& about) {
+    testing::internal::CaptureStdout();
+    print_help(about);
+    return testing::internal::GetCapturedStdout();
+  };
+  EXPECT_NE(help(kAbout).find("folder of sample.csv ("), std::string::npos);
+  const std::string other = help({"sample", "", "", "a.csv and b.csv", "  --more\n"});
+  EXPECT_NE(other.find("folder of a.csv and b.csv ("), std::string::npos);
+  EXPECT_NE(other.find("\n  --more\n"), std::string::npos);
+}
+
 TEST(Share, Parts_AreTheWholeInOrder) {
   for (const std::uint64_t count : {0U, 1U, 2U, 5U, 100U, 1001U}) {
     for (const std::uint64_t shards : {1U, 2U, 3U, 7U}) {

@@ -10,6 +10,7 @@ import tempfile
 import unittest
 from unittest import mock
 
+import markdown
 import merge
 import readme
 import render
@@ -52,6 +53,13 @@ class Files(unittest.TestCase):
             code, said = self.call(merge.main, "--out", str(self.folder / "out.csv"), first, second)
             self.assertEqual(code, 1)
             self.assertTrue(said.startswith("merge.py: "))
+
+    def test_percentages_show_every_digit_before_the_point(self):
+        shares = [(0, 7), (1, 1), (996, 1000), (99, 1000), (1, 3000), (12, 1), (3, 0)]
+        self.assertEqual([markdown.share(*pair) for pair in shares],
+                         ["0", "100 %", "100 %", "9.9 %", "0.033 %", "1200 %", "-"])
+        self.assertEqual([markdown.percent(x, 3) for x in (12.345, 0.99951, 0.99949, 0.001, None)],
+                         ["1234 %", "100 %", "99.9 %", "0.1 %", "-"])
 
     def test_quantiles_are_edges_of_the_value_of_that_rank(self):
         hist = rows.Hist.parse(" ".join(f"{b}:1" for b in range(1, 101)))

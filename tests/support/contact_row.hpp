@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "batuta/detection/moving_pair.hpp"
-#include "host/answer/fields.hpp"
+#include "ensemble.hpp"
+#include "host/query_file.hpp"
 
 namespace batuta::test {
 
@@ -20,20 +20,29 @@ struct ContactTruth {
   double lasts = 0;      ///< the first contact, s
 };
 
+/// The numbers as they are, so that the quaternion is only nearly unit.
 /// @param body  "A" or "B"
-/// The quaternion is renewed in Scalar.
-template <class Scalar>
-MovingCapsule<Scalar> read_body(host::QueryRow& row, const std::string& body) {
-  MovingCapsule<Scalar> moving;
-  moving.motion.duration = answer::number<Scalar>(row, "T");
-  moving.motion.X_WB.p_W = answer::vector<Scalar>(row, body + "c");
-  moving.motion.X_WB.q_WB = answer::rotation<Scalar>(row, body + "q");
-  moving.motion.twist.v_W = answer::vector<Scalar>(row, body + "v");
-  moving.motion.twist.w_W = answer::vector<Scalar>(row, body + "w");
-  moving.capsule_B.axis.a = answer::vector<Scalar>(row, body + "e0");
-  moving.capsule_B.axis.b = answer::vector<Scalar>(row, body + "e1");
-  moving.capsule_B.radius = answer::number<Scalar>(row, body + "r");
+inline MovingCapsule<float> read_bits(host::QueryRow& row, const std::string& body) {
+  const auto vector = [&](const char* name) {
+    const float x = row.bits(body + name + 'x');
+    const float y = row.bits(body + name + 'y');
+    const float z = row.bits(body + name + 'z');
+    return Vec3<float>(x, y, z);
+  };
+  MovingCapsule<float> moving;
+  const Vec3<float> q = vector("q");
+  moving.motion.duration = row.bits("T");
+  moving.motion.X_WB = {vector("c"), Quat<float>(row.bits(body + "qw"), q.x(), q.y(), q.z())};
+  moving.motion.twist.v_W = vector("v");
+  moving.motion.twist.w_W = vector("w");
+  moving.capsule_B = {{vector("e0"), vector("e1")}, row.bits(body + 'r')};
   return moving;
+}
+
+/// Both bodies, the quaternions renewed in Scalar.
+template <class Scalar>
+Result<MovingPair<Scalar>> read_pair(host::QueryRow& row) {
+  return make_moving_pair(cast<Scalar>(read_bits(row, "A")), cast<Scalar>(read_bits(row, "B")));
 }
 
 inline ContactTruth read_truth(host::QueryRow& row) {

@@ -24,7 +24,7 @@ Vec3<Real> turned(const Vec3<Real>& v, const Vec3<Real>& axis, Real angle) {
 template <class Real, class Scalar>
 Vec3<Real> rotated(const Quat<Scalar>& q, const Vec3<Scalar>& v) {
   const Quat<Real> wide = q.template cast<Real>().normalized();
-  const Vec3<Real> x = v.template cast<Real>();
+  const Vec3<Real> x(v.template cast<Real>());
   const Vec3<Real> across = 2 * wide.vec().cross(x);
   return x + wide.w() * across + wide.vec().cross(across);
 }
@@ -169,6 +169,16 @@ LeastGap<Real> Reference<Real>::section(Real low, Real high) const {
   return at_left <= at_right ? LeastGap<Real>{at_left, left} : LeastGap<Real>{at_right, right};
 }
 
+namespace {
+
+/// The first where both are alike.
+template <class Real>
+LeastGap<Real> lesser(const LeastGap<Real>& a, const LeastGap<Real>& b) {
+  return b.gap < a.gap ? b : a;
+}
+
+}  // namespace
+
 template <class Real>
 LeastGap<Real> Reference<Real>::least_gap(Real t0, Real t1, int samples) const {
   const auto n = static_cast<std::size_t>(samples);
@@ -178,16 +188,15 @@ LeastGap<Real> Reference<Real>::least_gap(Real t0, Real t1, int samples) const {
   for (std::size_t i = 0; i <= n; ++i) {  // Bound: samples + 1
     const Real t = i == n ? t1 : t0 + static_cast<Real>(i) * step;
     gaps[i] = gap(t);
-    if (gaps[i] < best.gap) best = {gaps[i], t};
+    best = lesser(best, {gaps[i], t});
   }
   for (std::size_t i = 0; i <= n; ++i) {  // Bound: samples + 1
     const std::size_t before = i == 0 ? 0 : i - 1;
     const std::size_t after = i == n ? n : i + 1;
     const bool least = gaps[i] <= gaps[before] && gaps[i] <= gaps[after];
     if (!least || gaps[i] - speed_ * step > best.gap) continue;
-    const LeastGap<Real> found = section(t0 + static_cast<Real>(before) * step,
-                                         std::min(t1, t0 + static_cast<Real>(after) * step));
-    if (found.gap < best.gap) best = found;
+    best = lesser(best, section(t0 + static_cast<Real>(before) * step,
+                                std::min(t1, t0 + static_cast<Real>(after) * step)));
   }
   return best;
 }
@@ -199,7 +208,7 @@ LeastGap<Real> Reference<Real>::least_gap_after(Real t0, Real t1, int samples) c
   for (int zoom = 0; zoom < 8; ++zoom) {  // Bound: 8 zooms, to 2^-32 of what is left
     width /= 16;
     const LeastGap<Real> found = least_gap(t0, t0 + width, samples);
-    if (found.gap < best.gap) best = found;
+    best = lesser(best, found);
   }
   return best;
 }

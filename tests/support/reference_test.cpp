@@ -160,6 +160,7 @@ TEST(Reference, ZeroDuration_IsFreeWhereApart) {
 class TruthJudge {
  public:
   void judge(host::QueryRow& row) {
+    // The quaternions as they are: the reference makes them unit in its own precision.
     const MovingCapsule<float> A = read_bits(row, "A");
     const MovingCapsule<float> B = read_bits(row, "B");
     const ContactTruth known = read_truth(row);
@@ -189,18 +190,6 @@ class TruthJudge {
   }
 
  private:
-  /// The quaternion as it is: the reference makes it unit in its own precision.
-  static MovingCapsule<float> read_bits(host::QueryRow& row, const std::string& body) {
-    MovingCapsule<float> moving = read_body<float>(row, body);
-    const auto bits = [&](const char* part) { return row.bits(body + "q" + part); };
-    const float w = bits("w");
-    const float x = bits("x");
-    const float y = bits("y");
-    const float z = bits("z");
-    moving.motion.X_WB.q_WB = Quat<float>(w, x, y, z);
-    return moving;
-  }
-
   static void expect_free(long line, const Reference<double>& truth, const March<double>& march,
                           const ContactTruth& known, double error) {
     const double least = truth.least_gap(0, truth.duration(), 128).gap;

@@ -5,8 +5,7 @@
 // - FREE only where the overlap is nowhere deeper than epsilon / 2 + P;
 // - CONTACT and TOUCHING only where there is one, to within P;
 // - a first contact that lasts longer than one step is bracketed, to within P / |rate|; a shorter
-// one may be passed over for
-//   a later one, never for an earlier.
+//   one may be passed over for a later one, never for an earlier.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +14,7 @@
 
 #include "batuta/detection/speed_bound.hpp"
 #include "batuta/detection/stepping.hpp"
-#include "host/answer/fields.hpp"
+#include "contact_row.hpp"
 #include "judge_file.hpp"
 
 namespace batuta {
@@ -24,15 +23,9 @@ namespace {
 constexpr double kGapRounding = 4;
 constexpr double kTimeRounding = 4;  // neighbouring numbers, and the rounding of an instant, in u T
 
-enum Kind { kNever = 0, kOnTheWay = 1, kAtStart = 2 };
-
-struct Truth {
-  int kind = kNever;
-  double t = 0;
-  double rate = 0;
-  double least_gap = 0;
-  double lasts = 0;
-};
+using test::ContactTruth;
+using test::kAtStart;
+using test::kNever;
 
 template <class Scalar>
 struct Query {
@@ -41,22 +34,8 @@ struct Query {
 };
 
 template <class Scalar>
-MovingCapsule<Scalar> read_body(host::QueryRow& row, const std::string& body) {
-  MovingCapsule<Scalar> moving;
-  moving.motion.duration = answer::number<Scalar>(row, "T");
-  moving.motion.X_WB.p_W = answer::vector<Scalar>(row, body + "c");
-  moving.motion.X_WB.q_WB = answer::rotation<Scalar>(row, body + "q");
-  moving.motion.twist.v_W = answer::vector<Scalar>(row, body + "v");
-  moving.motion.twist.w_W = answer::vector<Scalar>(row, body + "w");
-  moving.capsule_B.axis.a = answer::vector<Scalar>(row, body + "e0");
-  moving.capsule_B.axis.b = answer::vector<Scalar>(row, body + "e1");
-  moving.capsule_B.radius = answer::number<Scalar>(row, body + "r");
-  return moving;
-}
-
-template <class Scalar>
 Query<Scalar> read_query(host::QueryRow& row) {
-  const auto pair = make_moving_pair(read_body<Scalar>(row, "A"), read_body<Scalar>(row, "B"));
+  const auto pair = test::read_pair<Scalar>(row);
   EXPECT_TRUE(pair.ok()) << "line " << row.line();
   const double turn = static_cast<double>(max_of(pair.value.A.turn_rate, pair.value.B.turn_rate)) *
                       static_cast<double>(pair.value.duration);
@@ -64,14 +43,9 @@ Query<Scalar> read_query(host::QueryRow& row) {
   return {pair.value, kGapRounding * uS * (1 + turn)};
 }
 
-Truth read_truth(host::QueryRow& row) {
-  Truth truth;
-  truth.kind = static_cast<int>(row.decimal("kind"));
-  truth.t = row.decimal("t");
-  truth.rate = row.decimal("rate");
-  truth.least_gap = row.decimal("gmin") - row.decimal("gerr");
-  truth.lasts = row.decimal("dur");
-  return truth;
+/// What the least gap surely is not below, m.
+double least_gap(const ContactTruth& truth) {
+  return truth.least_gap - truth.gap_error;
 }
 
 /// Checks the answers to one file and keeps the worst figures.
@@ -80,7 +54,7 @@ class Judge {
  public:
   void judge(host::QueryRow& row) {
     const Query<Scalar> query = read_query<Scalar>(row);
-    const Truth truth = read_truth(row);
+    const ContactTruth truth = test::read_truth(row);
     ASSERT_TRUE(row.ok()) << row.error();
     line_ = row.line();
     gap_at_start_ = std::abs(static_cast<double>(gap_at(read_query<double>(row).pair, 0.0).gap));
@@ -122,7 +96,8 @@ class Judge {
     }
   }
 
-  void check(const Query<Scalar>& query, const Truth& truth, const SearchResult<Scalar>& found) {
+  void check(const Query<Scalar>& query, const ContactTruth& truth,
+             const SearchResult<Scalar>& found) {
     switch (found.outcome) {
       case Outcome::kFree:
         return check_free(query, truth);
@@ -135,25 +110,25 @@ class Judge {
     }
   }
 
-  void check_free(const Query<Scalar>& query, const Truth& truth) {
+  void check_free(const Query<Scalar>& query, const ContactTruth& truth) {
     if (truth.kind == kNever) return;
     if (truth.kind == kAtStart) return see_rounding(gap_at_start_, query.rounding);
-    EXPECT_LE(-truth.least_gap, epsilon(query) / 2 + query.rounding) << "line " << line_;
-    deepest_missed_ = std::max(deepest_missed_, -truth.least_gap / epsilon(query));
+    EXPECT_LE(-least_gap(truth), epsilon(query) / 2 + query.rounding) << "line " << line_;
+    deepest_missed_ = std::max(deepest_missed_, -least_gap(truth) / epsilon(query));
   }
 
-  void check_touching(const Query<Scalar>& query, const Truth& truth) {
+  void check_touching(const Query<Scalar>& query, const ContactTruth& truth) {
     if (truth.kind != kAtStart) see_rounding(gap_at_start_, query.rounding);
   }
 
-  void check_contact(const Query<Scalar>& query, const Truth& truth,
+  void check_contact(const Query<Scalar>& query, const ContactTruth& truth,
                      const SearchResult<Scalar>& found) {
     EXPECT_GT(found.witness.gap, Scalar(0)) << "line " << line_;
     const double uT = static_cast<double>(kRoundOff<Scalar> * query.pair.duration);
     const auto t_free = static_cast<double>(found.t_free);
     const auto t_hit = static_cast<double>(found.t_hit);
     EXPECT_LE(t_hit - t_free, kTimeRounding * uT) << "line " << line_;
-    if (truth.kind == kNever) return see_rounding(truth.least_gap, query.rounding);
+    if (truth.kind == kNever) return see_rounding(least_gap(truth), query.rounding);
     if (truth.kind == kAtStart) return see_rounding(gap_at_start_, query.rounding);
     const double rate = std::abs(truth.rate);
     see_rounding((truth.t - t_hit) * rate, query.rounding);

@@ -38,7 +38,11 @@ Status validate(const AdvancementOptions<Scalar>& options);
 template <class Scalar>
 Scalar slab_of(const MovingPair<Scalar>& pair, const AdvancementOptions<Scalar>& options);
 
-/// First contact in [0, duration]; none is missed. With eps = kInflation L and tau = slab_of():
+/// eps, m: kInflation L, what rounding can do to this pair.
+template <class Scalar>
+Scalar inflation_of(const MovingPair<Scalar>& pair);
+
+/// First contact in [0, duration]; none is missed. With eps = inflation_of() and tau = slab_of():
 /// @param seed_AB  a normal that may separate the pair, such as the witness of the last search of
 ///   the same two; zero: the line between the middles of the axes is tried. It can save
 ///   evaluations, and never changes what is proven.
@@ -49,7 +53,8 @@ Scalar slab_of(const MovingPair<Scalar>& pair, const AdvancementOptions<Scalar>&
 ///     where the witness foresees the gap to vanish, or to be least (a graze within the slab);
 ///   kTouching: the gap at t = 0 is at most tau; gap_rate tells whether the two part;
 ///   kBudget: free on [0, t_free], unknown after; without evaluations the witness is not set;
-///   kInvalid: options out of range, or a distance that cannot be told.
+///   kInvalid: options out of range; a distance that cannot be told; L above kLargestCoordinate; or
+///     a duration or L so small, other than zero, that its digits are lost: below min / u.
 /// Bound: options.budget evaluations.
 template <class Scalar>
 SearchResult<Scalar> search_advancement(const MovingPair<Scalar>& pair,

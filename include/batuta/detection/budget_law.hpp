@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How many distance evaluations a certified search needs at most for a pair that stays close for a
-// whole step:
+// How many distance evaluations to allow a certified search, for pairs that stay close for a whole
+// step:
 //   slab = kappa^3 / 6 * lever (turn / budget)^3
 // `turn` is the furthest that a body turns in the step, rad; `lever` the sum of the two distances
-// of the axis ends from their axes of rotation, m. kappa is measured, not proven:
-// src/detection/budget_law.md. Each of the three follows from the two others, at compile time.
-// Where the law fails, the search answers kBudget: nothing is missed.
+// of the axis ends from their axes of rotation, m. Each of the three follows from the two others,
+// at compile time. kappa is measured, not proven, and pairs that slide along each other at about
+// the slab's distance may need more (src/detection/budget_law.md): the search then answers kBudget,
+// free up to t_free. Nothing is missed. "Suffices" below means: by the law.
 
 #include "batuta/core/types.hpp"
 
@@ -60,7 +61,8 @@ constexpr std::uint32_t budget_for(Scalar turn, Scalar slab) {
   const Scalar root = cube_root(Scalar(6) * slab);
   if (!(root > Scalar(0))) return kMost;
   const Scalar share = kBudgetKappa<Scalar> * turn / root;
-  if (!(share < static_cast<Scalar>(kMost / 2))) return kMost;
+  constexpr std::uint32_t kConvertible = kMost / 2;
+  if (!(share < static_cast<Scalar>(kConvertible))) return kMost;
   const auto whole = static_cast<std::uint32_t>(share);
   const std::uint32_t enough = static_cast<Scalar>(whole) < share ? whole + 1 : whole;
   return max_of(enough, kLeastLawBudget);

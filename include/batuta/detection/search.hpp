@@ -60,7 +60,7 @@ struct Certified {
   }
   static constexpr std::uint64_t most_evaluations(const Options& options) { return options.budget; }
   static Scalar contact_gap(const MovingPair<Scalar>& pair, const Options& options) {
-    return slab_of(pair, options) + kInflation<Scalar> * pair.scale;
+    return slab_of(pair, options) + inflation_of(pair);
   }
 };
 

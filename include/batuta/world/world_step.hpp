@@ -154,7 +154,7 @@ template <class SceneT>
 SearchResult<typename World<SceneT>::Scalar> World<SceneT>::search_with_seed(
     BodyPair pair, const MovingPair<Scalar>& moving_pair) {
   if constexpr (Search::kUsesSeed) {
-    const auto result = Search::search(moving_pair, settings_.search, this->recall(pair));
+    auto result = Search::search(moving_pair, settings_.search, this->recall(pair));
     if (result.outcome != Outcome::kInvalid) this->remember(pair, result.witness.axes.normal_AB);
     return result;
   } else {

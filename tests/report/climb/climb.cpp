@@ -92,7 +92,7 @@ void report_grazes(Table& table, const Options& options) {
   }
 }
 
-/// @param keep  file for the worst queries, or empty
+/// @param keep  file that the worst queries are added to, or empty
 int run(const Options& options, const std::string& keep) {
   Table table(options, "climb");
   Climbs climbs(options);
@@ -100,7 +100,7 @@ int run(const Options& options, const std::string& keep) {
     for (const double degrees : kDegrees) climbs.run(table, start, degrees);
   }
   report_grazes(table, options);
-  const bool kept = keep.empty() || write_queries(keep, climbs.kept());
+  const bool kept = keep.empty() || keep_queries(keep, climbs.kept());
   const int written = table.write();
   return kept ? written : 1;
 }
@@ -129,7 +129,7 @@ int main(int argc, char** argv) {
   const std::string keep = take_keep(words);
   const About about{"climb",
                     "Looks for the queries that cost the most, by hill climbing, and at near "
-                    "misses. --keep FILE writes the worst as a query file with the truth.",
+                    "misses. --keep FILE adds the worst, with the truth, to a query file.",
                     "2 minutes"};
   return run(parse(static_cast<int>(words.size()), words.data(), about), keep);
 }

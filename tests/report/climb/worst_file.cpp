@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "contact_row.hpp"
 #include "reference.hpp"
 #include "section.hpp"
 
@@ -24,7 +25,7 @@ constexpr int kFineSamples = 20'000;
 constexpr int kHalvings = 64;
 
 struct TrueAnswer {
-  int kind = 0;
+  int kind = test::kNever;
   Real t = -1;
   test::LeastGap<Real> least;
 };
@@ -49,7 +50,7 @@ TrueAnswer true_answer(const test::Query& query) {
   TrueAnswer answer;
   answer.least = reference.least_gap(0, end, kSamples);
   if (reference.gap(0) <= 0) {
-    answer.kind = 2;
+    answer.kind = test::kAtStart;
     answer.t = 0;
     return answer;
   }
@@ -59,10 +60,15 @@ TrueAnswer true_answer(const test::Query& query) {
   if (after.gap < answer.least.gap) answer.least = after;
   if (!(answer.least.gap < 0)) return answer;
   const bool proven = march.verdict == test::Verdict::kReached;
-  answer.kind = 1;
+  answer.kind = test::kOnTheWay;
   answer.t = proven ? march.t_free : first_overlap(reference, answer.least);
   return answer;
 }
+
+struct KnownQuery {
+  CostlyQuery costly;
+  TrueAnswer answer;
+};
 
 /// As float_of_bits() reads it: hexadecimal, without trailing zeros.
 std::string bits_of(float value) {
@@ -89,6 +95,7 @@ class Line {
     return add(name + 'x', v.x()).add(name + 'y', v.y()).add(name + 'z', v.z());
   }
   Line& add_decimal(const std::string& name, double value) { return add(name, text_of(value)); }
+  Line& add(const Line& more) { return add(more.names_, more.cells_); }
   const std::string& names() const { return names_; }
   const std::string& cells() const { return cells_; }
 
@@ -109,11 +116,19 @@ void add_body(Line& line, const std::string& body, const MovingCapsule<float>& m
   line.add(body + 'r', moving.capsule_B.radius);
 }
 
-Line line_of(const CostlyQuery& costly, const TrueAnswer& answer) {
+Line line_of(const test::Query& query) {
   Line line;
-  line.add("family", costly.family).add("T", costly.summit.query.A.motion.duration);
-  add_body(line, "A", costly.summit.query.A);
-  add_body(line, "B", costly.summit.query.B);
+  line.add("T", query.A.motion.duration);
+  add_body(line, "A", query.A);
+  add_body(line, "B", query.B);
+  return line;
+}
+
+Line line_of(const KnownQuery& known) {
+  const CostlyQuery& costly = known.costly;
+  const TrueAnswer& answer = known.answer;
+  Line line;
+  line.add("family", costly.family).add(line_of(costly.summit.query));
   line.add_decimal("degrees", costly.degrees).add_decimal("slab", kTau);
   line.add_decimal("evaluations", costly.summit.evaluations).add_decimal("kind", answer.kind);
   line.add_decimal("t", static_cast<double>(answer.t));
@@ -122,22 +137,66 @@ Line line_of(const CostlyQuery& costly, const TrueAnswer& answer) {
   return line;
 }
 
+/// A row of the file, its cost counted anew.
+KnownQuery read_known(host::QueryRow& row) {
+  KnownQuery known;
+  known.costly.family = row.text("family");
+  known.costly.degrees = row.decimal("degrees");
+  Summit& summit = known.costly.summit;
+  summit.query = {test::read_bits(row, "A"), test::read_bits(row, "B")};
+  summit.evaluations = evaluations_of(summit.query);
+  known.answer.kind = static_cast<int>(row.decimal("kind"));
+  known.answer.t = row.decimal("t");
+  known.answer.least = {row.decimal("gmin"), row.decimal("tgmin")};
+  return known;
+}
+
+/// @returns why the file cannot be read, or an empty text
+std::string read_file(const std::string& path, std::vector<KnownQuery>& kept) {
+  std::ifstream in(path);
+  if (!in) return {};
+  host::QueryFile file(in);
+  host::QueryRow row;
+  while (file.next(row)) {  // Bound: the length of the file
+    kept.push_back(read_known(row));
+    if (!row.ok()) return row.error();
+  }
+  return file.error();
+}
+
+bool has(const std::vector<KnownQuery>& kept, const test::Query& query) {
+  const std::string cells = line_of(query).cells();
+  return std::any_of(kept.begin(), kept.end(), [&](const KnownQuery& known) {
+    return line_of(known.costly.summit.query).cells() == cells;
+  });
+}
+
+bool write_file(const std::string& path, const std::vector<KnownQuery>& kept) {
+  std::ofstream file(path);
+  if (!kept.empty()) file << line_of(kept.front()).names() << '\n';
+  for (const KnownQuery& known : kept) file << line_of(known).cells() << '\n';
+  file.close();
+  return !file.fail();
+}
+
 }  // namespace
 
-bool write_queries(const std::string& path, const std::vector<CostlyQuery>& queries) {
-  std::ofstream file(path);
-  bool has_header = false;
-  Progress progress("truth of what is kept", queries.size());
-  for (const CostlyQuery& costly : queries) {
-    const Line line = line_of(costly, true_answer(costly.summit.query));
-    progress.advance();
-    if (!has_header) file << line.names() << '\n';
-    has_header = true;
-    file << line.cells() << '\n';
+bool keep_queries(const std::string& path, const std::vector<CostlyQuery>& found) {
+  std::vector<KnownQuery> kept;
+  const std::string error = read_file(path, kept);
+  if (!error.empty()) {
+    std::fprintf(stderr, "climb: cannot read %s: %s\n", path.c_str(), error.c_str());
+    return false;
   }
-  file.close();
-  if (!file) std::fprintf(stderr, "climb: cannot write %s\n", path.c_str());
-  return !file.fail();
+  Progress progress("truth of what is kept", found.size());
+  for (const CostlyQuery& costly : found) {
+    const test::Query& query = costly.summit.query;
+    if (!has(kept, query)) kept.push_back({costly, true_answer(query)});
+    progress.advance();
+  }
+  const bool written = write_file(path, kept);
+  if (!written) std::fprintf(stderr, "climb: cannot write %s\n", path.c_str());
+  return written;
 }
 
 }  // namespace batuta::report

@@ -4,12 +4,13 @@
 // T, A..., B... by the bits of their floats; then, in decimal, what they cost and the truth:
 //   degrees          no body turns further
 //   slab             tau, m
-//   evaluations      when it was found, in double
+//   evaluations      that the search took in double when the file was last written
 //   kind             0 no contact, 1 contact at t, 2 overlap at the start (t = 0)
 //   t                s; kind 1: free up to here by proof, and overlapping right after; by samples
 //                    where the proof would take too long; kind 0: -1; kind 2: 0
 //   gmin, tgmin      least gap that sampling finds, m, and when
-// The file tests/vectors/worst_queries.csv is written by `batuta_report_climb --mode full --keep`.
+// `batuta_report_climb --mode full --keep FILE` lets tests/vectors/worst_queries.csv grow: what was
+// the worst before a search learned better stays in the file, with what it costs now.
 
 #include <string>
 #include <vector>
@@ -24,7 +25,9 @@ struct CostlyQuery {
   Summit summit;
 };
 
-/// @returns false: the file could not be written, which was said on standard error
-bool write_queries(const std::string& path, const std::vector<CostlyQuery>& queries);
+/// Adds those of `found` that the file lacks, with the truth, to those that it has, whose truth
+/// stays and whose evaluations are counted anew. A file that is not there is begun.
+/// @returns false: the file could not be read or written, which was said on standard error
+bool keep_queries(const std::string& path, const std::vector<CostlyQuery>& found);
 
 }  // namespace batuta::report

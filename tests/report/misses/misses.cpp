@@ -120,7 +120,12 @@ int run(const CampaignOptions& options) {
 
 int main(int argc, char** argv) {
   using namespace batuta::report;
-  const About about{"misses", "Tries to prove false what the certified searches claim.",
-                    "10 to 20 minutes"};
+  const About about{
+      "misses", "Tries to prove false what the certified searches claim; exit code 1 if it does.",
+      "10 to 20 minutes", nullptr,
+      "  --seed N      other queries (default: 1)\n"
+      "  --inflation-factor X\n"
+      "                this share of the inflation (default: all of it; grazes with less as "
+      "well)\n"};
   return run(parse_campaign(argc, argv, about));
 }

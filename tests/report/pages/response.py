@@ -3,7 +3,7 @@
 
 import math
 
-from markdown import number, share, table, times
+from markdown import number, percent, share, table, times
 from plot import Panel, Series, draw
 
 TITLE = "Separation distance, and keyframe grids"
@@ -78,17 +78,13 @@ SEPARATION_HEADER = ["play", "search", "scalar", "D / length", "deepest overlap 
                      "steps in which something did not fit", "time"]
 
 
-def _percent(value):
-    return "-" if value is None else f"{100 * value:.3g} %"
-
-
 def _separation_cells(row):
     steps = row["steps"]
     return [row["play"], row["search"], row["scalar"], row["distance"],
             number(row["penetration_m"] / float(row["distance"])), share(row["overlaps"], row["samples"]),
             number(_gap(row)), number(_jitter(row)), number(row["separations"] / steps), number(row["most_separations"]),
-            _percent(row["held_ns"] / (steps * STEP_NS)), number(row["collisions"] / steps), str(row["begins"]),
-            _percent(_slide(row)), number(row["evaluations"] / steps), number(row["most_evaluations"]),
+            percent(row["held_ns"] / (steps * STEP_NS), 3), number(row["collisions"] / steps), str(row["begins"]),
+            percent(_slide(row), 3), number(row["evaluations"] / steps), number(row["most_evaluations"]),
             share(row["incomplete"], steps), times(row["time_step_in_plain"])]
 
 
@@ -169,8 +165,7 @@ along it. *Bridge*: a rod that slides along two posts, three bodies, which the p
 crossed blades together and draw them along each other. A resting contact keeps its momentum, so weight adds up until the
 contact counts as a blow (0.05 m/s here). Bodies are held as a whole, so D costs slide along the contact too; a hand makes up for
 it, and where it is held for most of a step it overshoots. Times are multiples of one plain segment-segment distance in double.
-In float, D is raised to what rounding allows (src/world/encounter.md); contacts that end and begin anew tell that it was. On the
-bridge, a shift ends halfway to the other post, wherever that is: gaps stay far below D, and the rod is held most of the time.
+In float, D is raised to what rounding allows (src/world/encounter.md); contacts that end and begin anew tell that it was.
 """
 
 KEYFRAME_TEXT = """

@@ -7,10 +7,9 @@ int main(int argc, char** argv) {
   using namespace batuta::report;
   const Options options = parse(argc, argv,
                                 {"response",
-                                 "Separation distance against penetration, jitter and cost "
-                                 "(separation.csv); keyframe grids against their size "
-                                 "(keyframes.csv)",
-                                 "4 minutes"});
+                                 "Separation distance against penetration, jitter and cost; "
+                                 "keyframe grids against their size.",
+                                 "4 minutes", "separation.csv and keyframes.csv"});
   const int separation = report_separation(options);
   const int keyframes = report_keyframes(options);
   return separation != 0 ? separation : keyframes;
