@@ -103,27 +103,36 @@ Heights<Scalar> moved(const Heights<Scalar>& fixed, const NormalPath<Scalar>& N,
 template <class Scalar>
 using Quartic = std::array<Scalar, 5>;
 
-/// What is taken off every height difference on [0, horizon]: R |N|, all terms that heights leave
-/// out, and what rounding may have done to the others. Terms beyond the fourth are taken at the
-/// horizon.
+/// What is taken off every height difference: R |N|, all terms that heights leave out, and what
+/// rounding may have done to the others. Along a fixed normal.
 /// @param R  what the distance of the axes has to exceed: the sum of the radii, or more
 template <class Scalar>
-Quartic<Scalar> toll(const NormalPath<Scalar>& N, const PairState<Scalar>& pair, Scalar R,
-                     Scalar horizon) {
+Quartic<Scalar> toll(const PairState<Scalar>& pair, Scalar R) {
+  const DerivativeBounds<Scalar>& size = pair.magnitudes;
+  const Scalar eps = pair.inflation;
+  return {R + eps * size.length, eps * size.speed, eps * size.acceleration / 2, eps * size.jerk / 6,
+          (1 + eps) * pair.bounds.snap / 24};
+}
+
+/// The same on [0, horizon] along a normal path; `fixed` is that of N.n. Terms beyond the fourth
+/// are taken at the horizon.
+template <class Scalar>
+Quartic<Scalar> toll(const Quartic<Scalar>& fixed, const NormalPath<Scalar>& N,
+                     const PairState<Scalar>& pair, Scalar R, Scalar horizon) {
   const DerivativeBounds<Scalar>& bounds = pair.bounds;
   const DerivativeBounds<Scalar>& size = pair.magnitudes;
   const Scalar m = kRoundUp<Scalar> * N.m.norm();
   const Scalar half_m2 = kRoundUp<Scalar> * N.m2.norm() / 2;
   const Scalar eps = pair.inflation;
-  const Scalar fourth = bounds.snap / 24 + m * bounds.jerk / 6 + half_m2 * bounds.acceleration / 2;
+  const Scalar fourth = m * bounds.jerk / 6 + half_m2 * bounds.acceleration / 2;
   const Scalar fifth = m * bounds.snap / 24 + half_m2 * bounds.jerk / 6;
   const Scalar sixth = half_m2 * bounds.snap / 24;
   return {
-      R + eps * size.length, eps * (size.speed + m * size.length) + R * N.n.dot(N.m),
-      eps * (size.acceleration / 2 + m * size.speed + half_m2 * size.length) +
-          R * (m * m + N.n.dot(N.m2)) / 2,
-      eps * (size.jerk / 6 + m * size.acceleration / 2 + half_m2 * size.speed) + R * m * half_m2,
-      (1 + eps) * (fourth + horizon * (fifth + horizon * sixth)) + R * half_m2 * half_m2 / 2};
+      fixed[0], fixed[1] + eps * m * size.length + R * N.n.dot(N.m),
+      fixed[2] + eps * (m * size.speed + half_m2 * size.length) + R * (m * m + N.n.dot(N.m2)) / 2,
+      fixed[3] + eps * (m * size.acceleration / 2 + half_m2 * size.speed) + R * m * half_m2,
+      fixed[4] + (1 + eps) * (fourth + horizon * (fifth + horizon * sixth)) +
+          R * half_m2 * half_m2 / 2};
 }
 
 /// One number for each of the four pairs of ends.
@@ -196,14 +205,16 @@ void move_origin(Clearances<Scalar>& f, Scalar step) {
   }
 }
 
-/// How long the normal path with these heights proves the axes further apart than R, at most
-/// `rest`; 0: it proves nothing. Bound: kMaxRounds expansions.
+/// The part of [0, rest] that one certificate looks at.
 template <class Scalar>
-Scalar proven_free(const Heights<Scalar>& heights, const NormalPath<Scalar>& N,
-                   const PairState<Scalar>& pair, Scalar R, Scalar rest) {
+Scalar horizon_of(const PairState<Scalar>& pair, Scalar rest) {
   const bool turns_far = pair.turn * rest > kHorizonTurn<Scalar>;
-  const Scalar horizon = turns_far ? kHorizonTurn<Scalar> / pair.turn : rest;
-  Clearances<Scalar> f = clearances(heights, toll(N, pair, R, horizon));
+  return turns_far ? kHorizonTurn<Scalar> / pair.turn : rest;
+}
+
+/// How much of [0, horizon] is proven free by these clearances. Bound: kMaxRounds expansions.
+template <class Scalar>
+Scalar proven_free(Clearances<Scalar> f, Scalar horizon) {
   Scalar step = positive_stretch(f, horizon);
   Scalar proven = step;
   for (int round = 1; round < kMaxRounds; ++round) {  // Bound: kMaxRounds

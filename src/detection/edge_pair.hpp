@@ -59,12 +59,18 @@ struct EdgePair {
   }
 };
 
+/// What a unit normal that is sharp may have along the edges.
+template <class Scalar>
+inline constexpr Scalar kSharp = 2 * kRoundOff<Scalar>;
+
 /// The unit normal n, made perpendicular to the edges that hold once more: where the axes are close
 /// to each other, its direction has lost digits.
 template <class Scalar>
 Vec3<Scalar> sharpened(const Vec3<Scalar>& n, const EdgePair<Scalar>& edges) {
   if (edges.none_holds()) return n;
-  const Vec3<Scalar> sharp = n - edges.solve(n.dot(edges.a), n.dot(edges.b));
+  const Vec3<Scalar> along_edges = edges.solve(n.dot(edges.a), n.dot(edges.b));
+  if (!(largest_component(along_edges) > kSharp<Scalar>)) return n;
+  const Vec3<Scalar> sharp = n - along_edges;
   return largest_component(sharp) > Scalar(0) ? unit(sharp) : n;
 }
 

@@ -9,10 +9,6 @@
 
 namespace batuta {
 
-/// Turn, rad, from which on the amplitude of a swing may bound more than its polynomial does.
-template <class Scalar>
-inline constexpr Scalar kFastSpin = Scalar(1);
-
 /// A search under way, in units of the duration and of 1 / scale metres: the pair is proven free on
 /// [0, theta].
 template <class Scalar>
@@ -61,9 +57,7 @@ class Walk {
     if (theta_ + step < Scalar(1)) {
       const NormalPath<Scalar> N =
           tracking_path(n, edges, state_, relative_rate(closest, state_), closest.distance);
-      if (can_be_followed(N)) {
-        step = max_of(step, proven_free(moved(fixed, N, state_), N, state_, radii_, 1 - theta_));
-      }
+      if (can_be_followed(N)) step = max_of(step, step_along(N, fixed));
     }
     advance(step);
   }
@@ -102,13 +96,19 @@ class Walk {
 
   /// How far n, held fixed, proves the axes further apart than R.
   Scalar step_along(const Vec3<Scalar>& n, const Heights<Scalar>& heights, Scalar R) const {
-    NormalPath<Scalar> fixed;
-    fixed.n = n;
     const Scalar rest = 1 - theta_;
-    const Scalar step = proven_free(heights, fixed, state_, R, rest);
-    if (!(step < rest) || !(state_.turn * rest > kFastSpin<Scalar>)) return step;
+    const Scalar step = proven_free(clearances(heights, toll(state_, R)), horizon_of(state_, rest));
+    const bool spins = state_.turn * rest > kHorizonTurn<Scalar>;
+    if (!spins || !(step > Scalar(0))) return step;
     const Scalar least = R + state_.inflation * state_.magnitudes.length;
     return max_of(step, free_until_by_spin(pair_, n, least, theta_) - theta_);
+  }
+
+  /// How far N proves the pair free. @param fixed  the heights along N.n
+  Scalar step_along(const NormalPath<Scalar>& N, const Heights<Scalar>& fixed) const {
+    const Scalar horizon = horizon_of(state_, 1 - theta_);
+    const Quartic<Scalar> off = toll(toll(state_, radii_), N, state_, radii_, horizon);
+    return proven_free(clearances(moved(fixed, N, state_), off), horizon);
   }
 
   void advance(Scalar step) {
