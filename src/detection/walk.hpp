@@ -4,6 +4,7 @@
 
 #include "../geometry/scale_window.hpp"
 #include "batuta/detection/advancement.hpp"
+#include "same_features.hpp"
 #include "spin_bound.hpp"
 #include "tracking_normal.hpp"
 
@@ -51,6 +52,7 @@ class Walk {
   /// the end, moved along, whichever proves more. @pre `closest` is of this instant, no contact
   void advance_from(const ClosestPoints<Scalar>& closest) {
     const EdgePair<Scalar> edges(closest, state_.A.direction(), state_.B.direction());
+    features_ = {edges.on_A, edges.on_B, closest.s, closest.u};
     const Vec3<Scalar> n = sharpened(closest.normal_AB, edges);
     const Heights<Scalar> fixed = heights(n, state_);
     Scalar step = max_of(sure_step(gap(closest)), step_along(n, fixed, radii_));
@@ -60,6 +62,12 @@ class Walk {
       if (can_be_followed(N)) step = max_of(step, step_along(N, fixed));
     }
     advance(step);
+  }
+
+  /// Points of the axes that are the closest ones here if the features of the last evaluation still
+  /// are, and never closer.
+  ClosestPoints<Scalar> seen_before() const {
+    return on_same_features(features_, state_.A, state_.B);
   }
 
   /// d gap / d theta.
@@ -125,7 +133,8 @@ class Walk {
   Scalar radii_;
   Scalar slab_;
   Scalar theta_ = 0;
-  PairState<Scalar> state_;  ///< at theta
+  Features<Scalar> features_;  ///< of the last evaluation
+  PairState<Scalar> state_;    ///< at theta
 };
 
 /// The unit vector along the seed or, where that has no direction, along the other; or zero.
@@ -136,24 +145,30 @@ Vec3<Scalar> direction_of(const Vec3<Scalar>& seed, const Vec3<Scalar>& other) {
   return largest_component(line) > Scalar(0) ? unit(line) : line;
 }
 
-/// How a walk ended, and its last distance evaluation.
+/// How a walk ended, and its last witness.
 template <class Scalar>
 struct WalkEnd {
   Outcome outcome = Outcome::kBudget;
   std::uint32_t evaluations = 0;
-  Scalar theta = 0;  ///< of the last evaluation
+  Scalar theta = 0;  ///< of the witness
   Scalar rate = 0;   ///< there
   ClosestPoints<Scalar> closest;
 };
+
+template <class Scalar>
+void set_witness(WalkEnd<Scalar>& end, const Walk<Scalar>& walk,
+                 const ClosestPoints<Scalar>& closest) {
+  end.theta = walk.theta();
+  end.closest = closest;
+  end.rate = walk.rate(closest);
+}
 
 /// Walks until contact, the end, or the end of the budget.
 template <class Scalar>
 WalkEnd<Scalar> walk_on(Walk<Scalar>& walk, std::uint32_t budget) {
   WalkEnd<Scalar> end;
   for (std::uint32_t i = 0; i < budget && !walk.is_at_end(); ++i) {  // Bound: kMaxBudget
-    end.theta = walk.theta();
-    end.closest = walk.closest();
-    end.rate = walk.rate(end.closest);
+    set_witness(end, walk, walk.closest());
     ++end.evaluations;
     if (!is_finite(end.closest.distance)) {
       end.outcome = Outcome::kInvalid;
@@ -164,6 +179,13 @@ WalkEnd<Scalar> walk_on(Walk<Scalar>& walk, std::uint32_t budget) {
       return end;
     }
     walk.advance_from(end.closest);
+    if (walk.is_at_end()) break;
+    const ClosestPoints<Scalar> same = walk.seen_before();
+    if (walk.is_contact(same) && same.distance > Scalar(0)) {
+      set_witness(end, walk, same);
+      end.outcome = Outcome::kContact;
+      return end;
+    }
   }
   if (walk.is_at_end()) end.outcome = Outcome::kFree;
   return end;

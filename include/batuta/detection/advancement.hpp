@@ -50,7 +50,9 @@ Scalar inflation_of(const MovingPair<Scalar>& pair);
 ///   kFree: the true gap is > 0 on all of [0, duration]. The witness is the last one that was
 ///     needed; with evaluations == 0 only its normal is set, the one that separates;
 ///   kContact: the true gap is > 0 on [0, t_free], and at t_free it is at most tau + eps. t_hit:
-///     where the witness foresees the gap to vanish, or to be least (a graze within the slab);
+///     where the witness foresees the gap to vanish, or to be least (a graze within the slab). The
+///     witness is two points within the slab of contact: the closest ones, or those nearest to each
+///     other on the features that were closest at the last evaluation;
 ///   kTouching: the gap at t = 0 is at most tau; gap_rate tells whether the two part;
 ///   kBudget: free on [0, t_free], unknown after; without evaluations the witness is not set;
 ///   kInvalid: options out of range; a distance that cannot be told; L above kLargestCoordinate; or
