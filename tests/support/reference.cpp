@@ -24,9 +24,8 @@ Vec3<Real> turned(const Vec3<Real>& v, const Vec3<Real>& axis, Real angle) {
 template <class Real, class Scalar>
 Vec3<Real> rotated(const Quat<Scalar>& q, const Vec3<Scalar>& v) {
   const Quat<Real> wide = q.template cast<Real>().normalized();
-  const Vec3<Real> x(v.template cast<Real>());
-  const Vec3<Real> across = 2 * wide.vec().cross(x);
-  return x + wide.w() * across + wide.vec().cross(across);
+  const Vec3<Real> across = 2 * wide.vec().cross(v.template cast<Real>());
+  return v.template cast<Real>() + wide.w() * across + wide.vec().cross(across);
 }
 
 template <class Real, class Scalar>
