@@ -119,7 +119,7 @@ class Answer(unittest.TestCase):
         self.assertEqual(rows[1][1], "BUDGET")
         self.assertGreater(float(rows[1][2]), 0)
         self.assertEqual(rows[1][3:], ["1", "5"])
-        turning = toc_file(-2.5, turn=2)
+        turning = toc_file(-2.5, turn=8)
         whole, _ = self.ask("toc", turning)
         self.assertEqual(whole[1][1], "CONTACT")
         rows, _ = self.ask("toc", turning, "--budget", "1")
