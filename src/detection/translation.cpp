@@ -29,7 +29,7 @@ class Glide {
         radii_(unit_.A.radius + unit_.B.radius),
         epsilon_(kSteadyInflation<Scalar> * unit_.scale) {}
 
-  bool is_at_end() const { return !(theta_ < Scalar(1)); }
+  bool is_at_end() const { return theta_ >= Scalar(1); }
   Scalar theta() const { return theta_; }
 
   ClosestPoints<Scalar> closest_at(Scalar theta) const {
@@ -90,7 +90,7 @@ class Glide {
   Scalar sure_step(const ClosestPoints<Scalar>& closest) const {
     const Scalar sure = closest.distance - (radii_ + epsilon_);
     const Scalar speed = length(unit_.B.v);
-    return sure < speed ? kRoundDown<Scalar> * (sure / speed) : Scalar(1);
+    return sure >= speed ? Scalar(1) : kRoundDown<Scalar> * (sure / speed);
   }
 
   /// From twice the middle of A's axis to twice that of B's, at the start.

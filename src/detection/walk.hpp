@@ -25,7 +25,7 @@ class Walk {
     settle();
   }
 
-  bool is_at_end() const { return !(theta_ < Scalar(1)); }
+  bool is_at_end() const { return theta_ >= Scalar(1); }
   Scalar theta() const { return theta_; }
 
   ClosestPoints<Scalar> closest() const {
@@ -98,7 +98,7 @@ class Walk {
   Scalar sure_step(Scalar gap) const {
     const Scalar sure = gap - state_.inflation * state_.magnitudes.length;
     const Scalar rest = 1 - theta_;
-    if (!(sure < state_.bounds.speed * rest)) return rest;
+    if (sure >= state_.bounds.speed * rest) return rest;
     return kRoundDown<Scalar> * (sure / state_.bounds.speed);
   }
 
@@ -120,8 +120,9 @@ class Walk {
   }
 
   void advance(Scalar step) {
+    if (!(step > Scalar(0))) return;  // nor if it is no number
     theta_ = min_of(Scalar(1), theta_ + step);
-    if (step > Scalar(0) && !is_at_end()) settle();
+    if (!is_at_end()) settle();
   }
 
   void settle() {

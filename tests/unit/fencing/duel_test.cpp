@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "batuta/fencing/duel.hpp"
-
-#include <gtest/gtest.h>
+#include "configured_duel.hpp"
 
 #include <cstring>
-#include <memory>
 #include <vector>
 
 namespace batuta {
@@ -48,20 +45,11 @@ InputSample sample_of(Script script, int k) {
 }
 
 template <class DuelT>
-class DuelOf : public ::testing::Test {
+class DuelOf : public test::ConfiguredDuel<DuelT> {
  protected:
   using ScalarT = typename DuelT::SceneType::Scalar;
-  std::unique_ptr<DuelT> duel = std::make_unique<DuelT>();
-  typename DuelT::Settings settings = fresh_settings();
+  using test::ConfiguredDuel<DuelT>::duel;
   double least_gap = 1e9;
-
-  static typename DuelT::Settings fresh_settings() {
-    return duel_settings<ScalarT, typename DuelT::SceneType::Search>();
-  }
-  Status configure() {
-    return duel->configure(settings, first_fencer<ScalarT>(), second_fencer<ScalarT>());
-  }
-  void SetUp() override { ASSERT_EQ(configure(), Status::kOk); }
 
   /// A sample each 10 ms, a step each 1 ms.
   void run(Script left, Script right, int steps) {
@@ -81,15 +69,12 @@ class DuelOf : public ::testing::Test {
     return static_cast<double>(duel->time_us(bout().touches[i].when)) * 1e-6;
   }
 };
-using Duels = ::testing::Types<Duel<float>, Duel<double>, Duel<float, Stepping<float>>,
-                               Duel<double, Stepping<double>>>;
-TYPED_TEST_SUITE(DuelOf, Duels);
+TYPED_TEST_SUITE(DuelOf, test::Duels);
 
 /// What only the paper's search has.
 template <class DuelT>
 class PaperDuelOf : public DuelOf<DuelT> {};
-using PaperDuels = ::testing::Types<Duel<float, Stepping<float>>, Duel<double, Stepping<double>>>;
-TYPED_TEST_SUITE(PaperDuelOf, PaperDuels);
+TYPED_TEST_SUITE(PaperDuelOf, test::PaperDuels);
 
 TYPED_TEST(DuelOf, BothOnGuard_NothingHappens) {
   this->run(guard, guard, 2000);
@@ -208,8 +193,7 @@ TYPED_TEST(PaperDuelOf, TouchSearchesWithoutBudget_AreReported) {
 
 template <class DuelT>
 class CertifiedDuelOf : public DuelOf<DuelT> {};
-using CertifiedDuels = ::testing::Types<Duel<float>, Duel<double>>;
-TYPED_TEST_SUITE(CertifiedDuelOf, CertifiedDuels);
+TYPED_TEST_SUITE(CertifiedDuelOf, test::CertifiedDuels);
 
 TYPED_TEST(CertifiedDuelOf, TouchSearchesWithoutBudget_AreReported) {
   this->settings.touch.budget = 0;
@@ -217,17 +201,6 @@ TYPED_TEST(CertifiedDuelOf, TouchSearchesWithoutBudget_AreReported) {
   this->run(lunge, guard, 1000);
   EXPECT_GT(this->duel->report().budget_outs, 0U);
   EXPECT_EQ(this->duel->report().searches_invalid, 0U);
-}
-
-TYPED_TEST(CertifiedDuelOf, SearchOptionsOutOfRange_AreRefused) {
-  this->settings.touch.budget = kMaxBudget + 1;
-  EXPECT_EQ(this->configure(), Status::kInvalidArgument);
-  this->settings = this->fresh_settings();
-  this->settings.touch.slab = -1;
-  EXPECT_EQ(this->configure(), Status::kInvalidArgument);
-  this->settings = this->fresh_settings();
-  this->settings.world.search.budget = TypeParam::SceneType::kBudget + 1;
-  EXPECT_EQ(this->configure(), Status::kInvalidArgument);
 }
 
 // Both searches tell the same bout: who touches, where and when.
@@ -278,48 +251,6 @@ TYPED_TEST(DuelOf, PartsThatDoNotCount_AreNotTouched) {
   EXPECT_EQ(this->bout().state, BoutState::kFencing);
 }
 
-TYPED_TEST(DuelOf, NotConfigured_StepIsRefused) {
-  this->duel = std::make_unique<TypeParam>();
-  EXPECT_EQ(this->duel->step(nullptr, nullptr), Status::kInvalidArgument);
-  this->settings.step_us = 0;
-  EXPECT_EQ(this->configure(), Status::kInvalidArgument);
-  EXPECT_EQ(this->duel->step(nullptr, nullptr), Status::kInvalidArgument);
-  EXPECT_DEATH((void)this->duel->blade_W(Side::kLeft), "");
-  EXPECT_DEATH((void)this->duel->grip(Side::kRight), "");
-}
-
-TYPED_TEST(DuelOf, SettingsOutOfRange_AreRefused) {
-  using S = typename TestFixture::ScalarT;
-  const auto refused = [this](auto change) {
-    this->settings = this->fresh_settings();
-    change(this->settings);
-    return this->configure() == Status::kInvalidArgument;
-  };
-  constexpr S kNan = std::numeric_limits<S>::quiet_NaN();
-  EXPECT_TRUE(refused([](auto& s) { s.salle.distance = S(1e30); }));
-  EXPECT_TRUE(refused([](auto& s) { s.salle.distance = kNan; }));
-  EXPECT_TRUE(refused([](auto& s) { s.step_us = 99; }));
-  EXPECT_TRUE(refused([](auto& s) { s.step_us = 20001; }));
-  EXPECT_TRUE(refused([](auto& s) { s.double_window_us = -1; }));
-  EXPECT_TRUE(refused([](auto& s) { s.double_window_us = 10000001; }));
-  EXPECT_TRUE(refused([](auto& s) { s.salle.distance = 0; }));
-  EXPECT_TRUE(refused([](auto& s) { s.stick.min_interval_us = 0; }));
-  EXPECT_TRUE(refused([](auto& s) { s.world.separation = 0; }));
-}
-
-TYPED_TEST(PaperDuelOf, SearchOptionsOutOfRange_AreRefused) {
-  using S = typename TestFixture::ScalarT;
-  const auto refused = [this](auto change) {
-    this->settings = this->fresh_settings();
-    change(this->settings);
-    return this->configure() == Status::kInvalidArgument;
-  };
-  constexpr S kNan = std::numeric_limits<S>::quiet_NaN();
-  EXPECT_TRUE(refused([](auto& s) { s.touch.epsilon = kNan; }));
-  EXPECT_TRUE(refused([](auto& s) { s.touch.max_steps = 0; }));
-  EXPECT_TRUE(refused([](auto& s) { s.touch.halvings = -1; }));
-}
-
 // A refused configure() leaves the running bout as it is, to the bit.
 TYPED_TEST(DuelOf, RefusedConfigure_ChangesNothing) {
   using S = typename TestFixture::ScalarT;
@@ -350,30 +281,6 @@ TYPED_TEST(DuelOf, RefusedConfigure_ChangesNothing) {
   }
   EXPECT_EQ(this->duel->report().blows, twin->report().blows);
   EXPECT_EQ(this->duel->report().evaluations, twin->report().evaluations);
-}
-
-TYPED_TEST(DuelOf, FencerOutOfRange_IsRefused) {
-  using S = typename TestFixture::ScalarT;
-  const auto refused = [this](auto change) {
-    Fencer<S> bad = first_fencer<S>();
-    change(bad);
-    const auto good = second_fencer<S>();
-    return this->duel->configure(this->settings, bad, good) == Status::kInvalidArgument &&
-           this->duel->configure(this->settings, good, bad) == Status::kInvalidArgument;
-  };
-  const S nan = std::numeric_limits<S>::quiet_NaN();
-  EXPECT_TRUE(refused([nan](auto& f) { f.keys_FH[2].p_W.x() = nan; }));
-  EXPECT_TRUE(refused([](auto& f) { f.weapon.parts[1].mass = 0; }));
-  EXPECT_TRUE(refused([](auto& f) { f.weapon.restitution = 2; }));
-  EXPECT_TRUE(refused([](auto& f) { f.weapon.restitution = S(-0.1); }));
-  EXPECT_TRUE(refused([](auto& f) { f.grip.strength = 0; }));
-  EXPECT_TRUE(refused([](auto& f) { f.keys_FH[4].p_W.x() = S(1e30); }));
-  EXPECT_TRUE(refused([nan](auto& f) { f.build.bones[3].start_P.x() = nan; }));
-  EXPECT_TRUE(refused([](auto& f) { f.build.bones[4].capsule_J.axis.b.setZero(); }));
-  EXPECT_TRUE(refused([](auto& f) { f.build.front_leg.bend_F.setZero(); }));
-  EXPECT_TRUE(refused([](auto& f) { f.build.lunge_hand_x = f.build.guard_hand_x; }));
-  ASSERT_EQ(this->configure(), Status::kOk);
-  EXPECT_EQ(this->duel->world().size(), 2);
 }
 
 TYPED_TEST(DuelOf, TimeOfAMoment_IsExactAfterHours) {

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A duel that is ready to begin, of every kind that the library holds.
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "batuta/fencing/duel.hpp"
+
+namespace batuta::test {
+
+template <class DuelT>
+class ConfiguredDuel : public ::testing::Test {
+ protected:
+  using ScalarT = typename DuelT::SceneType::Scalar;
+  std::unique_ptr<DuelT> duel = std::make_unique<DuelT>();
+  typename DuelT::Settings settings = fresh_settings();
+
+  static typename DuelT::Settings fresh_settings() {
+    return duel_settings<ScalarT, typename DuelT::SceneType::Search>();
+  }
+  Status configure() {
+    return duel->configure(settings, first_fencer<ScalarT>(), second_fencer<ScalarT>());
+  }
+  void SetUp() override { ASSERT_EQ(configure(), Status::kOk); }
+
+  /// Whether settings so changed are not taken.
+  template <class Change>
+  bool refuses(const Change& change) {
+    settings = fresh_settings();
+    change(settings);
+    return configure() == Status::kInvalidArgument;
+  }
+};
+
+using PaperDuels = ::testing::Types<Duel<float, Stepping<float>>, Duel<double, Stepping<double>>>;
+using CertifiedDuels = ::testing::Types<Duel<float>, Duel<double>>;
+using Duels = ::testing::Types<Duel<float>, Duel<double>, Duel<float, Stepping<float>>,
+                               Duel<double, Stepping<double>>>;
+
+}  // namespace batuta::test

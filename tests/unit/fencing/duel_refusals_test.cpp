@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// What a duel does not take: settings and fencers out of range, steps before it is configured.
+#include "configured_duel.hpp"
+
+namespace batuta {
+namespace {
+
+template <class DuelT>
+class DuelRefusals : public test::ConfiguredDuel<DuelT> {};
+TYPED_TEST_SUITE(DuelRefusals, test::Duels);
+template <class DuelT>
+class PaperDuelRefusals : public test::ConfiguredDuel<DuelT> {};
+TYPED_TEST_SUITE(PaperDuelRefusals, test::PaperDuels);
+template <class DuelT>
+class CertifiedDuelRefusals : public test::ConfiguredDuel<DuelT> {};
+TYPED_TEST_SUITE(CertifiedDuelRefusals, test::CertifiedDuels);
+
+TYPED_TEST(DuelRefusals, NotConfigured_StepIsRefused) {
+  this->duel = std::make_unique<TypeParam>();
+  EXPECT_EQ(this->duel->step(nullptr, nullptr), Status::kInvalidArgument);
+  this->settings.step_us = 0;
+  EXPECT_EQ(this->configure(), Status::kInvalidArgument);
+  EXPECT_EQ(this->duel->step(nullptr, nullptr), Status::kInvalidArgument);
+  EXPECT_DEATH((void)this->duel->blade_W(Side::kLeft), "");
+  EXPECT_DEATH((void)this->duel->grip(Side::kRight), "");
+}
+
+TYPED_TEST(DuelRefusals, SettingsOutOfRange_AreRefused) {
+  using S = typename TestFixture::ScalarT;
+  EXPECT_TRUE(this->refuses([](auto& s) { s.salle.distance = S(1e30); }));
+  EXPECT_TRUE(
+      this->refuses([](auto& s) { s.salle.distance = std::numeric_limits<S>::quiet_NaN(); }));
+  EXPECT_TRUE(this->refuses([](auto& s) { s.step_us = 99; }));
+  EXPECT_TRUE(this->refuses([](auto& s) { s.step_us = 20001; }));
+  EXPECT_TRUE(this->refuses([](auto& s) { s.double_window_us = -1; }));
+  EXPECT_TRUE(this->refuses([](auto& s) { s.double_window_us = 10000001; }));
+  EXPECT_TRUE(this->refuses([](auto& s) { s.salle.distance = 0; }));
+  EXPECT_TRUE(this->refuses([](auto& s) { s.stick.min_interval_us = 0; }));
+  EXPECT_TRUE(this->refuses([](auto& s) { s.world.separation = 0; }));
+}
+
+TYPED_TEST(PaperDuelRefusals, SearchOptionsOutOfRange_AreRefused) {
+  using S = typename TestFixture::ScalarT;
+  EXPECT_TRUE(
+      this->refuses([](auto& s) { s.touch.epsilon = std::numeric_limits<S>::quiet_NaN(); }));
+  EXPECT_TRUE(this->refuses([](auto& s) { s.touch.max_steps = 0; }));
+  EXPECT_TRUE(this->refuses([](auto& s) { s.touch.halvings = -1; }));
+}
+
+TYPED_TEST(CertifiedDuelRefusals, SearchOptionsOutOfRange_AreRefused) {
+  EXPECT_TRUE(this->refuses([](auto& s) { s.touch.budget = kMaxBudget + 1; }));
+  EXPECT_TRUE(this->refuses([](auto& s) { s.touch.slab = -1; }));
+  EXPECT_TRUE(
+      this->refuses([](auto& s) { s.world.search.budget = TypeParam::SceneType::kBudget + 1; }));
+}
+
+TYPED_TEST(DuelRefusals, FencerOutOfRange_IsRefused) {
+  using S = typename TestFixture::ScalarT;
+  const auto refused = [this](auto change) {
+    Fencer<S> bad = first_fencer<S>();
+    change(bad);
+    const auto good = second_fencer<S>();
+    return this->duel->configure(this->settings, bad, good) == Status::kInvalidArgument &&
+           this->duel->configure(this->settings, good, bad) == Status::kInvalidArgument;
+  };
+  const S nan = std::numeric_limits<S>::quiet_NaN();
+  EXPECT_TRUE(refused([nan](auto& f) { f.keys_FH[2].p_W.x() = nan; }));
+  EXPECT_TRUE(refused([](auto& f) { f.weapon.parts[1].mass = 0; }));
+  EXPECT_TRUE(refused([](auto& f) { f.weapon.restitution = 2; }));
+  EXPECT_TRUE(refused([](auto& f) { f.weapon.restitution = S(-0.1); }));
+  EXPECT_TRUE(refused([](auto& f) { f.grip.strength = 0; }));
+  EXPECT_TRUE(refused([](auto& f) { f.keys_FH[4].p_W.x() = S(1e30); }));
+  EXPECT_TRUE(refused([nan](auto& f) { f.build.bones[3].start_P.x() = nan; }));
+  EXPECT_TRUE(refused([](auto& f) { f.build.bones[4].capsule_J.axis.b.setZero(); }));
+  EXPECT_TRUE(refused([](auto& f) { f.build.front_leg.bend_F.setZero(); }));
+  EXPECT_TRUE(refused([](auto& f) { f.build.lunge_hand_x = f.build.guard_hand_x; }));
+  ASSERT_EQ(this->configure(), Status::kOk);
+  EXPECT_EQ(this->duel->world().size(), 2);
+}
+
+}  // namespace
+}  // namespace batuta
