@@ -13,11 +13,10 @@ SearchResult<Scalar> search_advancement(const MovingPair<Scalar>& pair,
   return search_inflated(pair, options, seed_AB, kInflation<Scalar>);
 }
 
-template SearchResult<float> search_advancement(const MovingPair<float>&,
-                                                const AdvancementOptions<float>&,
-                                                const Vec3<float>&);
-template SearchResult<double> search_advancement(const MovingPair<double>&,
-                                                 const AdvancementOptions<double>&,
-                                                 const Vec3<double>&);
+#define BATUTA_INSTANTIATE(S)                                                                     \
+  template SearchResult<S> search_advancement(const MovingPair<S>&, const AdvancementOptions<S>&, \
+                                              const Vec3<S>&);
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
+#undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

@@ -40,13 +40,12 @@ bool can_be_searched(const MovingPair<Scalar>& pair, const AdvancementOptions<Sc
          has_all_digits(length) && length <= kLargestCoordinate<Scalar>;
 }
 
-template Status validate(const AdvancementOptions<float>&);
-template Status validate(const AdvancementOptions<double>&);
-template float slab_of(const MovingPair<float>&, const AdvancementOptions<float>&);
-template double slab_of(const MovingPair<double>&, const AdvancementOptions<double>&);
-template float inflation_of(const MovingPair<float>&);
-template double inflation_of(const MovingPair<double>&);
-template bool can_be_searched(const MovingPair<float>&, const AdvancementOptions<float>&);
-template bool can_be_searched(const MovingPair<double>&, const AdvancementOptions<double>&);
+#define BATUTA_INSTANTIATE(S)                                             \
+  template Status validate(const AdvancementOptions<S>&);                 \
+  template S slab_of(const MovingPair<S>&, const AdvancementOptions<S>&); \
+  template S inflation_of(const MovingPair<S>&);                          \
+  template bool can_be_searched(const MovingPair<S>&, const AdvancementOptions<S>&);
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
+#undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

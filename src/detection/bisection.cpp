@@ -23,7 +23,9 @@ Bracket<Scalar> bisect(const MovingPair<Scalar>& pair, const Bracket<Scalar>& st
   return bracket;
 }
 
-template Bracket<float> bisect(const MovingPair<float>&, const Bracket<float>&, int);
-template Bracket<double> bisect(const MovingPair<double>&, const Bracket<double>&, int);
+#define BATUTA_INSTANTIATE(S) \
+  template Bracket<S> bisect(const MovingPair<S>&, const Bracket<S>&, int);
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
+#undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

@@ -141,8 +141,7 @@ Scalar gap_rate_at(const MovingPair<Scalar>& pair, const CapsuleGap<Scalar>& wit
   template CapsuleGap<Scalar> gap_at(const MovingPair<Scalar>&, const ClosestPoints<Scalar>&,  \
                                      Scalar);                                                  \
   template Scalar gap_rate_at(const MovingPair<Scalar>&, const CapsuleGap<Scalar>&, Scalar);
-BATUTA_INSTANTIATE(float)
-BATUTA_INSTANTIATE(double)
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

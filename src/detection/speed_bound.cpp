@@ -45,8 +45,7 @@ Scalar closing_speed_bound(const MovingPair<Scalar>& pair) {
 #define BATUTA_INSTANTIATE(Scalar)                           \
   template Scalar speed_bound(const MovingCapsule<Scalar>&); \
   template Scalar closing_speed_bound(const MovingPair<Scalar>&);
-BATUTA_INSTANTIATE(float)
-BATUTA_INSTANTIATE(double)
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

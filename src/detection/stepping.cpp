@@ -126,11 +126,10 @@ SearchResult<Scalar> search_stepping(const MovingPair<Scalar>& pair,
   return answer(pair, complete ? Outcome::kFree : Outcome::kBudget, walked.bracket);
 }
 
-template Status validate(const SteppingOptions<float>&);
-template Status validate(const SteppingOptions<double>&);
-template SearchResult<float> search_stepping(const MovingPair<float>&,
-                                             const SteppingOptions<float>&);
-template SearchResult<double> search_stepping(const MovingPair<double>&,
-                                              const SteppingOptions<double>&);
+#define BATUTA_INSTANTIATE(S)                          \
+  template Status validate(const SteppingOptions<S>&); \
+  template SearchResult<S> search_stepping(const MovingPair<S>&, const SteppingOptions<S>&);
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
+#undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

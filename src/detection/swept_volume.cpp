@@ -307,8 +307,7 @@ bool overlaps(const SweptSphere<Scalar>& P, const SweptSphere<Scalar>& Q) {
   BATUTA_INSTANTIATE_K(Scalar, 18)                                                 \
   BATUTA_INSTANTIATE_K(Scalar, 26)                                                 \
   template bool overlaps(const SweptSphere<Scalar>&, const SweptSphere<Scalar>&);
-BATUTA_INSTANTIATE(float)
-BATUTA_INSTANTIATE(double)
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 #undef BATUTA_INSTANTIATE_K
 

@@ -184,9 +184,9 @@ SearchResult<Scalar> search_translation(const MovingPair<Scalar>& pair,
   return result;
 }
 
-template SearchResult<float> search_translation(const MovingPair<float>&,
-                                                const AdvancementOptions<float>&);
-template SearchResult<double> search_translation(const MovingPair<double>&,
-                                                 const AdvancementOptions<double>&);
+#define BATUTA_INSTANTIATE(S) \
+  template SearchResult<S> search_translation(const MovingPair<S>&, const AdvancementOptions<S>&);
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
+#undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

@@ -7,8 +7,7 @@ namespace batuta {
 #define BATUTA_INSTANTIATE(S)                            \
   template DuelSettings<S, Stepping<S>> duel_settings(); \
   template class Duel<S, Stepping<S>>;
-BATUTA_INSTANTIATE(float)
-BATUTA_INSTANTIATE(double)
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

@@ -156,8 +156,7 @@ Pose<Scalar> Salle<Scalar>::X_WF(Side side) const {
   template Fencer<S> first_fencer();  \
   template Fencer<S> second_fencer(); \
   template struct Salle<S>;
-BATUTA_INSTANTIATE(float)
-BATUTA_INSTANTIATE(double)
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

@@ -138,8 +138,7 @@ Scalar Grip<Scalar>::control() const {
   template S regain_time(const GripSettings<S>&, S, S, S);         \
   template Pose<S> caught(const Motion<S>&, S, const Pose<S>&, S); \
   template class Grip<S>;
-BATUTA_INSTANTIATE(float)
-BATUTA_INSTANTIATE(double)
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

@@ -156,8 +156,7 @@ KeyedPose<Scalar> pose_on(const KeyGridView<Scalar>& grid, const Vec2<Scalar>& s
   template Twist<S> hand_twist(const StickJacobian<S>&, const Vec2<S>&);          \
   template Status relate_keys(const Pose<S>*, const Quat<S>&, KeyPoint<S>*, int); \
   template KeyedPose<S> pose_on(const KeyGridView<S>&, const Vec2<S>&);
-BATUTA_INSTANTIATE(float)
-BATUTA_INSTANTIATE(double)
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

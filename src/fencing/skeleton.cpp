@@ -189,8 +189,7 @@ BodyShape<Scalar> pose_body(const FencerBuild<Scalar>& build, const Pose<Scalar>
                                    const Vec3<S>&);                                \
   template S lunge_share(const FencerBuild<S>&, S);                                \
   template BodyShape<S> pose_body(const FencerBuild<S>&, const Pose<S>&, const Pose<S>&);
-BATUTA_INSTANTIATE(float)
-BATUTA_INSTANTIATE(double)
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

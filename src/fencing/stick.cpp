@@ -125,7 +125,8 @@ void StickTracker<Scalar>::advance(Scalar dt) {
   velocity_ = (position_ - before) / dt;
 }
 
-template class StickTracker<float>;
-template class StickTracker<double>;
+#define BATUTA_INSTANTIATE(S) template class StickTracker<S>;
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
+#undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

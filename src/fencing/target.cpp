@@ -30,6 +30,27 @@ static_assert(parents_come_first(), "kBodyParent: a bone is carried by an earlie
 
 constexpr std::array<std::uint8_t, kBodyParts> kBehind = bones_behind();
 
+/// How far an end of a bone may leave the straight way of its step, as a share of the chord between
+/// its axes at start and end: pi^2 / 32, rounded up (target.md).
+template <class Scalar>
+inline constexpr Scalar kBulge = Scalar(0.31);
+
+/// The rounding of shapes and of the twist between them, as a share of the coordinates (target.md).
+template <class Scalar>
+inline constexpr Scalar kShapeOutward = 64 * kRoundOff<Scalar>;
+
+/// What the hull of both ends of a bone's step has to grow by to hold it in between, m.
+template <class Scalar>
+Scalar margin_between(const Segment<Scalar>& start, const Segment<Scalar>& end) {
+  const Vec3<Scalar> d0 = start.direction();
+  const Vec3<Scalar> d1 = end.direction();
+  const bool turns_far = !(d0.dot(d1) >= Scalar(0));
+  const Scalar chord = (d1 - d0).cwiseAbs().sum();
+  const Scalar size = start.a.cwiseAbs().sum() + start.b.cwiseAbs().sum() + end.a.cwiseAbs().sum() +
+                      end.b.cwiseAbs().sum();
+  return (turns_far ? Scalar(1) : kBulge<Scalar>)*chord + kShapeOutward<Scalar> * size;
+}
+
 /// The constant twist of the shortest turn that carries one capsule into another of the same
 /// length. The body's frame sits in the middle of the capsule with the axes of W; a turn about the
 /// capsule's own axis would not show.
@@ -37,14 +58,15 @@ template <class Scalar>
 MovingCapsule<Scalar> between(const Capsule<Scalar>& start_W, const Capsule<Scalar>& end_W,
                               Scalar dt) {
   const Vec3<Scalar> p0 = start_W.axis.at(Scalar(0.5));
-  const Vec3<Scalar> p1 = end_W.axis.at(Scalar(0.5));
-  const Vec3<Scalar> d0 = start_W.axis.direction();
-  const Vec3<Scalar> d1 = end_W.axis.direction();
-
   MovingCapsule<Scalar> moving;
   moving.capsule_B = {{start_W.axis.a - p0, start_W.axis.b - p0}, start_W.radius};
-  moving.motion =
-      linear(Pose<Scalar>{p0, Quat<Scalar>::Identity()}, Vec3<Scalar>((p1 - p0) / dt), dt);
+  moving.motion.X_WB = {p0, Quat<Scalar>::Identity()};
+  moving.motion.duration = dt;
+  if (!(dt > Scalar(0))) return moving;
+
+  const Vec3<Scalar> d0 = start_W.axis.direction();
+  const Vec3<Scalar> d1 = end_W.axis.direction();
+  moving.motion.twist.v_W = (end_W.axis.at(Scalar(0.5)) - p0) / dt;
   const Vec3<Scalar> normal = d0.cross(d1);
   const Scalar sine = normal.norm();
   if (sine > Scalar(0)) {
@@ -63,29 +85,30 @@ Motion<Scalar> piece_of(const Motion<Scalar>& motion, Scalar from, Scalar durati
 
 template <class Scalar>
 void Target<Scalar>::place(const BodyShape<Scalar>& shape_W) {
-  for (std::size_t i = 0; i < kParts; ++i) {  // Bound: kBodyParts
-    moving_[i] = between(shape_W[i], shape_W[i], Scalar(1));
-    moving_[i].motion.duration = Scalar(0);
-  }
   shape_W_ = shape_W;
-  refit();
+  for (std::size_t i = 0; i < kParts; ++i) {  // Bound: kBodyParts
+    still_[i] = kdop_of<Scalar, kTargetK>(shape_W[i]);
+  }
+  go_to(shape_W, Scalar(0));
 }
 
 template <class Scalar>
 void Target<Scalar>::move_to(const BodyShape<Scalar>& shape_W, Scalar dt) {
   BATUTA_ASSERT(is_finite(dt) && dt > Scalar(0));
-  for (std::size_t i = 0; i < kParts; ++i) {  // Bound: kBodyParts
-    moving_[i] = between(shape_W_[i], shape_W[i], dt);
-  }
-  shape_W_ = shape_W;
-  refit();
+  go_to(shape_W, dt);
 }
 
 template <class Scalar>
-void Target<Scalar>::refit() {
+void Target<Scalar>::go_to(const BodyShape<Scalar>& shape_W, Scalar dt) {
+  start_W_ = shape_W_;
+  shape_W_ = shape_W;
+  dt_ = dt;
   for (std::size_t i = 0; i < kParts; ++i) {  // Bound: kBodyParts
-    own_[i] = swept_kdop<Scalar, kTargetK>(moving_[i]);
+    const Hull at_end = kdop_of<Scalar, kTargetK>(shape_W_[i]);
+    own_[i] =
+        inflated(merge(still_[i], at_end), margin_between(start_W_[i].axis, shape_W_[i].axis));
     hulls_[i] = own_[i];
+    still_[i] = at_end;
   }
   for (std::size_t i = kParts - 1; i > 0; --i) {  // Bound: kBodyParts
     const auto parent = static_cast<std::size_t>(kBodyParent[i]);
@@ -93,11 +116,17 @@ void Target<Scalar>::refit() {
   }
 }
 
+template <class Scalar>
+MovingCapsule<Scalar> Target<Scalar>::part(BodyPart part) const {
+  const auto i = static_cast<std::size_t>(part);
+  return between(start_W_[i], shape_W_[i], dt_);
+}
+
 /// The wanted parts that the blade's swept volume meets.
 template <class Scalar>
 PartMask Target<Scalar>::parts_reached(const MovingCapsule<Scalar>& blade, PartMask wanted) const {
   PartMask reached = 0;
-  const Kdop<Scalar, kTargetK> swept = swept_kdop<Scalar, kTargetK>(blade);
+  const Hull swept = swept_kdop<Scalar, kTargetK>(blade);
   std::size_t i = 0;
   for (int visit = 0; visit < kBodyParts && i < kParts; ++visit) {  // Bound: kBodyParts
     if (!overlaps(swept, hulls_[i])) {
@@ -116,7 +145,7 @@ template <class Scalar>
 Result<MovingPair<Scalar>> Target<Scalar>::pair_with(std::size_t part,
                                                      const MovingCapsule<Scalar>& blade,
                                                      Scalar from) const {
-  MovingCapsule<Scalar> target = moving_[part];
+  MovingCapsule<Scalar> target = this->part(static_cast<BodyPart>(part));
   target.motion = piece_of(target.motion, from, blade.motion.duration);
   return make_moving_pair(blade, target);
 }
@@ -147,7 +176,8 @@ void Target<Scalar>::take(const PartSearch& search, BodyPart part, Scalar from,
   first.place = result.witness.axes.s;
 }
 
-template class Target<float>;
-template class Target<double>;
+#define BATUTA_INSTANTIATE(S) template class Target<S>;
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
+#undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

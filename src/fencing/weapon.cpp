@@ -53,8 +53,7 @@ Pose<Scalar> chained(const Pose<Scalar>& X_AB, const Pose<Scalar>& X_BC) {
 #define BATUTA_INSTANTIATE(S)                                   \
   template Result<WeaponBody<S>> weapon_body(const Weapon<S>&); \
   template Pose<S> chained(const Pose<S>&, const Pose<S>&);
-BATUTA_INSTANTIATE(float)
-BATUTA_INSTANTIATE(double)
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

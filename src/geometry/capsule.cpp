@@ -90,8 +90,7 @@ Sphere<Scalar> bounding_sphere(const Capsule<Scalar>& capsule) {
   template Scalar support(const Capsule<Scalar>&, const Vec3<Scalar>&);                      \
   template Sphere<Scalar> bounding_sphere(const Capsule<Scalar>&);
 
-BATUTA_INSTANTIATE(float)
-BATUTA_INSTANTIATE(double)
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

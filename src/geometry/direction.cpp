@@ -42,11 +42,11 @@ Vec3<Scalar> perpendicular(const Vec3<Scalar>& v) {
   return unit<Scalar>({-v.y(), v.x(), 0});
 }
 
-template float length(const Vec3<float>&);
-template double length(const Vec3<double>&);
-template Vec3<float> unit(const Vec3<float>&);
-template Vec3<double> unit(const Vec3<double>&);
-template Vec3<float> perpendicular(const Vec3<float>&);
-template Vec3<double> perpendicular(const Vec3<double>&);
+#define BATUTA_INSTANTIATE(S)            \
+  template S length(const Vec3<S>&);     \
+  template Vec3<S> unit(const Vec3<S>&); \
+  template Vec3<S> perpendicular(const Vec3<S>&);
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
+#undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

@@ -274,9 +274,10 @@ ClosestPoints<Scalar> closest_points(const Segment<Scalar>& A, const Segment<Sca
   return out;
 }
 
-template PointOnSegment<float> closest_point(const Segment<float>&, const Vec3<float>&);
-template PointOnSegment<double> closest_point(const Segment<double>&, const Vec3<double>&);
-template ClosestPoints<float> closest_points(const Segment<float>&, const Segment<float>&);
-template ClosestPoints<double> closest_points(const Segment<double>&, const Segment<double>&);
+#define BATUTA_INSTANTIATE(S)                                                  \
+  template PointOnSegment<S> closest_point(const Segment<S>&, const Vec3<S>&); \
+  template ClosestPoints<S> closest_points(const Segment<S>&, const Segment<S>&);
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
+#undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

@@ -138,8 +138,7 @@ Scalar kinetic_energy(const Body<Scalar>& body) {
   template Status apply(Body<Scalar>&, const Vec3<Scalar>&, const Vec3<Scalar>&, Scalar);         \
   template Status apply_impulse(Body<Scalar>&, const Vec3<Scalar>&, const Vec3<Scalar>&);         \
   template Scalar kinetic_energy(const Body<Scalar>&);
-BATUTA_INSTANTIATE(float)
-BATUTA_INSTANTIATE(double)
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

@@ -189,8 +189,7 @@ PrincipalFrame<Scalar> principal_frame(const MassProperties<Scalar>& mass) {
   template MassProperties<Scalar> operator+(const MassProperties<Scalar>&,               \
                                             const MassProperties<Scalar>&);              \
   template PrincipalFrame<Scalar> principal_frame(const MassProperties<Scalar>&);
-BATUTA_INSTANTIATE(float)
-BATUTA_INSTANTIATE(double)
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

@@ -171,8 +171,7 @@ bool is_valid(const Motion<Scalar>& motion) {
   template bool hides_spin(const Body<Scalar>&, const Capsule<Scalar>&);                    \
   template Pose<Scalar> pose_at(const Motion<Scalar>&, Scalar);                             \
   template bool is_valid(const Motion<Scalar>&);
-BATUTA_INSTANTIATE(float)
-BATUTA_INSTANTIATE(double)
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

@@ -170,8 +170,7 @@ Quat<Scalar> interpolated(const Quat<Scalar>& q0, const Quat<Scalar>& q1, Scalar
   template Vec3<Scalar> log_map(const Quat<Scalar>&);            \
   template Mat3<Scalar> left_jacobian(const Vec3<Scalar>&);      \
   template Quat<Scalar> interpolated(const Quat<Scalar>&, const Quat<Scalar>&, Scalar);
-BATUTA_INSTANTIATE(float)
-BATUTA_INSTANTIATE(double)
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

@@ -177,8 +177,7 @@ Scalar arc_tangent(Scalar y, Scalar x) {
 #define BATUTA_INSTANTIATE(Scalar)         \
   template SinCos<Scalar> sin_cos(Scalar); \
   template Scalar arc_tangent(Scalar, Scalar);
-BATUTA_INSTANTIATE(float)
-BATUTA_INSTANTIATE(double)
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

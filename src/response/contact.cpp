@@ -31,8 +31,7 @@ ContactKind classify(Scalar v_rel, Scalar eps_r) {
                                     const Twist<Scalar>&, const Pose<Scalar>&,           \
                                     const Twist<Scalar>&);                               \
   template ContactKind classify(Scalar, Scalar);
-BATUTA_INSTANTIATE(float)
-BATUTA_INSTANTIATE(double)
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

@@ -87,8 +87,7 @@ Result<Impulse<Scalar>> collision_impulse(const Collider<Scalar>& A, const Colli
   template Collider<Scalar> collider_of(const Body<Scalar>&); \
   template Result<Impulse<Scalar>> collision_impulse(         \
       const Collider<Scalar>&, const Collider<Scalar>&, const Contact<Scalar>&, Scalar);
-BATUTA_INSTANTIATE(float)
-BATUTA_INSTANTIATE(double)
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

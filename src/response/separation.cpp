@@ -45,9 +45,9 @@ Result<Separation<Scalar>> separate(const Contact<Scalar>& contact, Scalar v_rel
   return success(separation);
 }
 
-template Result<Separation<float>> separate(const Contact<float>&, float, float, float,
-                                            const SeparationOptions<float>&);
-template Result<Separation<double>> separate(const Contact<double>&, double, double, double,
-                                             const SeparationOptions<double>&);
+#define BATUTA_INSTANTIATE(S) \
+  template Result<Separation<S>> separate(const Contact<S>&, S, S, S, const SeparationOptions<S>&);
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
+#undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

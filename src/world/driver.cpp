@@ -53,8 +53,7 @@ void Hand<Scalar>::on_step_end(const Body<Scalar>& /*body*/, Scalar /*dt*/) {
   template struct Fixed<Scalar>;      \
   template struct FreeFlight<Scalar>; \
   template struct Hand<Scalar>;
-BATUTA_INSTANTIATE(float)
-BATUTA_INSTANTIATE(double)
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

@@ -63,11 +63,10 @@ Result<EncounterAnswer<Scalar>> answer_contact(const Party<Scalar>& A, const Par
   return success(answer);
 }
 
-template Result<EncounterAnswer<float>> answer_contact(const Party<float>&, const Party<float>&,
-                                                       const Contact<float>&,
-                                                       const EncounterOptions<float>&);
-template Result<EncounterAnswer<double>> answer_contact(const Party<double>&, const Party<double>&,
-                                                        const Contact<double>&,
-                                                        const EncounterOptions<double>&);
+#define BATUTA_INSTANTIATE(S)                         \
+  template Result<EncounterAnswer<S>> answer_contact( \
+      const Party<S>&, const Party<S>&, const Contact<S>&, const EncounterOptions<S>&);
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
+#undef BATUTA_INSTANTIATE
 
 }  // namespace batuta

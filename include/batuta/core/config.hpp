@@ -16,3 +16,12 @@
 
 static_assert(BATUTA_ASSERT_LEVEL >= 0 && BATUTA_ASSERT_LEVEL <= 3,
               "BATUTA_ASSERT_LEVEL: choose 0, 1, 2 or 3");
+
+/// Whether the library is built for double beside float: 1 on a host, where double is the oracle
+/// and time is cheap; 0 halves what a target compiles.
+#ifndef BATUTA_WITH_DOUBLE
+#define BATUTA_WITH_DOUBLE 1
+#endif
+
+static_assert(BATUTA_WITH_DOUBLE == 0 || BATUTA_WITH_DOUBLE == 1,
+              "BATUTA_WITH_DOUBLE: choose 0 or 1");

@@ -46,6 +46,13 @@ double* conditional_aligned_new_auto<double, true>(std::size_t) = delete;
 }  // namespace Eigen::internal
 #endif
 
+/// The scalars that the kernels in src/ are built for: instantiate(S) once for each.
+#if BATUTA_WITH_DOUBLE
+#define BATUTA_FOR_EACH_SCALAR(instantiate) instantiate(float) instantiate(double)
+#else
+#define BATUTA_FOR_EACH_SCALAR(instantiate) instantiate(float)
+#endif
+
 namespace batuta {
 
 template <class Scalar>
