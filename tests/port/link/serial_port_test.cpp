@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// Against the other end of a pty, as an emulated board is.
+
+#include "host/serial/serial_port.hpp"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <pty.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+#include <vector>
+
+namespace batuta::host {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// A pty: its master here, its slave's path for the port. In the mode of a terminal at first, which
+/// echoes and translates.
+class Pty {
+ public:
+  Pty() {
+    std::array<char, 256> name{};
+    int slave = -1;
+    EXPECT_EQ(openpty(&master_, &slave, name.data(), nullptr, nullptr), 0);
+    path_ = name.data();
+    ::close(slave);
+  }
+  ~Pty() { hang_up(); }
+  Pty(const Pty&) = delete;
+  Pty& operator=(const Pty&) = delete;
+
+  const std::string& path() const { return path_; }
+  void hang_up() {
+    if (master_ >= 0) ::close(master_);
+    master_ = -1;
+  }
+  void write(const Bytes& bytes) const {
+    EXPECT_EQ(::write(master_, bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
+  }
+  /// What comes until there is nothing more for a while.
+  Bytes read() const {
+    Bytes all;
+    pollfd wanted{master_, POLLIN, 0};
+    while (::poll(&wanted, 1, 200) > 0 && (wanted.revents & POLLIN) != 0) {
+      std::array<std::uint8_t, 512> some{};
+      const ssize_t count = ::read(master_, some.data(), some.size());
+      if (count <= 0) break;
+      all.insert(all.end(), some.begin(), some.begin() + count);
+    }
+    return all;
+  }
+
+ private:
+  int master_ = -1;
+  std::string path_;
+};
+
+Bytes every_byte() {
+  Bytes bytes(256);
+  std::iota(bytes.begin(), bytes.end(), std::uint8_t{0});
+  return bytes;
+}
+
+Bytes read_for_a_while(SerialPort& port) {
+  Bytes all;
+  while (port.wait_readable(200)) {
+    std::array<std::uint8_t, 100> some{};
+    const int count = port.read(some.data(), static_cast<int>(some.size()));
+    if (count <= 0) break;
+    all.insert(all.end(), some.begin(), some.begin() + count);
+  }
+  return all;
+}
+
+TEST(SerialPort, EveryByte_ComesThroughBothWaysUntranslated) {
+  const Pty pty;
+  const OpenedSerialPort opened = SerialPort::open(pty.path());
+  ASSERT_NE(opened.port, nullptr) << opened.error;
+  const Bytes all = every_byte();
+  pty.write(all);
+  EXPECT_EQ(read_for_a_while(*opened.port), all);
+  EXPECT_EQ(opened.port->write(all.data(), 256), 256);
+  EXPECT_EQ(pty.read(), all);
+}
+
+TEST(SerialPort, NothingThere_NeverBlocks) {
+  const Pty pty;
+  const OpenedSerialPort opened = SerialPort::open(pty.path());
+  ASSERT_NE(opened.port, nullptr) << opened.error;
+  std::array<std::uint8_t, 4> bytes{};
+  EXPECT_EQ(opened.port->read(bytes.data(), 4), 0);
+  EXPECT_FALSE(opened.port->wait_readable(0));
+  EXPECT_FALSE(opened.port->wait_readable(-5));
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_FALSE(opened.port->wait_readable(30));
+  const auto waited = std::chrono::steady_clock::now() - start;
+  EXPECT_GE(waited, std::chrono::milliseconds(25));
+}
+
+TEST(SerialPort, NobodyReads_TakesSomeAndThenNone) {
+  const Pty pty;
+  const OpenedSerialPort opened = SerialPort::open(pty.path());
+  ASSERT_NE(opened.port, nullptr) << opened.error;
+  const Bytes block(4096, 0x55);
+  std::size_t taken = 0;
+  int last = 1;
+  for (int i = 0; i < 1000 && last > 0; ++i) {
+    last = opened.port->write(block.data(), static_cast<int>(block.size()));
+    taken += static_cast<std::size_t>(last);
+  }
+  EXPECT_EQ(last, 0);
+  EXPECT_EQ(pty.read().size(), taken);
+}
+
+TEST(SerialPort, OtherEndGone_SaysSo) {
+  Pty pty;
+  const OpenedSerialPort opened = SerialPort::open(pty.path());
+  ASSERT_NE(opened.port, nullptr) << opened.error;
+  pty.hang_up();
+  std::array<std::uint8_t, 4> bytes{};
+  EXPECT_TRUE(opened.port->wait_readable(1000));
+  EXPECT_EQ(opened.port->read(bytes.data(), 4), -1);
+  EXPECT_EQ(opened.port->write(bytes.data(), 4), 0);
+}
+
+TEST(SerialPort, BytesFromBefore_AreThrownAway) {
+  const Pty pty;
+  const int early = ::open(pty.path().c_str(), O_RDWR | O_NOCTTY);
+  pty.write({1, 2, 3, '\n'});
+  const OpenedSerialPort opened = SerialPort::open(pty.path());
+  ASSERT_NE(opened.port, nullptr) << opened.error;
+  EXPECT_TRUE(read_for_a_while(*opened.port).empty());
+  ::close(early);
+}
+
+TEST(SerialPort, LinesSettings_ArePutBack) {
+  const Pty pty;
+  const int watcher = ::open(pty.path().c_str(), O_RDWR | O_NOCTTY);
+  termios before{};
+  termios after{};
+  ASSERT_EQ(tcgetattr(watcher, &before), 0);
+  { const OpenedSerialPort opened = SerialPort::open(pty.path()); }
+  ASSERT_EQ(tcgetattr(watcher, &after), 0);
+  EXPECT_EQ(before.c_lflag, after.c_lflag);
+  EXPECT_EQ(before.c_oflag, after.c_oflag);
+  ::close(watcher);
+}
+
+TEST(SerialPort, WhatIsNoSerialLine_IsRefusedWithAReason) {
+  EXPECT_EQ(SerialPort::open("/nowhere/tty").error, "/nowhere/tty: no such file");
+  EXPECT_EQ(SerialPort::open("/dev/null").error, "/dev/null: not a serial line");
+  const std::string folder = ::testing::TempDir();
+  EXPECT_NE(SerialPort::open(folder).port == nullptr, false);
+  EXPECT_EQ(SerialPort::open(folder).error.rfind(folder + ": cannot be opened: ", 0), 0U);
+  const Pty pty;
+  EXPECT_EQ(SerialPort::open(pty.path(), 12345).error, pty.path() + ": unknown rate of 12345 baud");
+}
+
+TEST(SerialPort, NoPermission_IsRefusedWithAReason) {
+  if (::geteuid() == 0) GTEST_SKIP() << "the superuser may open anything";
+  const std::string path = ::testing::TempDir() + "batuta_closed";
+  std::ofstream(path).put('x');
+  std::filesystem::permissions(path, std::filesystem::perms::none);
+  EXPECT_EQ(SerialPort::open(path).error.rfind(path + ": no permission", 0), 0U);
+  std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace batuta::host
