@@ -7,8 +7,9 @@ set -u
 
 HOST_PACKAGES="g++ cmake ninja-build pkg-config libeigen3-dev libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev \
 libevdev-dev libevemu-dev libcli11-dev gnuplot-nox libbullet-dev libfcl-dev libode-dev libccd-dev \
-cppcheck clang-tidy clang-format gcovr python3 git"
-TARGET_PACKAGES="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm"
+cppcheck clang clang-tidy clang-format libclang-rt-dev gcovr python3 git"
+TARGET_PACKAGES="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm qemu-user \
+g++-aarch64-linux-gnu g++-arm-linux-gnueabihf g++-riscv64-linux-gnu"
 
 say() { printf '%s\n' "setup: $*"; }
 fail() { printf '%s\n' "setup: $*" >&2; exit 1; }
@@ -17,7 +18,7 @@ usage() {
   cat <<'USAGE'
 usage: sh toolchains/setup.sh [host|target|all]
   host    compiler, CMake, libraries, test and analysis tools (default)
-  target  cross compiler and emulator for Cortex-M
+  target  cross compilers and emulators: Cortex-M boards; AArch64, ARMv7 and RISC-V for the same bits
   all     both
 USAGE
 }

@@ -1,0 +1,4 @@
+# SPDX-License-Identifier: MIT
+# Arm MPS2+ with AN386: Cortex-M4 with FPU.
+set(BATUTA_BOARD_MACHINE mps2-an386)
+set(BATUTA_BOARD_LINKER_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/mps2.ld)

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+// A failure is seen: the exit status arrives.
+#include "cortex_m/semihosting.hpp"
+
+int main() {
+  batuta::semihosting::exit(3);
+}

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+#include "push.hpp"
+
+int main() {
+  push();
+  return 5;
+}
