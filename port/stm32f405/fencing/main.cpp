@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// The fencing firmware on an STM32F405: brings the devices up, ticks at 1 kHz, feeds the watchdog.
+
+#include "cortex_m/fault.hpp"
+#include "cortex_m/registers.hpp"
+#include "cortex_m/systick.hpp"
+#include "firmware/application.hpp"
+#include "stm32f405/board.hpp"
+#include "stm32f405/drivers/adc_stick.hpp"
+#include "stm32f405/drivers/bridge_force.hpp"
+#include "stm32f405/drivers/restart_ledger.hpp"
+#include "stm32f405/drivers/usart_stream.hpp"
+#include "stm32f405/drivers/watchdog.hpp"
+#include "stm32f405/interrupts.hpp"
+#include "stm32f405/memory_map.hpp"
+
+namespace batuta::stm32f405 {
+namespace {
+
+// Second detail of a failed start.
+constexpr std::uint32_t kCalibration = 1;
+constexpr std::uint32_t kApplicationSettings = 2;
+
+/// Smaller numbers interrupt larger ones; SysTick, which every handler may read, has 0.
+enum Priority : std::uint32_t { kGuard = 1, kLine = 2, kStick = 3 };
+
+firmware::LastFault last_fault() {
+  const cortex_m::FaultRecord record = cortex_m::take_last_fault();
+  return {static_cast<std::uint32_t>(record.code), {record.detail[0], record.detail[1]}};
+}
+
+cortex_m::SysTickClock clock;
+UsartStream stream(usart1());
+AdcStick stick({adc1(), adc_common(), dma2(), tim3()});
+BridgeForce force(tim8());
+Watchdog watchdog(iwdg());
+firmware::Application application({clock, stream, &stick, &force}, last_fault());
+
+void require(Status status, std::uint32_t reason) {
+  if (status == Status::kOk) return;
+  cortex_m::enter_safe_state(cortex_m::FaultCode::kStartUp,
+                             static_cast<std::uint32_t>(cortex_m::StartUpFailure::kApplication),
+                             reason);
+}
+
+/// Sleeps until the timer has another number than `last`. @returns that number
+std::uint32_t next_tick(std::uint32_t last) {
+  for (;;) {  // Bound: a millisecond; a timer that has stopped starves the watchdog
+    const cortex_m::InterruptLock lock;  // else the tick could come between the look and the sleep
+    const std::uint32_t tick = cortex_m::period_count();
+    if (tick != last) return tick;
+    __asm volatile("wfi");  // wakes up with interrupts off, too
+  }
+}
+
+/// TIM7 once a millisecond: the force guard, which no hanging loop keeps from acting.
+void start_guard() {
+  constexpr std::uint32_t kTickHz = 1000000;
+  tim7().psc = kClocks.timers1_hz() / kTickHz - 1U;
+  tim7().arr = 1000U - 1U;
+  tim7().egr = Tim::kEgrUg;
+  tim7().sr = ~Tim::kSrUif;
+  tim7().dier = Tim::kDierUie;
+  enable(Interrupt::kTim7, kGuard);
+  tim7().cr1 = Tim::kCr1Cen;
+}
+
+void start_devices() {
+  cortex_m::start_systick(cortex_m::millisecond(kClocks.hclk_hz()));
+  stream.start(brr_of(kClocks.pclk2_hz(), kBaud));
+  enable(Interrupt::kUsart1, kLine);
+  require(stick.calibrate(kStickAxis, kStickAxis), kCalibration);
+  force.configure(kPulsePeriod);
+  connect_force_pins();
+  // Without a clock that is known to be right nothing is measured and nothing moves: an emulator
+  // gets its samples over the link.
+  if (clock_state() != ClockStart::kRunning) return;
+  stick.start(kStickXChannel, kStickYChannel, kClocks.timers1_hz());
+  enable(Interrupt::kDma2Stream0, kStick);
+  enable(Interrupt::kAdc, kStick);
+  start_guard();
+  // An open emergency stop is told with every command; closing it takes a reset.
+  (void)force.arm();
+}
+
+}  // namespace
+}  // namespace batuta::stm32f405
+
+void batuta_on_usart1() {
+  batuta::stm32f405::stream.on_interrupt();
+}
+
+void batuta_on_dma2_stream0() {
+  using namespace batuta::stm32f405;
+  stick.on_dma(clock.now());
+}
+
+void batuta_on_adc() {
+  batuta::stm32f405::stick.on_overrun();
+}
+
+void batuta_on_tim7() {
+  using namespace batuta::stm32f405;
+  tim7().sr = ~Tim::kSrUif;
+  force.guard_tick();
+}
+
+int main() {
+  using namespace batuta;
+  using namespace batuta::stm32f405;
+  start_devices();
+  require(application.start({}), kApplicationSettings);
+  watchdog.start();
+  std::uint32_t tick = cortex_m::period_count();
+  for (;;) {  // for ever: the watchdog sees to it that it goes on
+    tick = next_tick(tick);
+    application.tick(tick);
+    watchdog.on_step(force.guard_ticks());
+    if (application.ticks().used == kHealthySteps) forget_restarts();
+  }
+}

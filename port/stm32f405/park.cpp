@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+
+#include "stm32f405/park.hpp"
+
+#include "stm32f405/board.hpp"
+#include "stm32f405/drivers/watchdog.hpp"
+#include "stm32f405/memory_map.hpp"
+
+namespace batuta::stm32f405 {
+namespace {
+
+/// About 0.2 s at 16 MHz; the watchdog is fed every 2 ms of it.
+void wait_for_eye() {
+  constexpr int kFeeds = 100;
+  constexpr int kTurns = 6000;
+  for (int feed = 0; feed < kFeeds; ++feed) {  // Bound: kFeeds
+    iwdg().kr = Iwdg::kKrFeed;
+    for (int i = 0; i < kTurns; ++i) __asm volatile("");  // Bound: kTurns
+  }
+}
+
+}  // namespace
+
+void park(std::uint32_t code) {
+  constexpr std::uint32_t kPauseBlinks = 5;
+  constexpr std::uint32_t kPin = 1U << kLightPin;
+  constexpr std::uint32_t kLow = kPin << 16;  // in BSRR the upper half clears
+  for (;;) {                                  // for ever
+    for (std::uint32_t blink = 0; blink < code + kPauseBlinks; ++blink) {
+      // Bound: code + kPauseBlinks
+      gpioc().bsrr = blink < code ? kLow : kPin;
+      wait_for_eye();
+      gpioc().bsrr = kPin;
+      wait_for_eye();
+    }
+  }
+}
+
+}  // namespace batuta::stm32f405
