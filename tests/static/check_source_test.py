@@ -56,6 +56,13 @@ class Arrows(Tree):
         self.put("src/core/a.cpp", '#include "batuta/attic/a.hpp"\n')
         self.assert_found(self.check(), "attic is not a room", "no such room")
 
+    def test_shared_parts_of_ports_read_no_port(self):
+        self.put("port/host/h.cpp", '#include "link/frame.hpp"\n#include "firmware/bout.hpp"\n')
+        self.put("port/firmware/f.cpp", '#include "link/frame.hpp"\n')
+        self.assertEqual(self.check(), [])
+        self.put("port/link/l.cpp", '#include "firmware/bout.hpp"\n#include "host/h.hpp"\n')
+        self.assert_found(self.check(), "firmware/bout.hpp", "host/h.hpp")
+
     def test_port_of_another_port_is_found(self):
         self.put("port/host/h.cpp", '#include "mps2/m.hpp"\n#include "../src/core/a.hpp"\n')
         self.put("port/mps2/m.hpp", "")
