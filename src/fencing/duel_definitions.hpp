@@ -241,8 +241,9 @@ void Duel<Scalar, SearchT>::close_window() {
 
 template <class Scalar, class SearchT>
 std::uint64_t Duel<Scalar, SearchT>::time_us(const Moment<Scalar>& moment) const {
+  // 32 bits are plenty for a step; to 64, a target without double converts by way of double.
   const auto in_step =
-      static_cast<std::uint64_t>(moment.in_step / kSecondsPerUs<Scalar> + Scalar(0.5F));
+      static_cast<std::uint32_t>(moment.in_step / kSecondsPerUs<Scalar> + Scalar(0.5F));
   return std::uint64_t{moment.step} * static_cast<std::uint64_t>(settings_.step_us) + in_step;
 }
 

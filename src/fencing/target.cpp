@@ -104,16 +104,22 @@ void Target<Scalar>::go_to(const BodyShape<Scalar>& shape_W, Scalar dt) {
   shape_W_ = shape_W;
   dt_ = dt;
   for (std::size_t i = 0; i < kParts; ++i) {  // Bound: kBodyParts
-    const Hull at_end = kdop_of<Scalar, kTargetK>(shape_W_[i]);
-    own_[i] =
-        inflated(merge(still_[i], at_end), margin_between(start_W_[i].axis, shape_W_[i].axis));
-    hulls_[i] = own_[i];
-    still_[i] = at_end;
+    const Hull at_start = still_[i];
+    still_[i] = kdop_of<Scalar, kTargetK>(shape_W_[i]);
+    hulls_[i] = own_hull(i, at_start);
   }
   for (std::size_t i = kParts - 1; i > 0; --i) {  // Bound: kBodyParts
     const auto parent = static_cast<std::size_t>(kBodyParent[i]);
     hulls_[parent] = merge(hulls_[parent], hulls_[i]);
   }
+}
+
+/// Holds the part alone during the whole step.
+template <class Scalar>
+typename Target<Scalar>::Hull Target<Scalar>::own_hull(std::size_t part,
+                                                       const Hull& at_start) const {
+  return inflated(merge(at_start, still_[part]),
+                  margin_between(start_W_[part].axis, shape_W_[part].axis));
 }
 
 template <class Scalar>
@@ -134,7 +140,8 @@ PartMask Target<Scalar>::parts_reached(const MovingCapsule<Scalar>& blade, PartM
       continue;
     }
     const PartMask part = mask_of(static_cast<BodyPart>(i));
-    if ((wanted & part) != 0 && overlaps(swept, own_[i])) reached |= part;
+    const Hull at_start = kdop_of<Scalar, kTargetK>(start_W_[i]);
+    if ((wanted & part) != 0 && overlaps(swept, own_hull(i, at_start))) reached |= part;
     ++i;
   }
   return reached;

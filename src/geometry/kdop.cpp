@@ -55,6 +55,12 @@ Vec3<Scalar> direction(std::size_t i) {
   return {Scalar(d.x), Scalar(d.y), Scalar(d.z)};
 }
 
+/// Of p along the i-th direction; along an axis it is a component.
+template <class Scalar, int K>
+Scalar height(std::size_t i, const Vec3<Scalar>& p) {
+  return i < kAxes ? p[static_cast<Eigen::Index>(i)] : direction<Scalar, K>(i).dot(p);
+}
+
 }  // namespace
 
 template <class Scalar, int K>
@@ -68,11 +74,12 @@ Kdop<Scalar, K> kdop_of(const Capsule<Scalar>& capsule) {
   Kdop<Scalar, K> result;
   const Vec3<Scalar> size = capsule.axis.a.cwiseAbs().cwiseMax(capsule.axis.b.cwiseAbs());
   for (std::size_t i = 0; i < result.low.size(); ++i) {  // Bound: K / 2
-    const Vec3<Scalar> d = direction<Scalar, K>(i);
-    const Scalar at_a = d.dot(capsule.axis.a);
-    const Scalar at_b = d.dot(capsule.axis.b);
+    const Scalar at_a = height<Scalar, K>(i, capsule.axis.a);
+    const Scalar at_b = height<Scalar, K>(i, capsule.axis.b);
     const Scalar radius = capsule.radius * direction_length<Scalar, K>(i);
-    const Scalar reach = radius + kOutward<Scalar> * (radius + d.cwiseAbs().dot(size));
+    const Scalar sum = i < kAxes ? size[static_cast<Eigen::Index>(i)]
+                                 : direction<Scalar, K>(i).cwiseAbs().dot(size);
+    const Scalar reach = radius + kOutward<Scalar> * (radius + sum);
     result.low[i] = min_of(at_a, at_b) - reach;
     result.high[i] = max_of(at_a, at_b) + reach;
   }

@@ -61,26 +61,28 @@ Collider<Scalar> collider_of(const Body<Scalar>& body) {
 template <class Scalar>
 Result<Impulse<Scalar>> collision_impulse(const Collider<Scalar>& A, const Collider<Scalar>& B,
                                           const Contact<Scalar>& contact, Scalar restitution) {
-  if (!is_valid(A) || !is_valid(B) || !is_valid(contact, restitution)) {
-    return failure<Impulse<Scalar>>(Status::kInvalidArgument);
-  }
-  Impulse<Scalar> impulse;
-  impulse.v_rel = relative_velocity(contact, A.X_WB, A.twist, B.X_WB, B.twist);
-  impulse.twist_A = A.twist;
-  impulse.twist_B = B.twist;
+  Result<Impulse<Scalar>> result;
+  if (!is_valid(A) || !is_valid(B) || !is_valid(contact, restitution)) return result;
+  const Scalar v_rel = relative_velocity(contact, A.X_WB, A.twist, B.X_WB, B.twist);
   const Yield<Scalar> yield_A = yield_of(A, contact);
   const Yield<Scalar> yield_B = yield_of(B, contact);
   const Scalar give = yield_A.along_n + yield_B.along_n;
-  if (!(impulse.v_rel < Scalar(0)) || !(give > Scalar(0))) return success(impulse);
-  const Scalar j = -(Scalar(1) + restitution) * impulse.v_rel / give;
-  if (!is_finite(j)) return failure<Impulse<Scalar>>(Status::kInvalidArgument);
-  const Vec3<Scalar> J_W = j * contact.normal_BA_W;
+  const bool collides = v_rel < Scalar(0) && give > Scalar(0);
+  const Scalar j = collides ? -(Scalar(1) + restitution) * v_rel / give : Scalar(0);
+  if (!is_finite(j)) return result;
+
+  result.status = Status::kOk;
+  Impulse<Scalar>& impulse = result.value;
   impulse.magnitude = j;
-  impulse.on_A = impulse_on<Scalar>(yield_A, J_W);
-  impulse.on_B = impulse_on<Scalar>(yield_B, -J_W);
-  impulse.twist_A = pushed(A.twist, yield_A, j);
-  impulse.twist_B = pushed(B.twist, yield_B, -j);
-  return success(impulse);
+  impulse.v_rel = v_rel;
+  if (collides) {
+    const Vec3<Scalar> J_W = j * contact.normal_BA_W;
+    impulse.on_A = impulse_on<Scalar>(yield_A, J_W);
+    impulse.on_B = impulse_on<Scalar>(yield_B, -J_W);
+  }
+  impulse.twist_A = collides ? pushed(A.twist, yield_A, j) : A.twist;
+  impulse.twist_B = collides ? pushed(B.twist, yield_B, -j) : B.twist;
+  return result;
 }
 
 #define BATUTA_INSTANTIATE(Scalar)                            \

@@ -92,10 +92,8 @@ constexpr bool is_finite(Scalar x) {
   return x - x == Scalar(0);
 }
 template <class Derived>
-bool is_finite(const Eigen::DenseBase<Derived>& m) {
-  using Scalar = typename Derived::Scalar;
-  return m.unaryExpr([](Scalar x) { return is_finite(x) ? Scalar(0) : Scalar(1); }).sum() ==
-         Scalar(0);
+bool is_finite(const Eigen::MatrixBase<Derived>& m) {
+  return (m - m).sum() == typename Derived::Scalar(0);  // NaN where any of them is not finite
 }
 template <class Scalar>
 bool is_finite(const Quat<Scalar>& q) {
