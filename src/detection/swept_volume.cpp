@@ -158,9 +158,19 @@ bool is_monotone(const CapsuleSweep<Scalar>& sweep, const Wave<Scalar>& wave) {
   return min_of(first, last) >= bulge || max_of(first, last) <= -bulge;
 }
 
-/// The exact extent of an end over the motion.
+/// Of one end over the motion. A type each, not a function that is passed on: no call goes where
+/// the compiler's call graph does not see it.
+struct ExactExtent {
+  template <class Scalar>
+  static Extent<Scalar> of(const CapsuleSweep<Scalar>& sweep, const EndWave<Scalar>& end);
+};
+struct CoarseExtent {
+  template <class Scalar>
+  static Extent<Scalar> of(const CapsuleSweep<Scalar>& sweep, const EndWave<Scalar>& end);
+};
+
 template <class Scalar>
-Extent<Scalar> exact_extent(const CapsuleSweep<Scalar>& sweep, const EndWave<Scalar>& end) {
+Extent<Scalar> ExactExtent::of(const CapsuleSweep<Scalar>& sweep, const EndWave<Scalar>& end) {
   if (!(sweep.turn <= kMaxAngle<Scalar>)) {
     return shifted(circles_of(end.wave, amplitude_of(end.wave)), end.first);
   }
@@ -174,7 +184,7 @@ Extent<Scalar> exact_extent(const CapsuleSweep<Scalar>& sweep, const EndWave<Sca
 
 /// Chord and sagitta, or the whole circle carried along, whichever is less.
 template <class Scalar>
-Extent<Scalar> coarse_extent(const CapsuleSweep<Scalar>& sweep, const EndWave<Scalar>& end) {
+Extent<Scalar> CoarseExtent::of(const CapsuleSweep<Scalar>& sweep, const EndWave<Scalar>& end) {
   const Scalar amplitude = amplitude_of(end.wave);
   const Extent<Scalar> circles = circles_of(end.wave, amplitude);
   if (!(sweep.turn < kLongTurn<Scalar>)) return shifted(circles, end.first);
@@ -201,22 +211,22 @@ Kdop<Scalar, K> unbounded() {
   return all;
 }
 
-/// Of both ends along `direction`, relative to start_W; `extent` is exact_extent or coarse_extent.
-template <class Scalar, class ExtentOfEnd>
-Extent<Scalar> extent_of(const CapsuleSweep<Scalar>& sweep, const Vec3<Scalar>& direction,
-                         const ExtentOfEnd& extent) {
-  return joined(extent(sweep, end_wave(sweep, sweep.path.ends[0], direction)),
-                extent(sweep, end_wave(sweep, sweep.path.ends[1], direction)));
+/// Of both ends along `direction`, relative to start_W.
+/// @tparam EndExtent  ExactExtent or CoarseExtent
+template <class EndExtent, class Scalar>
+Extent<Scalar> extent_of(const CapsuleSweep<Scalar>& sweep, const Vec3<Scalar>& direction) {
+  return joined(EndExtent::of(sweep, end_wave(sweep, sweep.path.ends[0], direction)),
+                EndExtent::of(sweep, end_wave(sweep, sweep.path.ends[1], direction)));
 }
 
-template <class Scalar, int K, class ExtentOfEnd>
-Kdop<Scalar, K> kdop_over(const MovingCapsule<Scalar>& moving, const ExtentOfEnd& extent) {
+template <class Scalar, int K, class EndExtent>
+Kdop<Scalar, K> kdop_over(const MovingCapsule<Scalar>& moving) {
   const CapsuleSweep<Scalar> sweep = capsule_sweep(moving);
   if (!sweep.is_bounded) return unbounded<Scalar, K>();
   Kdop<Scalar, K> swept;
   for (int i = 0; i < Kdop<Scalar, K>::kDirections; ++i) {  // Bound: K / 2
     const Vec3<Scalar> up = kdop_direction<Scalar, K>(i);
-    const Extent<Scalar> along = shifted(extent_of(sweep, up, extent), up.dot(sweep.start_W));
+    const Extent<Scalar> along = shifted(extent_of<EndExtent>(sweep, up), up.dot(sweep.start_W));
     const auto k = static_cast<std::size_t>(i);
     swept.low[k] = along.low;
     swept.high[k] = along.high;
@@ -255,19 +265,19 @@ CapsuleSweep<Scalar> capsule_sweep(const MovingCapsule<Scalar>& moving) {
 template <class Scalar>
 Scalar swept_support(const CapsuleSweep<Scalar>& sweep, const Vec3<Scalar>& direction) {
   if (!sweep.is_bounded) return std::numeric_limits<Scalar>::max();
-  const Extent<Scalar> extent = extent_of(sweep, direction, exact_extent<Scalar>);
+  const Extent<Scalar> extent = extent_of<ExactExtent>(sweep, direction);
   const Scalar margin = length(direction) * (sweep.path.radius + sweep.outward);
   return direction.dot(sweep.start_W) + (extent.high + margin);
 }
 
 template <class Scalar, int K>
 Kdop<Scalar, K> swept_kdop(const MovingCapsule<Scalar>& moving) {
-  return kdop_over<Scalar, K>(moving, exact_extent<Scalar>);
+  return kdop_over<Scalar, K, ExactExtent>(moving);
 }
 
 template <class Scalar, int K>
 Kdop<Scalar, K> coarse_swept_kdop(const MovingCapsule<Scalar>& moving) {
-  return kdop_over<Scalar, K>(moving, coarse_extent<Scalar>);
+  return kdop_over<Scalar, K, CoarseExtent>(moving);
 }
 
 template <class Scalar>
