@@ -1,0 +1,177 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The gates find what is planted in small images of this tree, and name it. Usage: gates_test.py BUILD_TREE"""
+
+import pathlib
+import struct
+import sys
+import unittest
+
+import price
+import readme_table
+from tools import budgets, forbidden, instructions, stack, stack_graph
+from tools.image import Section
+
+TREE = pathlib.Path(sys.argv.pop())
+MANIFEST, _ = price.read_manifest(TREE)
+COLLECTOR = price.Collector(MANIFEST)
+
+
+def plant(name):
+    return COLLECTOR.image(MANIFEST["plants"][name])
+
+
+def found(name):
+    return {(kind, symbol) for kind, symbol, _ in forbidden.findings(plant(name))}
+
+
+def stack_findings(name):
+    worst = COLLECTOR.worst_case(plant(name))
+    worst.of("main")
+    return "\n".join(worst.findings.values())
+
+
+class Tables:
+    """An image with unwinding tables."""
+
+    def __init__(self, words):
+        self.words = words
+        self.sections = [Section(".ARM.exidx", 0, 0, 4 * len(words), "ALLOC")]
+
+    def contents(self, _):
+        return self.words
+
+
+class ForbiddenSymbols(unittest.TestCase):
+    def test_heap(self):
+        self.assertIn(("heap", "malloc"), found("heap"))
+        self.assertIn(("heap", "_sbrk"), found("heap"))
+
+    def test_operator_new(self):
+        self.assertIn(("operator new or delete", "_Znwj"), found("operator_new"))
+
+    def test_exception(self):
+        self.assertIn(("exceptions", "__cxa_throw"), found("throw"))
+        self.assertEqual(forbidden.kind_of("__gxx_personality_v0"), "exceptions")
+
+    def test_unwinding_tables(self):
+        """The linker scripts drop them: another one might not."""
+        cant_unwind = [0x7FFFFF00, forbidden.CANT_UNWIND]
+        self.assertEqual(list(forbidden.unwind_tables(Tables(cant_unwind))), [])
+        self.assertEqual(len(list(forbidden.unwind_tables(Tables(cant_unwind + [0x7FFFFE00, 0x80B0B0B0])))), 1)
+
+    def test_guard(self):
+        self.assertIn(("guard of a static", "__cxa_guard_acquire"), found("guard"))
+
+    def test_libm(self):
+        self.assertIn(("libm", "sinf"), found("libm"))
+
+    def test_stdio(self):
+        self.assertIn("stdio", {kind for kind, _ in found("stdio")})
+        self.assertIn(("stdio", "printf"), found("stdio"))
+
+    def test_double(self):
+        if "fpv5-d16" in MANIFEST["flags"] or "auto" in MANIFEST["flags"]:
+            self.skipTest("this part has double in hardware")
+        self.assertIn(("double in software", "__aeabi_dmul"), found("double"))
+
+    def test_square_root_and_copies_are_allowed(self):
+        for name in "sqrt sqrtf __ieee754_sqrtf memcpy memset memmove __aeabi_fmul __aeabi_uldivmod".split():
+            self.assertIsNone(forbidden.kind_of(name), name)
+
+
+class Stack(unittest.TestCase):
+    def test_recursion(self):
+        self.assertRegex(stack_findings("recursion"), r"recursion: .*(one_less|sum_up_to).* -> ")
+
+    def test_indirect_call(self):
+        self.assertIn("unknown indirect call: ", stack_findings("indirect_call"))
+
+    def test_frame_without_a_bound(self):
+        self.assertIn("unbounded frame: ", stack_findings("vla"))
+
+    def test_objects_without_a_call_graph(self):
+        graph = stack_graph.CallGraph(plant("libm"), {})
+        self.assertIn("price_plant_libm", graph.uncompiled)
+
+    def test_calls_read_from_instructions(self):
+        """At addresses of any length."""
+        for address in (0x400, 0x10000400):
+            text = (f"{address:08x} <caller>:\n{address:8x}:\tpush\t{{r4, lr}}\n{address + 2:8x}:\tbl\t{address + 8:x} "
+                    f"<callee>\n{address + 6:8x}:\tblx\tr3\n\n{address + 8:08x} <callee>:\n{address + 8:8x}:\tbx\tlr\n")
+            caller = stack_graph.Disassembly(text).functions[address]
+            self.assertEqual((caller.frame, caller.calls, caller.indirect), (8, {address + 8}, ["blx r3"]))
+
+    def test_lost_calls(self):
+        graph = stack_graph.CallGraph(plant("libm"), COLLECTOR.compiled)
+        graph.functions[graph.by_name["batuta_reset"]].calls.clear()
+        worst = stack.WorstCase(graph, [])
+        worst.with_interrupts("batuta_reset", False)
+        self.assertIn("lost calls", " ".join(worst.findings.values()))
+
+    def test_frames_read_from_instructions(self):
+        cases = [("push", "{r4, r5, lr}", 12), ("push", "{r4-r7, lr}", 20), ("stmdb", "sp!, {r4, r5, r6, lr}", 16),
+                 ("vpush", "{d8-d9}", 16), ("sub", "sp, #40", 40), ("sub.w", "sp, sp, #520", 520),
+                 ("str.w", "lr, [sp, #-4]!", 4), ("sub", "sp, r3", None), ("add", "sp, #40", 0), ("mov", "r0, sp", 0)]
+        for mnemonic, operands, bytes_ in cases:
+            self.assertEqual(stack_graph.grows_by(mnemonic, operands), bytes_, f"{mnemonic} {operands}")
+
+
+class Budgets(unittest.TestCase):
+    LIMITS = {("a", "flash"): budgets.Limits(100.0, 50.0, None), ("a", "stack"): budgets.Limits(100.0, None, 60.0),
+              ("b", "flash"): budgets.Limits(1.0, None, None)}
+
+    def over(self, **figures):
+        return {row.figure for row in budgets.compare(self.LIMITS, "a", figures) if row.is_over}
+
+    def test_what_is_exceeded(self):
+        self.assertEqual(self.over(flash=100, stack=60, ram=1000), set())
+        self.assertEqual(self.over(flash=101, stack=60), {"flash"})
+        self.assertEqual(self.over(flash=100, stack=61), {"stack"}, "what was reached before is lost")
+
+    def test_what_nobody_measured(self):
+        self.assertEqual(self.over(flash=100), {"stack"})
+
+    def test_the_file(self):
+        limits = budgets.read(price.BUDGETS)
+        self.assertEqual(limits["cortex-m4f", "segment_segment.median"][:2], (250, 150))
+
+
+class Instructions(unittest.TestCase):
+    """Of a calibration of 200,000 instructions in 640,060 ticks, 60 of them for the reading."""
+
+    def samples(self, *rows):
+        head = [(1, 200_000, 640_060, 0, 0, 0), (2, 0, 60, 0, 0, 0)]
+        return instructions.Samples(b"".join(struct.pack("<6I", *row) for row in [*head, *rows]))
+
+    def test_ticks_become_instructions(self):
+        samples = self.samples(*((instructions.SEGMENT, 0, ticks, 0, 0, 0) for ticks in (60 + 320, 61 + 320)))
+        self.assertEqual(samples.counts(instructions.SEGMENT), [100, 100])
+
+    def test_deepest_stack_of_a_root(self):
+        samples = self.samples(*((instructions.STACK, 1, depth, 0, 0, 0) for depth in (40, 80, 60)))
+        self.assertEqual(samples.stacks(), {"price_search": 80})
+
+    def test_quantiles(self):
+        self.assertEqual([instructions.quantile(range(1, 1001), share) for share in (0.5, 0.999, 1)], [500, 999, 1000])
+        self.assertEqual(instructions.quantile([7], 0.001), 7)
+
+    def test_numbers_of_a_query_file(self):
+        self.assertEqual([instructions.bits(text) for text in ("3f8", "0", "8")], [0x3F800000, 0, 0x80000000])
+
+
+class ReadmeTable(unittest.TestCase):
+    def test_a_column_is_kept_as_it_was_written(self):
+        columns = {"cortex-m3": [str(i) for i in range(len(readme_table.ROWS))]}
+        text = readme_table.table(columns, budgets.read(price.BUDGETS))
+        self.assertEqual(readme_table.read_columns(text)["cortex-m3"], columns["cortex-m3"])
+        self.assertEqual(readme_table.read_columns(text)["cortex-m7"], [""] * len(readme_table.ROWS))
+        self.assertIn("| 250 / 450 | 150 / 300 |", text)
+
+    def test_a_cell(self):
+        self.assertEqual(readme_table.cell(["a", "b"], {"a": 1234, "b": 5}.get), "1,234 / 5")
+        self.assertEqual(readme_table.cell(["a"], {}.get), "")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The fencing duel with its two fencers, driven by two samples a step, and nothing around it.
+
+#include "batuta/fencing/duel.hpp"
+
+namespace {
+
+batuta::Duel<float> duel;
+batuta::InputSample samples[2];
+float volatile impulse;
+
+}  // namespace
+
+int main() {
+  using namespace batuta;
+  const auto settings = duel_settings<float>();
+  if (duel.configure(settings, first_fencer<float>(), second_fencer<float>()) != Status::kOk) {
+    return 1;
+  }
+  if (duel.step(&samples[0], &samples[1]) != Status::kOk) return 2;
+  for (const auto& event : duel.world().events()) impulse = event.impulse;  // Bound: kMaxEvents
+  return duel.bout().is_over() ? 1 : 0;
+}

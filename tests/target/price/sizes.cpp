@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Sizes as sizes of symbols, so that they can be read without running anything. Never linked.
+
+#include "batuta/fencing/duel.hpp"
+
+#ifdef BATUTA_PRICE_FIRMWARE
+#include "firmware/application.hpp"
+#include "mps2/uart.hpp"
+#endif
+
+namespace {
+
+using namespace batuta;
+struct TwoCapsules : Scene {};
+
+}  // namespace
+
+extern "C" {
+char price_sizeof_Capsule[sizeof(Capsule<float>)];
+char price_sizeof_Body[sizeof(Body<float>)];
+char price_sizeof_MovingPair[sizeof(MovingPair<float>)];
+char price_sizeof_SearchResult[sizeof(SearchResult<float>)];
+char price_sizeof_World_of_two_capsules[sizeof(World<TwoCapsules>)];
+char price_sizeof_World_of_the_duel[sizeof(World<Duel<float>::SceneType>)];
+char price_sizeof_Duel[sizeof(Duel<float>)];
+
+#ifdef BATUTA_PRICE_FIRMWARE
+// What the firmware keeps for bytes on their way in and out: as large as an application wants.
+char price_sizeof_buffers[mps2::Uart::kReceiveCapacity + mps2::Uart::kTransmitCapacity +
+                          firmware::Application::kSendBytes];
+#endif
+}

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: MIT
+"""The budgets: a file of lines "cpu,figure,bound,aim,kept". A build must not exceed the bound, which was promised, nor
+what was reached before, which is kept; the aim is what it wants to reach."""
+
+import collections
+import csv
+import math
+
+Limits = collections.namedtuple("Limits", "bound aim kept")
+Row = collections.namedtuple("Row", "figure value limits is_over")
+
+HEADER = ["cpu", "figure", "bound", "aim", "kept"]
+
+# The part for which bounds are promised.
+BOUND_CPU = "cortex-m4f"
+
+# Figures of which is kept what was reached.
+KEPT = [*(f"{scene}.{kind}" for scene in ("detection_only", "two_capsules", "duel", "firmware")
+          for kind in ("flash", "ram", "stack")),
+        "segment_segment.max", "search.evaluation.median", "search.generic.mean", "search.worst", "impulse.max",
+        "duel.step.99.9%"]
+
+# What is kept of what was reached: so much more may come with a new compiler or a small change.
+ROOM = 1.02
+
+
+def read(path):
+    """(cpu, figure) -> Limits, in the order of the file."""
+    found = {}
+    with path.open(newline="") as file:
+        for entry in csv.DictReader(line for line in file if not line.startswith("#")):
+            key = entry["cpu"], entry["figure"]
+            if key in found:
+                raise ValueError(f"{path.name}: {', '.join(key)}: stated twice")
+            found[key] = Limits(*(float(entry[name]) if entry[name] else None for name in HEADER[2:]))
+    return found
+
+
+def most(limits):
+    """What a figure must not exceed, or None."""
+    return min((limit for limit in (limits.bound, limits.kept) if limit is not None), default=None)
+
+
+def compare(limits, cpu, figures):
+    """A Row for each figure, in their order; a limit without a figure is exceeded, for nobody looked."""
+    left = {figure: of for (of_cpu, figure), of in limits.items() if of_cpu == cpu}
+    rows = []
+    for figure, value in figures.items():
+        of = left.pop(figure, Limits(None, None, None))
+        rows.append(Row(figure, value, of, most(of) is not None and value > most(of)))
+    return rows + [Row(figure, None, of, most(of) is not None) for figure, of in left.items()]
+
+
+def keep(path, cpu, figures, names):
+    """Writes what was reached now as what is kept of these figures."""
+    comments = [line for line in path.read_text().splitlines() if line.startswith("#")]
+    limits = read(path)
+    for figure in names:
+        if figure in figures:
+            before = limits.get((cpu, figure), Limits(None, None, None))
+            limits[cpu, figure] = before._replace(kept=float(math.ceil(ROOM * figures[figure])))
+    lines = [",".join([*key, *("" if limit is None else f"{limit:.0f}" for limit in of)]) for key, of in limits.items()]
+    path.write_text("\n".join([*comments, ",".join(HEADER), *lines]) + "\n")
+
+
+def number(value):
+    return "-" if value is None else f"{value:,.0f}"
+
+
+def mark(row):
+    if row.value is None:
+        return "  NOT MEASURED" if row.is_over else ""
+    if row.is_over:
+        return "  OVER"
+    return "  misses its aim" if row.limits.aim is not None and row.value > row.limits.aim else ""
+
+
+def table(rows):
+    """Text for the console."""
+    lines = [f"{'':40}{'measured':>12}{'bound':>10}{'aim':>10}{'kept':>10}"]
+    for row in rows:
+        limits = "".join(f"{number(limit):>10}" for limit in row.limits)
+        lines.append(f"{row.figure:40}{number(row.value):>12}{limits}{mark(row)}")
+    return "\n".join(lines)
