@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A pair in motion, expanded about one instant theta in [0, 1]: the unit of time is the duration,
-// so that velocities are travels and angular velocities turns, and no power of a rate overflows.
-// Derivation: advancement.md, "Motion".
+// A pair in motion, expanded about one instant theta in [0, 1]: the unit of
+// time is the duration, so that velocities are travels and angular velocities
+// turns, and no power of a rate overflows. Derivation: advancement.md,
+// "Motion".
 
 #include <array>
 
@@ -11,44 +12,39 @@
 
 namespace batuta {
 
-/// An end: where it is, and what turns. Its derivatives in theta are
+/// One axis at one instant. The derivatives of an end in theta are
 ///   travel + turn side, -turn^2 arm, -turn^3 side.
 template <class Scalar>
-struct EndState {
-  Vec3<Scalar> p;
-  Vec3<Scalar> arm;   ///< from the axis of rotation to the end
-  Vec3<Scalar> side;  ///< axis of rotation x arm
-};
-
-/// One axis at one instant.
-template <class Scalar>
 struct AxisState {
-  std::array<EndState<Scalar>, 2> ends;
-  Vec3<Scalar> travel;
-  Scalar turn = 0;
+  std::array<Vec3<Scalar>, 2> p;     ///< the ends
+  std::array<Vec3<Scalar>, 2> arm;   ///< from the axis of rotation to the end
+  std::array<Vec3<Scalar>, 2> side;  ///< axis of rotation x arm
 
-  /// From end 0 to end 1, and the first two derivatives of that vector.
-  Vec3<Scalar> direction() const { return ends[1].p - ends[0].p; }
-  Vec3<Scalar> direction_rate() const { return turn * (ends[1].side - ends[0].side); }
-  Vec3<Scalar> direction_bend() const { return -(turn * turn) * (ends[1].arm - ends[0].arm); }
-  /// Velocity of the point with parameter s.
-  Vec3<Scalar> rate(Scalar s) const {
-    return travel + turn * (ends[0].side + s * (ends[1].side - ends[0].side));
-  }
-  /// Acceleration of the point with parameter s.
-  Vec3<Scalar> bend(Scalar s) const {
-    return -(turn * turn) * (ends[0].arm + s * (ends[1].arm - ends[0].arm));
-  }
+  Segment<Scalar> axis() const { return {p[0], p[1]}; }
+  Vec3<Scalar> direction() const { return p[1] - p[0]; }
 };
 
-/// What holds for the difference of any two points of the axes, at every time.
+/// The turn over the duration, rad, and its powers as they stand in a Taylor
+/// polynomial.
 template <class Scalar>
-struct DerivativeBounds {
-  Scalar length = 0;        ///< the difference itself
-  Scalar speed = 0;         ///< its first derivative
-  Scalar acceleration = 0;  ///< its second
-  Scalar jerk = 0;          ///< its third
-  Scalar snap = 0;          ///< its fourth
+struct TurnPowers {
+  Scalar turn;
+  Scalar half_square;
+  Scalar sixth_cube;
+
+  explicit TurnPowers(Scalar angle)
+      : turn(angle), half_square(angle * angle / 2), sixth_cube(half_square * angle / 3) {}
+};
+
+/// What holds for the difference of any two points of the axes, at every time:
+/// bounds of the terms of its Taylor polynomial.
+template <class Scalar>
+struct TermBounds {
+  Scalar length;       ///< of the difference itself
+  Scalar speed;        ///< of its first derivative
+  Scalar half_second;  ///< of its second, / 2
+  Scalar sixth_third;  ///< of its third, / 6
+  Scalar last_fourth;  ///< of its fourth, / 24
 };
 
 /// L, m: all lengths of the query, and how far turning could take each reach.
@@ -59,12 +55,13 @@ Scalar query_length(const MovingPair<Scalar>& pair) {
   return kRoundUp<Scalar> * (pair.scale + (arc_A + arc_B));
 }
 
-/// Whether a search with these options makes sense; see search_advancement() for what does not.
+/// Whether a search with these options makes sense; see search_advancement()
+/// for what does not.
 template <class Scalar>
 bool can_be_searched(const MovingPair<Scalar>& pair, const AdvancementOptions<Scalar>& options);
 
 template <class Scalar>
-CapsulePath<Scalar> in_units(CapsulePath<Scalar> path, Scalar duration, Scalar scale) {
+void to_units(CapsulePath<Scalar>& path, Scalar duration, Scalar scale) {
   for (EndPath<Scalar>& end : path.ends) {  // Bound: two ends
     end.start *= scale;
     end.arm *= scale;
@@ -75,17 +72,16 @@ CapsulePath<Scalar> in_units(CapsulePath<Scalar> path, Scalar duration, Scalar s
   path.reach *= scale;
   path.longest_arm *= scale;
   path.radius *= scale;
-  return path;
 }
 
 /// The same query in units of its duration and of 1 / scale metres.
 template <class Scalar>
 MovingPair<Scalar> in_units(const MovingPair<Scalar>& pair, Scalar scale) {
-  MovingPair<Scalar> unit;
-  unit.A = in_units(pair.A, pair.duration, scale);
-  unit.B = in_units(pair.B, pair.duration, scale);
+  MovingPair<Scalar> unit = pair;
+  to_units(unit.A, pair.duration, scale);
+  to_units(unit.B, pair.duration, scale);
   unit.duration = 1;
-  unit.scale = pair.scale * scale;
+  unit.scale *= scale;
   return unit;
 }
 
@@ -99,8 +95,8 @@ ClosestPoints<Scalar> in_metres(ClosestPoints<Scalar> closest, Scalar scale) {
   return closest;
 }
 
-/// How long until a gap that falls at `rate` and bends up by `bend` is zero, or least where it is
-/// not going to be; 0 for a gap that does not fall.
+/// How long until a gap that falls at `rate` and bends up by `bend` is zero, or
+/// least where it is not going to be; 0 for a gap that does not fall.
 template <class Scalar>
 Scalar time_to_contact(Scalar gap, Scalar rate, Scalar bend) {
   if (!(rate < Scalar(0)) || !(gap > Scalar(0))) return Scalar(0);
@@ -108,45 +104,57 @@ Scalar time_to_contact(Scalar gap, Scalar rate, Scalar bend) {
   return square > Scalar(0) ? 2 * gap / (std::sqrt(square) - rate) : -rate / bend;
 }
 
-/// Bounds for axes whose ends swing on these radii. @param pair  in units of its duration
+/// How far an end swings, and what of that its derivatives see.
+template <class Scalar>
+struct Swing {
+  Scalar turn;    ///< over the duration, rad
+  Scalar radius;  ///< at most, m
+};
+
+/// Bounds for axes whose ends swing like this. @param scale  of the pair;
 /// @param travel  length of B's
 template <class Scalar>
-DerivativeBounds<Scalar> derivative_bounds(const MovingPair<Scalar>& pair, Scalar travel,
-                                           Scalar radius_A, Scalar radius_B) {
-  const Scalar turn_A = pair.A.turn_rate;
-  const Scalar turn_B = pair.B.turn_rate;
+TermBounds<Scalar> term_bounds(Scalar scale, Scalar travel, const Swing<Scalar>& of_A,
+                               const Swing<Scalar>& of_B) {
   const Scalar up = kRoundUp<Scalar>;
-  DerivativeBounds<Scalar> bounds;
-  Scalar A = up * (turn_A * radius_A);
-  Scalar B = up * (turn_B * radius_B);
-  bounds.length = up * (pair.scale + (A + B));
+  TermBounds<Scalar> bounds;
+  Scalar A = up * (of_A.turn * of_A.radius);
+  Scalar B = up * (of_B.turn * of_B.radius);
+  bounds.length = up * (scale + (A + B));
   bounds.speed = up * (travel + (A + B));
-  A *= turn_A;
-  B *= turn_B;
-  bounds.acceleration = up * (A + B);
-  A *= turn_A;
-  B *= turn_B;
-  bounds.jerk = up * (A + B);
-  bounds.snap = up * (A * turn_A + B * turn_B);
+  A *= of_A.turn;
+  B *= of_B.turn;
+  bounds.half_second = up / 2 * (A + B);
+  A *= of_A.turn;
+  B *= of_B.turn;
+  bounds.sixth_third = up / 6 * (A + B);
+  bounds.last_fourth = up / 24 * (A * of_A.turn + B * of_B.turn);
   return bounds;
 }
 
-/// @param path  in units of its duration
+/// What turns of the axis point with parameter s.
 template <class Scalar>
-AxisState<Scalar> state_at(const CapsulePath<Scalar>& path, Scalar theta) {
-  const Scalar turn = path.turn_rate;
-  const Scalar angle = turn * theta;
+inline Vec3<Scalar> between(const std::array<Vec3<Scalar>, 2>& ends, Scalar s) {
+  return ends[0] + s * (ends[1] - ends[0]);
+}
+
+/// The axis at theta. @param travelled  what B has moved by until then, nothing
+/// for A
+/// @param angle  that it has turned by
+template <class Scalar>
+void set_state(AxisState<Scalar>& state, const CapsulePath<Scalar>& path,
+               const Vec3<Scalar>& travelled, Scalar angle) {
   const SinCos<Scalar> at = angle > Scalar(0) ? sin_cos(angle) : SinCos<Scalar>{};
-  AxisState<Scalar> axis;
-  axis.travel = path.v;
-  axis.turn = turn;
+  const Scalar versine = 1 - at.cos;
   for (std::size_t i = 0; i < 2; ++i) {  // Bound: two ends
     const EndPath<Scalar>& end = path.ends[i];
-    axis.ends[i].p = end.start + (path.v * theta + (at.sin * end.side - (1 - at.cos) * end.arm));
-    axis.ends[i].arm = at.cos * end.arm + at.sin * end.side;
-    axis.ends[i].side = at.cos * end.side - at.sin * end.arm;
+    const Vec3<Scalar> turned = at.sin * end.side - versine * end.arm;
+    const Vec3<Scalar> arm = end.arm + turned;
+    const Vec3<Scalar> side = at.cos * end.side - at.sin * end.arm;
+    state.p[i] = end.start + (travelled + turned);
+    state.arm[i] = arm;
+    state.side[i] = side;
   }
-  return axis;
 }
 
 }  // namespace batuta

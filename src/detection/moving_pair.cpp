@@ -8,13 +8,6 @@ namespace batuta {
 namespace {
 
 template <class Scalar>
-EndPath<Scalar> end_path(const Vec3<Scalar>& center, const Vec3<Scalar>& lever,
-                         const Vec3<Scalar>& axis) {
-  const Vec3<Scalar> arm = lever - axis * axis.dot(lever);
-  return {center + lever, arm, axis.cross(arm)};
-}
-
-template <class Scalar>
 Vec3<Scalar> end_at(const EndPath<Scalar>& end, const SinCos<Scalar>& turn,
                     const Vec3<Scalar>& travel) {
   return end.start + (travel + (turn.sin * end.side - (Scalar(1) - turn.cos) * end.arm));
@@ -34,15 +27,59 @@ Vec3<Scalar> axis_velocity(const CapsulePath<Scalar>& path, Scalar s, Scalar t) 
   return path.v + path.turn_rate * (turn.cos * side - turn.sin * arm);
 }
 
-/// No point of the axis is further from the centre of mass, but for rounding.
+/// Zero for a finite x, and no number for any other: a sum of these tells whether all are finite.
 template <class Scalar>
-Scalar reach(const Capsule<Scalar>& capsule_B) {
-  return max_of(length(capsule_B.axis.a), length(capsule_B.axis.b));
+Scalar lost(Scalar x) {
+  return x - x;
+}
+template <class Scalar>
+Scalar lost(const Vec3<Scalar>& v) {
+  return lost(v.x()) + lost(v.y()) + lost(v.z());
 }
 
+/// All that the size of the pair does not tell (make_moving_pair).
 template <class Scalar>
-bool is_valid(const MovingCapsule<Scalar>& moving) {
-  return is_valid(moving.capsule_B) && is_valid(moving.motion);
+bool is_usable(const MovingCapsule<Scalar>& moving) {
+  const Capsule<Scalar>& capsule = moving.capsule_B;
+  const Motion<Scalar>& motion = moving.motion;
+  const Quat<Scalar>& q = motion.X_WB.q_WB;
+  const Scalar all_lost = lost(capsule.axis.a) + lost(capsule.axis.b) + lost(capsule.radius) +
+                          lost(motion.X_WB.p_W) + lost(q.w()) + lost<Scalar>(q.vec()) +
+                          lost(motion.twist.v_W) + lost(motion.twist.w_W) + lost(motion.duration);
+  const Vec3<Scalar> turn = motion.duration * motion.twist.w_W;
+  return all_lost == Scalar(0) && capsule.radius >= Scalar(0) && motion.duration >= Scalar(0) &&
+         turn.squaredNorm() <= kMaxAngle<Scalar> * kMaxAngle<Scalar>;
+}
+
+/// @param axis  of rotation; @returns the length of the arm
+template <class Scalar>
+Scalar set_arm(EndPath<Scalar>& end, const Vec3<Scalar>& lever, const Vec3<Scalar>& axis) {
+  const Vec3<Scalar> arm = lever - axis * axis.dot(lever);
+  end.arm = arm;
+  end.side = axis.cross(arm);
+  return length(arm);
+}
+
+/// capsule_path() in place. @pre `path` is as it was made
+template <class Scalar>
+void set_path(CapsulePath<Scalar>& path, const MovingCapsule<Scalar>& moving,
+              const Vec3<Scalar>& origin_W, const Vec3<Scalar>& origin_v_W) {
+  const Pose<Scalar>& X_WB = moving.motion.X_WB;
+  const Segment<Scalar>& axis_B = moving.capsule_B.axis;
+  const Vec3<Scalar> center = X_WB.p_W - origin_W;
+  const Scalar turn_rate = length(moving.motion.twist.w_W);
+  path.v = moving.motion.twist.v_W - origin_v_W;
+  path.turn_rate = turn_rate;
+  path.radius = moving.capsule_B.radius;
+  path.reach = max_of(length(axis_B.a), length(axis_B.b));
+  const Vec3<Scalar> lever_a = X_WB.q_WB * axis_B.a;
+  const Vec3<Scalar> lever_b = X_WB.q_WB * axis_B.b;
+  path.ends[0].start = center + lever_a;
+  path.ends[1].start = center + lever_b;
+  if (!(turn_rate > Scalar(0))) return;
+  const Vec3<Scalar> axis = moving.motion.twist.w_W / turn_rate;
+  path.longest_arm =
+      max_of(set_arm(path.ends[0], lever_a, axis), set_arm(path.ends[1], lever_b, axis));
 }
 
 }  // namespace
@@ -50,25 +87,8 @@ bool is_valid(const MovingCapsule<Scalar>& moving) {
 template <class Scalar>
 CapsulePath<Scalar> capsule_path(const MovingCapsule<Scalar>& moving, const Vec3<Scalar>& origin_W,
                                  const Vec3<Scalar>& origin_v_W) {
-  const Pose<Scalar>& X_WB = moving.motion.X_WB;
-  const Twist<Scalar>& twist = moving.motion.twist;
   CapsulePath<Scalar> path;
-  path.v = twist.v_W - origin_v_W;
-  path.turn_rate = length(twist.w_W);
-  path.radius = moving.capsule_B.radius;
-  path.reach = reach(moving.capsule_B);
-  const bool turns = path.turn_rate > Scalar(0);
-  const Vec3<Scalar> axis = turns ? Vec3<Scalar>(twist.w_W / path.turn_rate) : Vec3<Scalar>::Zero();
-  const Vec3<Scalar> center = X_WB.p_W - origin_W;
-  const Capsule<Scalar> turned =
-      to_world(Pose<Scalar>{Vec3<Scalar>::Zero(), X_WB.q_WB}, moving.capsule_B);
-  if (turns) {
-    path.ends = {end_path(center, turned.axis.a, axis), end_path(center, turned.axis.b, axis)};
-    path.longest_arm = max_of(length(path.ends[0].arm), length(path.ends[1].arm));
-  } else {
-    path.ends[0].start = center + turned.axis.a;
-    path.ends[1].start = center + turned.axis.b;
-  }
+  set_path(path, moving, origin_W, origin_v_W);
   return path;
 }
 
@@ -82,21 +102,24 @@ Capsule<Scalar> capsule_at(const CapsulePath<Scalar>& path, Scalar t) {
 template <class Scalar>
 Result<MovingPair<Scalar>> make_moving_pair(const MovingCapsule<Scalar>& A,
                                             const MovingCapsule<Scalar>& B) {
-  using Answer = MovingPair<Scalar>;
-  if (!is_valid(A) || !is_valid(B)) return failure<Answer>(Status::kInvalidArgument);
-  if (A.motion.duration != B.motion.duration) return failure<Answer>(Status::kInvalidArgument);
-  Answer pair;
+  Result<MovingPair<Scalar>> made;
+  if (!is_usable(A) || !is_usable(B) || A.motion.duration != B.motion.duration) return made;
+  MovingPair<Scalar>& pair = made.value;
   pair.origin_W = A.motion.X_WB.p_W;
   pair.origin_v_W = A.motion.twist.v_W;
   pair.duration = A.motion.duration;
-  pair.A = capsule_path(A, pair.origin_W, pair.origin_v_W);
-  pair.B = capsule_path(B, pair.origin_W, pair.origin_v_W);
+  set_path(pair.A, A, pair.origin_W, pair.origin_v_W);
+  set_path(pair.B, B, pair.origin_W, pair.origin_v_W);
   const Scalar apart = length<Scalar>(B.motion.X_WB.p_W - pair.origin_W);
   const Scalar travel = length(pair.B.v) * pair.duration;
   const Scalar sizes = (pair.A.reach + pair.B.reach) + (pair.A.radius + pair.B.radius);
   pair.scale = kRoundUp<Scalar> * (apart + travel + sizes);
-  if (!(pair.scale <= kLargestCoordinate<Scalar>)) return failure<Answer>(Status::kInvalidArgument);
-  return success(pair);
+  if (pair.scale <= kLargestCoordinate<Scalar>) {
+    made.status = Status::kOk;
+  } else {
+    pair = {};
+  }
+  return made;
 }
 
 template <class Scalar>

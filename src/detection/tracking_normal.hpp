@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The normal of a pair at one instant, and how it moves: so that it stays perpendicular to the
-// edges that are closest, to second order. Any choice is safe; this one makes long steps.
+// How the normal of a pair moves: so that the edges that are closest stay
+// level, to second order. Any choice is safe; this one makes long steps.
 // Derivation: advancement.md, "Which normal".
 
 #include "certificate.hpp"
@@ -9,51 +9,73 @@
 
 namespace batuta {
 
-/// A normal that moves faster than this, per duration, is not followed: its powers might overflow,
-/// and a fixed one proves as much.
+/// A normal that moves faster than this, per duration, is not followed: its
+/// powers might overflow, and a fixed one proves as much.
 template <class Scalar>
 inline constexpr Scalar kFastest = Scalar(16777216);
 
 template <class Scalar>
-Vec3<Scalar> across(const Vec3<Scalar>& x, const Vec3<Scalar>& n) {
+inline Vec3<Scalar> across(const Vec3<Scalar>& x, const Vec3<Scalar>& n) {
   return x - n * n.dot(x);
-}
-
-/// The path of the normal n: it turns with the closest points, and stays perpendicular to the edges
-/// that hold, to second order.
-/// @param rate  relative_rate() of the closest points
-/// @param distance  of the axes, > 0
-template <class Scalar>
-NormalPath<Scalar> tracking_path(const Vec3<Scalar>& n, const EdgePair<Scalar>& edges,
-                                 const PairState<Scalar>& pair, const Vec3<Scalar>& rate,
-                                 Scalar distance) {
-  NormalPath<Scalar> N;
-  N.n = n;
-  N.m = across(rate, n) / distance;  // between two edges: what is left where they are parallel
-  if (edges.none_holds()) return N;
-  const Vec3<Scalar> a1 = pair.A.direction_rate();
-  const Vec3<Scalar> b1 = pair.B.direction_rate();
-  N.m -= edges.solve(n.dot(a1) + N.m.dot(edges.a), n.dot(b1) + N.m.dot(edges.b));
-  // Edges are perpendicular to n but for rounding, and nearly parallel ones come with large
-  // factors: the certificate needs the vectors themselves perpendicular.
-  N.m = across(N.m, n);
-  N.m2 = across<Scalar>(-edges.solve(2 * N.m.dot(a1) + n.dot(pair.A.direction_bend()),
-                                     2 * N.m.dot(b1) + n.dot(pair.B.direction_bend())),
-                        n);
-  return N;
 }
 
 /// How the material points at the closest parameters part.
 template <class Scalar>
-Vec3<Scalar> relative_rate(const ClosestPoints<Scalar>& closest, const PairState<Scalar>& pair) {
-  return pair.B.rate(closest.u) - pair.A.rate(closest.s);
+inline Vec3<Scalar> relative_rate(Scalar s, Scalar u, const PairState<Scalar>& pair) {
+  return pair.travel +
+         (pair.turn_B.turn * between(pair.B.side, u) - pair.turn_A.turn * between(pair.A.side, s));
+}
+
+/// By how much the second end of an axis is above the first, in the coefficient
+/// `order`.
+template <class Scalar>
+Scalar tilt(const EndCubics<Scalar>& heights, std::size_t order) {
+  return heights[1][order] - heights[0][order];
+}
+
+/// The rate of the normal n: it turns with the closest points, and the edges
+/// stay level.
+/// @param f     clearances along n, held fixed
+/// @param rate  relative_rate() of the closest points, over their distance
+template <class Scalar>
+Vec3<Scalar> tracking_rate(const Clearances<Scalar>& f, const Vec3<Scalar>& n,
+                           const EdgePair<Scalar>& edges, const Vec3<Scalar>& rate) {
+  if (edges.none_holds()) return across(rate, n);
+  // Edges are perpendicular to n but for rounding, and nearly parallel ones
+  // come with large factors: the certificate needs the vectors themselves
+  // perpendicular.
+  // What is left of the rate between two edges counts where they are parallel.
+  const Scalar level_A = tilt(f.A, 1) + rate.dot(edges.a);
+  const Scalar level_B = tilt(f.B, 1) + rate.dot(edges.b);
+  return across<Scalar>(rate - edges.solve(level_A, level_B), n);
 }
 
 /// Whether its powers are harmless.
 template <class Scalar>
-bool can_be_followed(const NormalPath<Scalar>& N) {
+bool can_be_followed(const NormalMotion<Scalar>& N) {
   return largest_component(N.m) <= kFastest<Scalar> &&
          largest_component(N.m2) <= kFastest<Scalar> * kFastest<Scalar>;
+}
+
+/// From the clearances along n, held fixed, to those along n moved, on [0,
+/// horizon].
+/// @param rate  see tracking_rate()
+/// @returns false if n moves too fast to be followed; then they are not to be
+/// used
+template <class Scalar>
+bool track(Clearances<Scalar>& f, const Vec3<Scalar>& n, const EdgePair<Scalar>& edges,
+           const Vec3<Scalar>& rate, const PairState<Scalar>& pair, Scalar R, Scalar horizon) {
+  NormalMotion<Scalar> N = {tracking_rate(f, n, edges, rate), Vec3<Scalar>::Zero()};
+  add_rate(f.A, N.m, Scalar(0), pair.A, pair.turn_A);
+  add_rate(f.B, N.m, N.m.dot(pair.travel), pair.B, pair.turn_B);
+  if (!edges.none_holds()) {
+    N.m2 = across<Scalar>(-edges.solve(tilt(f.A, 2), tilt(f.B, 2)), n);
+    add_bend(f.A, N.m2, Scalar(0), pair.A, pair.turn_A);
+    add_bend(f.B, N.m2, N.m2.dot(pair.travel), pair.B, pair.turn_B);
+  }
+  if (!can_be_followed(N)) return false;
+  take_toll(f, n, N, pair, R, horizon);
+  return true;
 }
 
 }  // namespace batuta

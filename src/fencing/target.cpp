@@ -86,9 +86,6 @@ Motion<Scalar> piece_of(const Motion<Scalar>& motion, Scalar from, Scalar durati
 template <class Scalar>
 void Target<Scalar>::place(const BodyShape<Scalar>& shape_W) {
   shape_W_ = shape_W;
-  for (std::size_t i = 0; i < kParts; ++i) {  // Bound: kBodyParts
-    still_[i] = kdop_of<Scalar, kTargetK>(shape_W[i]);
-  }
   go_to(shape_W, Scalar(0));
 }
 
@@ -104,9 +101,7 @@ void Target<Scalar>::go_to(const BodyShape<Scalar>& shape_W, Scalar dt) {
   shape_W_ = shape_W;
   dt_ = dt;
   for (std::size_t i = 0; i < kParts; ++i) {  // Bound: kBodyParts
-    const Hull at_start = still_[i];
-    still_[i] = kdop_of<Scalar, kTargetK>(shape_W_[i]);
-    hulls_[i] = own_hull(i, at_start);
+    hulls_[i] = own_hull(i);
   }
   for (std::size_t i = kParts - 1; i > 0; --i) {  // Bound: kBodyParts
     const auto parent = static_cast<std::size_t>(kBodyParent[i]);
@@ -116,10 +111,10 @@ void Target<Scalar>::go_to(const BodyShape<Scalar>& shape_W, Scalar dt) {
 
 /// Holds the part alone during the whole step.
 template <class Scalar>
-typename Target<Scalar>::Hull Target<Scalar>::own_hull(std::size_t part,
-                                                       const Hull& at_start) const {
-  return inflated(merge(at_start, still_[part]),
-                  margin_between(start_W_[part].axis, shape_W_[part].axis));
+typename Target<Scalar>::Hull Target<Scalar>::own_hull(std::size_t part) const {
+  const Capsule<Scalar>& start = start_W_[part];
+  const Capsule<Scalar>& end = shape_W_[part];
+  return kdop_of<Scalar, kTargetK>(start, end, margin_between(start.axis, end.axis));
 }
 
 template <class Scalar>
@@ -140,8 +135,7 @@ PartMask Target<Scalar>::parts_reached(const MovingCapsule<Scalar>& blade, PartM
       continue;
     }
     const PartMask part = mask_of(static_cast<BodyPart>(i));
-    const Hull at_start = kdop_of<Scalar, kTargetK>(start_W_[i]);
-    if ((wanted & part) != 0 && overlaps(swept, own_hull(i, at_start))) reached |= part;
+    if ((wanted & part) != 0 && overlaps(swept, own_hull(i))) reached |= part;
     ++i;
   }
   return reached;

@@ -16,30 +16,37 @@ bool is_sound(Scalar square) {
 
 template <class Scalar>
 Scalar length(const Vec3<Scalar>& v) {
-  const Scalar square = v.squaredNorm();
+  Scalar square = v.squaredNorm();
   if (is_sound(square)) return std::sqrt(square);
   const Scalar largest = largest_component(v);
   if (largest == 0) return 0;
-  return largest * std::sqrt(Vec3<Scalar>(v / largest).squaredNorm());
+  square = Vec3<Scalar>(v / largest).squaredNorm();
+  return largest * std::sqrt(square);
 }
 
 template <class Scalar>
 Vec3<Scalar> unit(const Vec3<Scalar>& v) {
-  BATUTA_ASSERT(largest_component(v) != 0);
-  const Scalar square = v.squaredNorm();
-  if (is_sound(square)) return v / std::sqrt(square);
-  const Vec3<Scalar> w = v / largest_component(v);
-  return w / std::sqrt(w.squaredNorm());
+  Vec3<Scalar> w = v;
+  Scalar square = v.squaredNorm();
+  if (!is_sound(square)) {
+    const Scalar largest = largest_component(v);
+    BATUTA_ASSERT(largest != 0);
+    w = v / largest;
+    square = w.squaredNorm();
+  }
+  return w / std::sqrt(square);
 }
 
 template <class Scalar>
 Vec3<Scalar> perpendicular(const Vec3<Scalar>& v) {
   const Vec3<Scalar> size = v.cwiseAbs();
+  Vec3<Scalar> across(-v.y(), v.x(), 0);
   if (size.x() <= size.y() && size.x() <= size.z()) {
-    return unit<Scalar>({0, -v.z(), v.y()});
+    across = {0, -v.z(), v.y()};
+  } else if (size.y() <= size.z()) {
+    across = {v.z(), 0, -v.x()};
   }
-  if (size.y() <= size.z()) return unit<Scalar>({v.z(), 0, -v.x()});
-  return unit<Scalar>({-v.y(), v.x(), 0});
+  return unit(across);
 }
 
 #define BATUTA_INSTANTIATE(S)            \

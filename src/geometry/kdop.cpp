@@ -7,7 +7,7 @@ namespace {
 /// In units of u: what a computed extent may fall short of the true one, relative to the sum of the
 /// absolute values in it (kdop.md), and a little for the terms of second order.
 template <class Scalar>
-constexpr Scalar kOutward = Scalar(3.25) * kRoundOff<Scalar>;
+constexpr Scalar kOutward = Scalar(4.25) * kRoundOff<Scalar>;
 
 constexpr std::size_t kAxes = 3;
 constexpr std::size_t kCubeDiagonals = 4;
@@ -61,6 +61,31 @@ Scalar height(std::size_t i, const Vec3<Scalar>& p) {
   return i < kAxes ? p[static_cast<Eigen::Index>(i)] : direction<Scalar, K>(i).dot(p);
 }
 
+/// What all terms of height(i, p) come to where none is negative.
+template <class Scalar, int K>
+Scalar terms(std::size_t i, const Vec3<Scalar>& p) {
+  return i < kAxes ? p[static_cast<Eigen::Index>(i)] : direction<Scalar, K>(i).cwiseAbs().dot(p);
+}
+
+/// Lowest and highest point along a direction, rounded outward.
+template <class Scalar>
+struct Extent {
+  Scalar low;
+  Scalar high;
+};
+
+/// Of a capsule with a radius larger by `margin`.
+template <class Scalar, int K>
+Extent<Scalar> extent_along(std::size_t i, const Capsule<Scalar>& capsule, Scalar margin) {
+  const Segment<Scalar>& axis = capsule.axis;
+  const Scalar at_a = height<Scalar, K>(i, axis.a);
+  const Scalar at_b = height<Scalar, K>(i, axis.b);
+  const Scalar radius = (capsule.radius + margin) * direction_length<Scalar, K>(i);
+  const Scalar sum = terms<Scalar, K>(i, axis.a.cwiseAbs().cwiseMax(axis.b.cwiseAbs()));
+  const Scalar reach = radius + kOutward<Scalar> * (radius + sum);
+  return {min_of(at_a, at_b) - reach, max_of(at_a, at_b) + reach};
+}
+
 }  // namespace
 
 template <class Scalar, int K>
@@ -71,17 +96,18 @@ Vec3<Scalar> kdop_direction(int i) {
 
 template <class Scalar, int K>
 Kdop<Scalar, K> kdop_of(const Capsule<Scalar>& capsule) {
+  return kdop_of<Scalar, K>(capsule, capsule, Scalar(0));
+}
+
+template <class Scalar, int K>
+Kdop<Scalar, K> kdop_of(const Capsule<Scalar>& P, const Capsule<Scalar>& Q, Scalar margin) {
+  BATUTA_ASSERT(margin >= Scalar(0));
   Kdop<Scalar, K> result;
-  const Vec3<Scalar> size = capsule.axis.a.cwiseAbs().cwiseMax(capsule.axis.b.cwiseAbs());
   for (std::size_t i = 0; i < result.low.size(); ++i) {  // Bound: K / 2
-    const Scalar at_a = height<Scalar, K>(i, capsule.axis.a);
-    const Scalar at_b = height<Scalar, K>(i, capsule.axis.b);
-    const Scalar radius = capsule.radius * direction_length<Scalar, K>(i);
-    const Scalar sum = i < kAxes ? size[static_cast<Eigen::Index>(i)]
-                                 : direction<Scalar, K>(i).cwiseAbs().dot(size);
-    const Scalar reach = radius + kOutward<Scalar> * (radius + sum);
-    result.low[i] = min_of(at_a, at_b) - reach;
-    result.high[i] = max_of(at_a, at_b) + reach;
+    const Extent<Scalar> along_P = extent_along<Scalar, K>(i, P, margin);
+    const Extent<Scalar> along_Q = extent_along<Scalar, K>(i, Q, margin);
+    result.low[i] = min_of(along_P.low, along_Q.low);
+    result.high[i] = max_of(along_P.high, along_Q.high);
   }
   return result;
 }
@@ -126,12 +152,14 @@ Kdop<Scalar, K> inflated(const Kdop<Scalar, K>& P, Scalar margin) {
   return result;
 }
 
-#define BATUTA_INSTANTIATE(Scalar, K)                                             \
-  template Vec3<Scalar> kdop_direction<Scalar, K>(int);                           \
-  template Kdop<Scalar, K> kdop_of<Scalar, K>(const Capsule<Scalar>&);            \
-  template Kdop<Scalar, K> merge(const Kdop<Scalar, K>&, const Kdop<Scalar, K>&); \
-  template bool overlaps(const Kdop<Scalar, K>&, const Kdop<Scalar, K>&);         \
-  template bool contains(const Kdop<Scalar, K>&, const Vec3<Scalar>&);            \
+#define BATUTA_INSTANTIATE(Scalar, K)                                                         \
+  template Vec3<Scalar> kdop_direction<Scalar, K>(int);                                       \
+  template Kdop<Scalar, K> kdop_of<Scalar, K>(const Capsule<Scalar>&);                        \
+  template Kdop<Scalar, K> kdop_of<Scalar, K>(const Capsule<Scalar>&, const Capsule<Scalar>&, \
+                                              Scalar);                                        \
+  template Kdop<Scalar, K> merge(const Kdop<Scalar, K>&, const Kdop<Scalar, K>&);             \
+  template bool overlaps(const Kdop<Scalar, K>&, const Kdop<Scalar, K>&);                     \
+  template bool contains(const Kdop<Scalar, K>&, const Vec3<Scalar>&);                        \
   template Kdop<Scalar, K> inflated(const Kdop<Scalar, K>&, Scalar);
 #define BATUTA_INSTANTIATE_ALL(Scalar) \
   BATUTA_INSTANTIATE(Scalar, 6)        \

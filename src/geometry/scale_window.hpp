@@ -3,6 +3,8 @@
 // Lengths of any size, brought to where their powers neither overflow nor lose bits, without
 // rounding.
 
+#include <cstring>
+
 #include "batuta/core/types.hpp"
 
 namespace batuta {
@@ -14,19 +16,42 @@ template <class Scalar>
 struct ScaleWindow;
 template <>
 struct ScaleWindow<float> {
+  using Bits = std::uint32_t;
   static constexpr float kSmallest = 0x1p-20F;
   static constexpr float kLargest = 0x1p27F;
   static constexpr float kStep = 0x1p40F;
 };
 template <>
 struct ScaleWindow<double> {
+  using Bits = std::uint64_t;
   static constexpr double kSmallest = 0x1p-200;
   static constexpr double kLargest = 0x1p200;
   static constexpr double kStep = 0x1p300;
 };
 constexpr int kMaxScaleSteps = 3;
 
-/// The power of two that brings `length` into the window; 1 for zero and for what is not finite.
+/// The bits of a number as an integer: compared in fewer instructions than the number, most of all
+/// where there is no FPU. Positive numbers are in the order of their bits.
+template <class Scalar>
+inline typename ScaleWindow<Scalar>::Bits bits_of(Scalar x) {
+  typename ScaleWindow<Scalar>::Bits bits;
+  static_assert(sizeof(bits) == sizeof(x));
+  std::memcpy(&bits, &x, sizeof(bits));
+  return bits;
+}
+
+/// Whether the length whose square this is (or one a few times smaller) lies in the window; false
+/// for zero and for what is not finite.
+/// @pre square >= 0 or NaN
+template <class Scalar>
+inline bool is_in_window(Scalar square) {
+  using Window = ScaleWindow<Scalar>;
+  const auto least = bits_of<Scalar>(Window::kSmallest * Window::kSmallest / 16);
+  const auto most = bits_of<Scalar>(Window::kLargest * Window::kLargest);
+  return bits_of(square) - least <= most - least;
+}
+
+/// The power of two that brings `length` into the window; 1 for zero and NaN.
 template <class Scalar>
 Scalar window_scale(Scalar length) {
   using Window = ScaleWindow<Scalar>;

@@ -46,7 +46,7 @@ struct TouchSearch {
 };
 
 /// One fencer's body over one step.
-/// Allocates: never. RAM in float: 1.3 kB.
+/// Allocates: never. RAM in float: 1 kB.
 template <class Scalar>
 class Target {
  public:
@@ -100,7 +100,7 @@ class Target {
   };
 
   void go_to(const BodyShape<Scalar>& shape_W, Scalar dt);
-  Hull own_hull(std::size_t part, const Hull& at_start) const;
+  Hull own_hull(std::size_t part) const;
   PartMask parts_reached(const MovingCapsule<Scalar>& blade, PartMask wanted) const;
   Result<MovingPair<Scalar>> pair_with(std::size_t part, const MovingCapsule<Scalar>& blade,
                                        Scalar from) const;
@@ -110,7 +110,6 @@ class Target {
   BodyShape<Scalar> start_W_{};       ///< at the start of the step
   BodyShape<Scalar> shape_W_{};       ///< at its end
   Scalar dt_ = 0;                     ///< length of the step, s; 0: placed
-  std::array<Hull, kParts> still_{};  ///< of each part at the end
   std::array<Hull, kParts> hulls_{};  ///< with all that it carries
 };
 

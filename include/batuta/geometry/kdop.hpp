@@ -45,6 +45,12 @@ Vec3<Scalar> kdop_direction(int i);
 template <class Scalar, int K>
 Kdop<Scalar, K> kdop_of(const Capsule<Scalar>& capsule);
 
+/// The tightest Kdop of two capsules, and of all between them, with radii larger by `margin`;
+/// rounded outward. @pre margin >= 0
+/// Bound: K / 2 directions.
+template <class Scalar, int K>
+Kdop<Scalar, K> kdop_of(const Capsule<Scalar>& P, const Capsule<Scalar>& Q, Scalar margin);
+
 /// The smallest Kdop that holds both.
 template <class Scalar, int K>
 Kdop<Scalar, K> merge(const Kdop<Scalar, K>& P, const Kdop<Scalar, K>& Q);

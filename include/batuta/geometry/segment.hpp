@@ -38,7 +38,8 @@ struct ClosestPoints {
   Scalar u = 0;  ///< parameter on B in [0, 1]
   Vec3<Scalar> p_A = Vec3<Scalar>::Zero();
   Vec3<Scalar> p_B = Vec3<Scalar>::Zero();
-  /// Unit, from p_A to p_B. Where the points coincide (to 4 u of the largest component):
+  /// Unit, from p_A to p_B. Where the points coincide (to 4 u of the root of |d_A|^2 + |d_B|^2 +
+  /// |r|^2, r between two ends):
   /// perpendicular to both segments if they are not parallel, else a fixed perpendicular of the
   /// longer one, else (two points) the x axis; then `arbitrary` is set.
   Vec3<Scalar> normal_AB = Vec3<Scalar>::UnitX();

@@ -3,37 +3,64 @@
 #include "host/devices/source.hpp"
 
 #include <filesystem>
+#include <string_view>
 #include <utility>
 
 #include "host/devices/default_recording.hpp"
 #include "host/devices/replay_device.hpp"
+#include "host/devices/reported_stick.hpp"
 #include "host/devices/script_device.hpp"
 
 namespace batuta::host {
 namespace {
 
+constexpr std::string_view kSerial = "serial:";
+
 constexpr const char* kKnown =
-    "a recording (.events, .evemu), default, or script:guard|parry|attack";
+    "a recording (.events, .evemu), default, script:guard|parry|attack, or serial:LINE[,SOURCE]";
 
 OpenedSource refuse(const std::string& error) {
-  return {nullptr, error, {}};
+  OpenedSource refused;
+  refused.error = error;
+  return refused;
 }
 
-bool starts_with(const std::string& words, const std::string& beginning) {
-  return words.compare(0, beginning.size(), beginning) == 0;
+bool starts_with(std::string_view words, std::string_view beginning) {
+  return words.substr(0, beginning.size()) == beginning;
 }
 
 OpenedSource open_script(const std::string& words) {
   const std::optional<Script> script = script_named(words.substr(words.find(':') + 1));
   if (!script) return refuse(words + ": unknown script; known are guard, parry and attack");
-  return {std::make_unique<ScriptDevice>(*script), {}, {}};
+  OpenedSource opened;
+  opened.source = std::make_unique<ScriptDevice>(*script);
+  return opened;
 }
 
 OpenedSource open_replay(LoadedRecording loaded, const std::string& label) {
   if (!loaded.error.empty()) return refuse(loaded.error);
-  const std::string note =
-      loaded.recording.note.empty() ? "" : label + ": " + loaded.recording.note;
-  return {std::make_unique<ReplayDevice>(std::move(loaded.recording), label), {}, note};
+  OpenedSource opened;
+  if (!loaded.recording.note.empty()) opened.note = label + ": " + loaded.recording.note;
+  opened.source = std::make_unique<ReplayDevice>(std::move(loaded.recording), label);
+  return opened;
+}
+
+/// A device on a serial line, with its own stick or with a source in its place.
+OpenedSource open_serial(const std::string& words) {
+  const std::size_t comma = words.find(',');
+  const std::string line = words.substr(kSerial.size(), comma - kSerial.size());
+  if (line.empty()) return refuse(words + ": no line; write serial:LINE or serial:LINE,SOURCE");
+  OpenedSource opened;
+  if (comma == std::string::npos) {
+    opened.source = std::make_unique<ReportedStick>("the stick of the device at " + line);
+    opened.own_stick = true;
+  } else {
+    const std::string inner = words.substr(comma + 1);
+    if (starts_with(inner, kSerial)) return refuse(words + ": a device is no stick of a device");
+    opened = open_source(inner);
+  }
+  opened.line = line;
+  return opened;
 }
 
 }  // namespace
@@ -43,7 +70,8 @@ OpenedSource open_source(const std::string& words) {
     return open_replay(parse_recording(kDefaultRecording, "default", {}), "default");
   }
   if (starts_with(words, "script:")) return open_script(words);
-  if (starts_with(words, "device:") || starts_with(words, "serial:")) {
+  if (starts_with(words, kSerial)) return open_serial(words);
+  if (starts_with(words, "device:")) {
     return refuse(words + ": live devices are not built into this version");
   }
   std::error_code error;

@@ -30,9 +30,14 @@ struct OpenedSource {
   std::unique_ptr<Source> source;  ///< null if it could not be opened
   std::string error;               ///< why not, in one line
   std::string note;  ///< what a user should know although it was opened; one line, or empty
+  /// Path of the serial line to a device that fences along; empty: none. The source is then the
+  /// recording that takes the place of the device's stick, or, where `own_stick`, a ReportedStick.
+  std::string line;
+  bool own_stick = false;
 };
 
-/// SOURCE: "default", "script:guard|parry|attack", or the path of a recording.
+/// SOURCE: "default", "script:guard|parry|attack", the path of a recording, or
+/// "serial:LINE[,SOURCE]" with one of the former. Opens recordings, but no line.
 OpenedSource open_source(const std::string& words);
 
 }  // namespace batuta::host

@@ -23,9 +23,9 @@ DuelRunner::DuelRunner(Source& left, Source& right, double limit)
     : sources_{&left, &right}, limit_(bout_length(left, right, limit)) {}
 
 Status DuelRunner::start() {
-  DuelSettings<float> settings = duel_settings<float>();
+  firmware::BoutSettings settings;
   settings.step_us = kStep_us;
-  return duel_.configure(settings, first_fencer<float>(), second_fencer<float>());
+  return bout_.start(settings);
 }
 
 bool DuelRunner::step() {
@@ -33,7 +33,7 @@ bool DuelRunner::step() {
   const InputSample* left = read(Side::kLeft, samples[0]);
   const InputSample* right = read(Side::kRight, samples[1]);
   const auto before = std::chrono::steady_clock::now();
-  const Status status = duel_.step(left, right);
+  const Status status = bout_.step(left, right);
   const auto spent = std::chrono::steady_clock::now() - before;
   if (status != Status::kOk) return false;
   add_up(spent);
@@ -44,7 +44,7 @@ bool DuelRunner::step() {
 const InputSample* DuelRunner::read(Side side, InputSample& sample) {
   Source& source = *sources_[index_of(side)];
   DeviceTally& tally = tally_.devices[index_of(side)];
-  const auto now_us = static_cast<Microseconds>(std::uint64_t{duel_.steps()} * kStep_us);
+  const auto now_us = static_cast<Microseconds>(std::uint64_t{bout_.steps()} * kStep_us);
   const Status status = source.read(now_us, sample);
   if (status == Status::kInvalidArgument) ++tally.refused;
   if (status == Status::kOk) ++tally.samples;
@@ -56,8 +56,8 @@ const InputSample* DuelRunner::read(Side side, InputSample& sample) {
 }
 
 void DuelRunner::add_up(std::chrono::nanoseconds spent) {
-  const auto& report = duel_.world().report();
-  for (const auto& event : duel_.world().events()) {  // Bound: DuelScene::kMaxEvents
+  const auto& report = duel().world().report();
+  for (const auto& event : duel().world().events()) {  // Bound: DuelScene::kMaxEvents
     const bool blow = event.contact_kind == ContactKind::kColliding;
     tally_.beats += event.kind == EventKind::kBegin && blow ? 1 : 0;
     tally_.begins += event.kind == EventKind::kBegin ? 1 : 0;
@@ -66,7 +66,7 @@ void DuelRunner::add_up(std::chrono::nanoseconds spent) {
   }
   tally_.events_dropped += report.events_dropped;
   tally_.contacts_dropped += report.contacts_dropped;
-  const float gap = capsule_gap(duel_.blade_W(Side::kLeft), duel_.blade_W(Side::kRight)).gap;
+  const float gap = capsule_gap(duel().blade_W(Side::kLeft), duel().blade_W(Side::kRight)).gap;
   tally_.smallest_gap = std::min(tally_.smallest_gap, gap);
   tally_.deepest_overlap = std::max(tally_.deepest_overlap, report.deepest_overlap);
   tally_.longest_hold = std::max(tally_.longest_hold, report.time_held);
@@ -76,7 +76,7 @@ void DuelRunner::add_up(std::chrono::nanoseconds spent) {
 }
 
 Ending DuelRunner::judge() const {
-  switch (duel_.bout().state) {
+  switch (duel().bout().state) {
     case BoutState::kTouched:
       return Ending::kTouch;
     case BoutState::kDouble:
@@ -86,7 +86,7 @@ Ending DuelRunner::judge() const {
       break;
   }
   if (now() < limit_) return Ending::kNone;
-  return duel_.bout().state == BoutState::kLockout ? Ending::kTouch : Ending::kDraw;
+  return duel().bout().state == BoutState::kLockout ? Ending::kTouch : Ending::kDraw;
 }
 
 }  // namespace batuta::host

@@ -7,7 +7,7 @@
 #include <chrono>
 #include <limits>
 
-#include "batuta/fencing/duel.hpp"
+#include "firmware/stepped_bout.hpp"
 #include "host/devices/source.hpp"
 
 namespace batuta::host {
@@ -42,13 +42,13 @@ struct Tally {
       std::numeric_limits<float>::infinity();  ///< between the blades after any step, m
   float deepest_overlap = 0;                   ///< found by a search when it began, m
   float longest_hold = 0;                      ///< of a blade whose way was not known to be free, s
-  std::uint64_t host_ns = 0;                   ///< time in Duel::step()
+  std::uint64_t host_ns = 0;                   ///< time in SteppedBout::step()
   std::uint64_t host_ns_worst = 0;
 };
 
 class DuelRunner {
  public:
-  using DuelType = Duel<float>;
+  using DuelType = firmware::DuelType;
   static constexpr Microseconds kStep_us = 1000;
   /// Where no source ends: a bout of the preliminary rounds.
   static constexpr double kBoutLength = 180;
@@ -63,13 +63,15 @@ class DuelRunner {
   bool step();
 
   Ending ending() const { return ending_; }
-  const DuelType& duel() const { return duel_; }
+  const DuelType& duel() const { return bout_.duel(); }
+  /// The duel with the forces on the sticks and the samples of the last step.
+  const firmware::SteppedBout& bout() const { return bout_; }
   const Tally& tally() const { return tally_; }
   const Source& source(Side side) const { return *sources_[index_of(side)]; }
   /// When the bout ends without a touch, s.
   double limit() const { return limit_; }
   /// Simulated time since the start, s.
-  double now() const { return duel_.steps() * 1e-6 * kStep_us; }
+  double now() const { return bout_.steps() * 1e-6 * kStep_us; }
 
  private:
   const InputSample* read(Side side, InputSample& sample);
@@ -77,7 +79,7 @@ class DuelRunner {
   Ending judge() const;
 
   std::array<Source*, 2> sources_;
-  DuelType duel_;
+  firmware::SteppedBout bout_;
   Tally tally_;
   double limit_;
   Ending ending_ = Ending::kNone;

@@ -13,6 +13,8 @@
 
 #include "host/clock.hpp"
 #include "host/duel/bout_log.hpp"
+#include "host/duel/device/device_log.hpp"
+#include "host/duel/device/device_setup.hpp"
 #include "host/duel/json_log.hpp"
 #include "host/duel/options.hpp"
 #include "host/duel/progress_bar.hpp"
@@ -54,41 +56,78 @@ void wait_for_step(Clock& clock, Microseconds start, const DuelRunner& runner) {
   if (early_us > 0) std::this_thread::sleep_for(std::chrono::microseconds(early_us));
 }
 
-void run(DuelRunner& runner, const Observers& observers, bool realtime) {
+/// @returns whether the bout came to its end: without a device it always does
+bool run(DuelRunner& runner, const Observers& observers, bool realtime, DevicePartner* device) {
   HostClock clock;
   const Microseconds start = clock.now();
   for (const auto& observer : observers) observer->on_start(runner);
   bool going_on = true;
   while (going_on) {  // Bound: the steps up to runner.limit()
+    if (device != nullptr && !device->before_step(runner)) return false;
     going_on = runner.step();
+    if (device != nullptr && !device->after_step(runner)) return false;
     for (const auto& observer : observers) observer->on_step(runner);
     if (realtime) wait_for_step(clock, start, runner);
   }
-  for (const auto& observer : observers) observer->on_end(runner);
+  return true;
+}
+
+/// The last words. JSON ends with the summary, the log with what the device has to say.
+void conclude(const DuelRunner& runner, const Observers& observers, DevicePartner* device,
+              bool json) {
+  if (device != nullptr && json) print_device_json(stdout, *device);
+  if (device == nullptr || device->session() == Session::kGoingOn) {
+    for (const auto& observer : observers) observer->on_end(runner);
+  }
+  if (device != nullptr && !json) print_device(stdout, *device);
+}
+
+/// Sessions with a device that may be lost before the program gives up.
+constexpr std::uint32_t kMostLost = 10;
+
+/// One bout; with a device that was lost on the way, another one.
+int play_bouts(const Options& options, DeviceSetup& setup, std::ostream& svg) {
+  DevicePartner* device = setup.partner();
+  while (true) {  // Bound: kMostLost + 1 sessions
+    if (device != nullptr && !device->open()) return complain(kExitFailure, device->problem());
+    const auto runner = std::make_unique<DuelRunner>(setup.source(Side::kLeft),
+                                                     setup.source(Side::kRight), options.seconds);
+    if (runner->start() != Status::kOk) return complain(kExitFailure, "the fencers are not valid");
+    const Observers observers = make_observers(options, runner->limit(), svg);
+    const bool ended = run(*runner, observers, options.realtime, device);
+    const bool again =
+        !ended && device->session() == Session::kLost && device->lost_sessions() <= kMostLost;
+    if (!again) conclude(*runner, observers, device, options.json);
+    if (ended) return kExitOk;
+    complain(kExitFailure, device->problem() + (again ? "; a new session begins" : ""));
+    if (!again) return kExitFailure;
+  }
 }
 
 /// Opens a source and says what there is to say.
-std::unique_ptr<Source> open(const std::string& words) {
+OpenedSource open(const std::string& words) {
   OpenedSource opened = open_source(words);
   if (!opened.error.empty()) complain(kExitUsage, opened.error);
   if (!opened.note.empty()) complain(kExitOk, opened.note);
-  return std::move(opened.source);
+  return opened;
 }
 
 int play(const Options& options) {
-  const std::unique_ptr<Source> left = open(options.left);
-  if (!left) return kExitUsage;
-  const std::unique_ptr<Source> right = open(options.right);
-  if (!right) return kExitUsage;
+  const OpenedSource left = open(options.left);
+  if (!left.source) return kExitUsage;
+  const OpenedSource right = open(options.right);
+  if (!right.source) return kExitUsage;
+  DeviceSetup setup;
+  const std::string error = setup.open(left, right);
+  if (!error.empty()) return complain(kExitUsage, error);
   std::ofstream svg;
   if (!options.svg.empty()) {
     svg.open(options.svg);
     if (!svg)
       return complain(kExitFailure, options.svg + ": cannot be written: " + std::strerror(errno));
   }
-  const auto runner = std::make_unique<DuelRunner>(*left, *right, options.seconds);
-  if (runner->start() != Status::kOk) return complain(kExitFailure, "the fencers are not valid");
-  run(*runner, make_observers(options, runner->limit(), svg), options.realtime);
+  const int exit_code = play_bouts(options, setup, svg);
+  if (exit_code != kExitOk) return exit_code;
   svg.flush();
   if (!options.svg.empty() && !svg)
     return complain(kExitFailure, options.svg + ": cannot be written");

@@ -19,6 +19,10 @@ constexpr const char* kFooter = R"(SOURCE is one of
   default                  the synthetic recording that is built into the program
   script:guard, script:parry, script:attack
                            a simple opponent
+  serial:LINE              the fencing firmware at the other end of a serial line, with its own stick
+  serial:LINE,SOURCE       the same, with a recording or a script in place of its stick
+                           (here and there the bout is the same, to the last bit; this is checked
+                           after every step)
 The bout ends with a touch, or when the recordings are at their end; with two scripts, after 180 s.
 After one of two recordings has ended, its fencer stays where it is.
 
@@ -28,8 +32,11 @@ parries, down is the retreat. Up is where a mouse moves away from you.
 With --json each line of the output is an object; "type" is start, contact, touch or, in the last
 line, summary. SI units. Contacts that only persist are counted in the summary, not listed.
 
-Exit codes: 0 the bout ran; 1 something failed on the way, such as writing the picture;
-            2 wrong usage, or a source that cannot be read)";
+With a device, a line of the type "link" before the summary tells what the cable did.
+
+Exit codes: 0 the bout ran; 1 something failed on the way, such as writing the picture, a device
+            that does not answer, or one that computes other bits; 2 wrong usage, or a source that
+            cannot be read)";
 
 std::string positive_number(const std::string& words) {
   double value = 0;

@@ -29,9 +29,9 @@ TEST(OpenSource, Scripts) {
 }
 
 TEST(OpenSource, Refusals_AreOneLineThatNamesTheSource) {
-  for (const char* words :
-       {"script:", "script:riposte", "banana", "none.events", "device:/dev/input/event0",
-        "serial:/dev/ttyUSB0", "", "/", "carrier:pigeon"}) {
+  for (const char* words : {"script:", "script:riposte", "banana", "none.events",
+                            "device:/dev/input/event0", "serial:", "serial:,script:guard",
+                            "serial:/dev/a,serial:/dev/b", "", "/", "carrier:pigeon"}) {
     const OpenedSource opened = open_source(words);
     EXPECT_FALSE(opened.source) << words;
     EXPECT_THAT(opened.error, HasSubstr(words));
@@ -41,6 +41,26 @@ TEST(OpenSource, Refusals_AreOneLineThatNamesTheSource) {
   EXPECT_THAT(open_source("banana").error, HasSubstr("unknown source"));
   EXPECT_THAT(open_source("none.events").error, HasSubstr("no such file"));
   EXPECT_THAT(open_source("device:/dev/input/event0").error, HasSubstr("live devices are not"));
+}
+
+TEST(OpenSource, ASerialLine_IsNamed_AndTheDevicesOwnStickStandsForTheSource) {
+  const OpenedSource opened = open_source("serial:/dev/ttyUSB0");
+  ASSERT_TRUE(opened.source) << opened.error;
+  EXPECT_EQ(opened.line, "/dev/ttyUSB0");
+  EXPECT_TRUE(opened.own_stick);
+  EXPECT_THAT(opened.source->description(), HasSubstr("/dev/ttyUSB0"));
+  InputSample sample;
+  EXPECT_EQ(opened.source->read(0, sample), Status::kUnavailable) << "nobody has told it anything";
+}
+
+TEST(OpenSource, ASerialLineWithASource_IsThatSource) {
+  const OpenedSource opened = open_source("serial:/dev/ttyUSB0,script:attack");
+  ASSERT_TRUE(opened.source) << opened.error;
+  EXPECT_EQ(opened.line, "/dev/ttyUSB0");
+  EXPECT_FALSE(opened.own_stick);
+  EXPECT_EQ(opened.source->description(), open_source("script:attack").source->description());
+  EXPECT_THAT(open_source("serial:/dev/ttyUSB0,banana").error, HasSubstr("unknown source"));
+  EXPECT_TRUE(open_source("script:attack").line.empty());
 }
 
 TEST(OpenSource, GuessedCalibration_IsNoted) {

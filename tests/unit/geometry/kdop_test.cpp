@@ -83,6 +83,33 @@ TYPED_TEST(KdopTest, OfACapsule_HoldsItAndIsTightToEightRoundOffs) {
   this->RecordProperty("worst_slack_uS", std::to_string(static_cast<double>(worst)));
 }
 
+// Against the exact extents of both, a margin and all: nothing sticks out.
+TYPED_TEST(KdopTest, OfTwoCapsulesAndAMargin_HoldsBothAndIsTight) {
+  using Scalar = typename TypeParam::Scalar;
+  constexpr int K = TypeParam::K;
+  for (int n = 0; n < 1000; ++n) {
+    const std::array<Capsule<Scalar>, 2> both = {this->capsule(), this->capsule()};
+    const Scalar margin = n % 3 == 0 ? Scalar(0) : Scalar(0.01) * static_cast<Scalar>(n);
+    const Kdop<Scalar, K> dop = kdop_of<Scalar, K>(both[0], both[1], margin);
+    for (int i = 0; i < K / 2; ++i) {
+      const auto d = kdop_direction<Scalar, K>(i).template cast<long double>().eval();
+      long double high = std::numeric_limits<long double>::lowest();
+      long double size = 0;
+      for (const auto& c : both) {
+        for (const auto& end : {c.axis.a, c.axis.b}) {
+          const auto x = end.template cast<long double>().eval();
+          const long double radius = static_cast<long double>(c.radius) + margin;
+          high = std::max(high, d.dot(x) + d.norm() * radius);
+          size = std::max(size, x.norm() + radius);
+        }
+      }
+      const long double above = dop.high[static_cast<std::size_t>(i)] - high;
+      ASSERT_GE(above, 0);
+      ASSERT_LE(above, 10 * d.norm() * size * kRoundOff<Scalar>);
+    }
+  }
+}
+
 TYPED_TEST(KdopTest, OfACapsule_ContainsItsPoints) {
   using Scalar = typename TypeParam::Scalar;
   constexpr int K = TypeParam::K;

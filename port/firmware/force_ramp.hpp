@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Silence takes the force away, slowly, and life brings it back, slowly: a stick whose samples stop
+// must not be held by the last force, and must not be struck by the next one.
+
+#include <cstdint>
+
+#include "batuta/core/status.hpp"
+
+namespace batuta::firmware {
+
+struct RampSettings {
+  std::int32_t silent_after = 100;  ///< steps without a sample that are still no silence, >= 0
+  std::int32_t length = 50;         ///< steps from full force to none, and back, > 0
+};
+
+/// @returns kOk | kInvalidArgument: out of range, or above a million steps
+Status validate(const RampSettings& settings);
+
+/// A share of the force, 0 ... 1, told once a step. Starts silent, at 0, unless open()ed.
+/// Allocates: never.
+class ForceRamp {
+ public:
+  /// Starts anew. @returns kOk | kInvalidArgument (nothing changed)
+  Status configure(const RampSettings& settings);
+
+  /// As after a long time with samples: the full share, until silence takes it.
+  void open();
+
+  /// A step. @param alive  something came in it
+  /// Bound: no loop.
+  void advance(bool alive);
+
+  /// What is left of the force: 0 ... 1, exact at both ends.
+  float share() const;
+  /// Nothing has come for more than `silent_after` steps, or ever.
+  bool is_silent() const { return silent_; }
+  /// Silences that began since the start; that before the first sample is none.
+  std::uint32_t silences() const { return silences_; }
+
+ private:
+  RampSettings settings_;
+  std::int32_t quiet_ = 0;  ///< steps since something came; grows to silent_after + 1
+  std::int32_t level_ = 0;  ///< 0 ... length
+  std::uint32_t silences_ = 0;
+  bool silent_ = true;
+};
+
+}  // namespace batuta::firmware

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Holds a device's step against the host's own, bit for bit.
+
+#include <string>
+
+#include "firmware/stepped_bout.hpp"
+#include "host/duel/device/step_answer.hpp"
+
+namespace batuta::host {
+
+/// @param there  complete
+/// @returns empty: the same poses, events, touches, forces and results of the bout, and made with
+///   the same samples | else the first difference: "step 17: left pose: position x differs:
+///   0x3f800000 here, 0x3f800001 there"
+std::string first_difference(const firmware::SteppedBout& here, const StepAnswer& there);
+
+}  // namespace batuta::host

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// The fencing firmware on an MPS2 board. The board has neither stick nor motor: the stick's samples
+// come over UART 0, the force is a pair of words and two LEDs.
+
+#include "cortex_m/fault.hpp"
+#include "cortex_m/registers.hpp"
+#include "cortex_m/systick.hpp"
+#include "firmware/application.hpp"
+#include "mps2/board.hpp"
+#include "mps2/force.hpp"
+#include "mps2/uart.hpp"
+
+namespace {
+
+using namespace batuta;
+
+constexpr std::uint32_t kBitsPerSecond = 1'000'000;
+constexpr std::uint32_t kUartRate = 1;             // second detail of a failed start: no such rate
+constexpr std::uint32_t kApplicationSettings = 2;  // refused by the application
+
+[[noreturn]] void give_up(std::uint32_t reason) {
+  cortex_m::enter_safe_state(cortex_m::FaultCode::kStartUp,
+                             static_cast<std::uint32_t>(cortex_m::StartUpFailure::kApplication),
+                             reason);
+}
+
+firmware::LastFault last_fault() {
+  const cortex_m::FaultRecord record = cortex_m::take_last_fault();
+  return {static_cast<std::uint32_t>(record.code), {record.detail[0], record.detail[1]}};
+}
+
+/// Everything that the program owns.
+struct Fencing {
+  cortex_m::SysTickClock clock;
+  mps2::Uart uart;
+  mps2::Force force;
+  firmware::Application application{{clock, uart, nullptr, &force}, last_fault()};
+};
+
+Fencing fencing;
+
+/// Sleeps until the timer has another number than `last`. @returns that number
+std::uint32_t next_tick(std::uint32_t last) {
+  while (true) {                         // Bound: the period, unless the timer has stopped
+    const cortex_m::InterruptLock lock;  // else the tick could come between the look and the sleep
+    const std::uint32_t tick = cortex_m::period_count();
+    if (tick != last) return tick;
+    __asm volatile("wfi");  // wakes up with interrupts off, too
+  }
+}
+
+}  // namespace
+
+int main() {
+  cortex_m::start_systick(cortex_m::millisecond(mps2::kBoard.clock_hz));
+  if (!fencing.uart.start(kBitsPerSecond)) give_up(kUartRate);
+  if (fencing.application.start({}) != Status::kOk) give_up(kApplicationSettings);
+  std::uint32_t tick = cortex_m::period_count();
+  while (true) {
+    tick = next_tick(tick);
+    fencing.application.tick(tick);
+  }
+}

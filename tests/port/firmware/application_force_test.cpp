@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// What the motor is told: when blades meet, when samples stop, when the host stops.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "device_rig.hpp"
+#include "heap_trap.hpp"
+
+namespace batuta::test {
+namespace {
+
+using firmware::RampSettings;
+using link::Mode;
+
+/// A device whose left stick sweeps into the other blade.
+class SweepingStick : public ::testing::Test {
+ protected:
+  DeviceRig rig;
+  PlainHost host{rig.cable};
+  std::uint32_t step = 0;
+
+  static InputSample sweep(std::uint32_t step) {
+    InputSample sample;
+    sample.time = step * 1000;
+    sample.sequence = step;
+    sample.x = -std::fmin(static_cast<float>(step) / 150.0F, 1.0F);
+    return sample;
+  }
+  bool is_forced() const { return rig.motor.last.x != 0 || rig.motor.last.y != 0; }
+
+  /// One step of a paced session, with a sample of the left stick.
+  void order() {
+    link::Step message;
+    message.step = ++step;
+    message.has_left = true;
+    message.left = sweep(step);
+    host.send(message);
+    rig.run(1);
+    ASSERT_EQ(rig.device->bout().steps(), step);
+  }
+  void order_until_forced() {
+    host.send(link::Hello{1, Mode::kPaced});
+    rig.run(1);
+    while (!is_forced() && step < 300) order();
+    ASSERT_TRUE(is_forced());
+  }
+};
+
+TEST_F(SweepingStick, ABlow_ReachesTheMotor_AsItIsTold) {
+  rig.start();
+  order_until_forced();
+  const auto forces = host.received<link::Force>();
+  ASSERT_FALSE(forces.empty());
+  const link::Force& told = forces[forces.size() - 2];  // left, then right
+  ASSERT_EQ(told.side, link::LinkSide::kLeft);
+  EXPECT_EQ(rig.motor.last.x, told.x);
+  EXPECT_EQ(rig.motor.last.y, told.y);
+  EXPECT_GT(told.x, 0) << "the stick went to the left";
+}
+
+TEST_F(SweepingStick, WhenTheHostStops_TheForceStaysForTheLimit_ThenFadesInTheLength) {
+  rig.settings.bout.force.ramp = {30, 20};
+  rig.start();
+  order_until_forced();
+  const float whole = rig.motor.last.x;
+  for (int i = 0; i < 30; ++i) {
+    rig.run(1);
+    ASSERT_EQ(rig.motor.last.x, whole) << i;
+  }
+  for (int i = 19; i >= 0; --i) {
+    rig.run(1);
+    ASSERT_EQ(rig.motor.last.x, static_cast<float>(i) / 20.0F * whole) << i;
+  }
+  EXPECT_EQ(rig.device->silences(), 1U);
+  rig.run(1000);
+  EXPECT_FALSE(is_forced());
+  EXPECT_EQ(rig.device->silences(), 1U);
+}
+
+TEST_F(SweepingStick, WhenTheHostComesBack_TheForceComesBackSlowly_AndTheSilenceIsTold) {
+  rig.settings.bout.force.ramp = {10, 50};
+  rig.start();
+  order_until_forced();
+  rig.run(200);
+  host.received<link::StepReport>();
+  order();
+  const auto reports = host.received<link::StepReport>();
+  ASSERT_EQ(reports.size(), 1U);
+  EXPECT_EQ(reports[0].silences, 1U);
+  const Vec2<float> whole = rig.device->bout().forces().of(Side::kLeft).share;
+  EXPECT_EQ(rig.motor.last.x, 1.0F / 50.0F * whole.x());
+}
+
+TEST_F(SweepingStick, WhenTheOwnStickStops_ItsForceFades_ThoughStepsGoOn) {
+  rig.settings.bout.force.ramp = {25, 10};
+  for (std::uint32_t i = 0; i < 40; ++i) rig.stick.samples.push_back(sweep(i));
+  rig.start();
+  rig.run(40);
+  host.received<link::Force>();
+  std::vector<bool> ramped;
+  std::vector<bool> stale;
+  rig.run(60);
+  for (const auto& force : host.received<link::Force>()) {
+    if (force.side != link::LinkSide::kLeft) continue;
+    ramped.push_back(force.ramped);
+    stale.push_back(force.stale);
+  }
+  ASSERT_EQ(stale.size(), 60U);
+  EXPECT_EQ(std::find(stale.begin(), stale.end(), true) - stale.begin(), 25);
+  EXPECT_EQ(std::find(ramped.begin(), ramped.end(), true) - ramped.begin(), 25);
+  EXPECT_EQ(rig.device->silences(), 1U);
+  EXPECT_EQ(rig.device->bout().steps(), 100U);
+}
+
+TEST_F(SweepingStick, ANewSession_StartsWithoutForce_AndRemembersTheSilences) {
+  rig.settings.bout.force.ramp = {10, 5};
+  rig.start();
+  order_until_forced();
+  rig.run(50);
+  host.send(link::Hello{2, Mode::kPaced});
+  rig.run(1);
+  EXPECT_FALSE(is_forced());
+  EXPECT_EQ(rig.device->silences(), 1U);
+}
+
+TEST_F(SweepingStick, NoTickAllocates) {
+  rig.stick.samples.resize(300);
+  for (std::uint32_t i = 0; i < 300; ++i) rig.stick.samples[i] = sweep(i);
+  rig.cable.to_host.cut(true);  // the cable is the test's, and may allocate
+  rig.start();
+  HeapTrap trap;
+  for (std::uint32_t i = 1; i <= 300; ++i) {
+    rig.clock.time += 1000;
+    rig.device->tick(i);
+  }
+  EXPECT_EQ(trap.allocations(), 0);
+  EXPECT_EQ(rig.device->bout().steps(), 300U);
+}
+
+}  // namespace
+}  // namespace batuta::test

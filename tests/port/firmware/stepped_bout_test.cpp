@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "firmware/stepped_bout.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "firmware/step_messages.hpp"
+
+namespace batuta::firmware {
+namespace {
+
+/// A stick that sweeps to and fro: blades meet.
+InputSample swept(std::uint32_t step) {
+  InputSample sample;
+  sample.time = step * 1000;
+  sample.sequence = step;
+  sample.x = -static_cast<float>(step % 200) / 200.0F;
+  sample.y = 0.1F;
+  return sample;
+}
+
+void make_steps(SteppedBout& bout, std::uint32_t count) {
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const InputSample left = swept(bout.steps());
+    ASSERT_EQ(bout.step(&left, nullptr), Status::kOk);
+  }
+}
+
+void expect_same(const SteppedBout& a, const SteppedBout& b) {
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    const link::Pose pose_a = pose_message(a.duel(), side);
+    const link::Pose pose_b = pose_message(b.duel(), side);
+    ASSERT_EQ(pose_a.position_W, pose_b.position_W);
+    ASSERT_EQ(pose_a.rotation_WB, pose_b.rotation_WB);
+    ASSERT_EQ(a.forces().of(side).share, b.forces().of(side).share);
+  }
+  ASSERT_EQ(a.duel().world().report().evaluations, b.duel().world().report().evaluations);
+}
+
+TEST(SteppedBout, AnotherBout_IsLikeTheFirstOne_ToTheLastBit) {
+  for (const std::uint32_t before : {1U, 7U, 150U, 400U}) {
+    auto again = std::make_unique<SteppedBout>();
+    auto first = std::make_unique<SteppedBout>();
+    ASSERT_EQ(again->start({}), Status::kOk);
+    make_steps(*again, before);
+    ASSERT_EQ(again->start({}), Status::kOk);
+    ASSERT_EQ(first->start({}), Status::kOk);
+    EXPECT_EQ(again->steps(), 0U);
+    int blows = 0;
+    for (int i = 0; i < 300; ++i) {
+      make_steps(*again, 1);
+      make_steps(*first, 1);
+      expect_same(*again, *first);
+      blows += first->duel().world().events().size();
+      if (::testing::Test::HasFatalFailure()) return;
+    }
+    EXPECT_GT(blows, 0);
+  }
+}
+
+TEST(SteppedBout, RemembersTheSamplesOfItsLastStep) {
+  SteppedBout bout;
+  ASSERT_EQ(bout.start({}), Status::kOk);
+  EXPECT_EQ(bout.used(Side::kLeft), nullptr);
+  const InputSample left = swept(50);
+  ASSERT_EQ(bout.step(&left, nullptr), Status::kOk);
+  ASSERT_NE(bout.used(Side::kLeft), nullptr);
+  EXPECT_EQ(bout.used(Side::kLeft)->x, left.x);
+  EXPECT_EQ(bout.used(Side::kRight), nullptr);
+  ASSERT_EQ(bout.step(nullptr, nullptr), Status::kOk);
+  EXPECT_EQ(bout.used(Side::kLeft), nullptr);
+}
+
+TEST(SteppedBout, NotStarted_MakesNoStep) {
+  SteppedBout bout;
+  EXPECT_EQ(bout.step(nullptr, nullptr), Status::kInvalidArgument);
+  EXPECT_EQ(bout.steps(), 0U);
+}
+
+TEST(SteppedBout, BadForceSettings_LeaveTheBoutAlone) {
+  SteppedBout bout;
+  ASSERT_EQ(bout.start({}), Status::kOk);
+  make_steps(bout, 3);
+  BoutSettings bad;
+  bad.force.full_scale = 0;
+  EXPECT_EQ(bout.start(bad), Status::kInvalidArgument);
+  EXPECT_EQ(bout.steps(), 3U);
+}
+
+}  // namespace
+}  // namespace batuta::firmware

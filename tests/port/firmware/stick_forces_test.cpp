@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "firmware/stick_forces.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace batuta::firmware {
+namespace {
+
+/// A duel in which the left blade sweeps to its left into the right one: the right fencer waits.
+class ABeat : public ::testing::Test {
+ protected:
+  std::unique_ptr<DuelType> duel = std::make_unique<DuelType>();
+  StickForces forces;
+
+  void SetUp() override {
+    ASSERT_EQ(
+        duel->configure(duel_settings<float>(), first_fencer<float>(), second_fencer<float>()),
+        Status::kOk);
+  }
+
+  /// One step in which the left stick is at (x, 0) of a sweep that lasts 150 steps.
+  void step() {
+    InputSample left;
+    left.time = duel->steps() * 1000;
+    left.sequence = duel->steps();
+    left.x = -std::fmin(static_cast<float>(duel->steps()) / 150.0F, 1.0F);
+    InputSample right = left;
+    right.x = 0;
+    ASSERT_EQ(duel->step(&left, &right), Status::kOk);
+    forces.advance(*duel, {true, true});
+  }
+  bool has_blow() const {
+    for (const auto& event : duel->world().events()) {
+      if (event.impulse > 0) return true;
+    }
+    return false;
+  }
+};
+
+TEST_F(ABeat, PushesTheStickBackFromWhereItStruck_AndTheOtherAlong) {
+  ASSERT_EQ(forces.configure({1000, {100, 1}}), Status::kOk);
+  for (int i = 0; i < 150 && !has_blow(); ++i) step();
+  ASSERT_TRUE(has_blow());
+  // The left stick moves to -x and meets something: it is pushed to +x. The right fencer faces the
+  // other way: what comes from the left fencer's right comes from his own left, and pushes him to
+  // his own right.
+  EXPECT_GT(forces.of(Side::kLeft).share.x(), 0);
+  EXPECT_GT(forces.of(Side::kRight).share.x(), 0);
+}
+
+TEST_F(ABeat, WithoutABlow_ThereIsNoForce) {
+  ASSERT_EQ(forces.configure({}), Status::kOk);
+  int quiet = 0;
+  for (int i = 0; i < 150; ++i) {
+    step();
+    if (has_blow()) continue;
+    ++quiet;
+    EXPECT_EQ(forces.of(Side::kLeft).share, Vec2<float>(0, 0));
+    EXPECT_EQ(forces.of(Side::kRight).share, Vec2<float>(0, 0));
+  }
+  EXPECT_GT(quiet, 10);
+}
+
+TEST_F(ABeat, TheRampScalesEachSideByItself) {
+  ASSERT_EQ(forces.configure({1000, {0, 1000}}), Status::kOk);
+  StickForces full;
+  ASSERT_EQ(full.configure({1000, {0, 1}}), Status::kOk);
+  int blows = 0;
+  for (int i = 1; i <= 150; ++i) {
+    InputSample left;
+    left.time = duel->steps() * 1000;
+    left.x = -static_cast<float>(i) / 150.0F;
+    ASSERT_EQ(duel->step(&left, nullptr), Status::kOk);
+    forces.advance(*duel, {true, false});
+    full.advance(*duel, {true, false});
+    const Vec2<float> whole = full.of(Side::kLeft).share;
+    const float share = static_cast<float>(i) / 1000.0F;
+    EXPECT_EQ(forces.of(Side::kLeft).share, Vec2<float>(share * whole));
+    EXPECT_EQ(forces.of(Side::kRight).share, Vec2<float>(0, 0)) << "it never had a sample";
+    blows += has_blow() ? 1 : 0;
+  }
+  EXPECT_GT(blows, 0);
+  EXPECT_TRUE(forces.of(Side::kLeft).ramped);
+  EXPECT_FALSE(forces.of(Side::kLeft).silent);
+  EXPECT_TRUE(forces.of(Side::kRight).silent);
+}
+
+TEST(StickForces, SettingsOutOfRange_AreRefused) {
+  StickForces forces;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float infinite = std::numeric_limits<float>::infinity();
+  for (const float bad : {0.0F, -1.0F, nan, infinite}) {
+    EXPECT_EQ(forces.configure({bad, {}}), Status::kInvalidArgument) << bad;
+  }
+  EXPECT_EQ(forces.configure({1, {-1, 1}}), Status::kInvalidArgument);
+}
+
+}  // namespace
+}  // namespace batuta::firmware

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: MIT
+"""A cable between a program's pseudo-terminal and an emulator's UART, as bad as a test wants it."""
+
+import os
+import random
+import selectors
+import socket
+import threading
+import time
+import tty
+
+
+class Wire:
+    """One direction: drops, doubles and flips bytes at given rates, by a seed."""
+
+    def __init__(self, damage, seed):
+        self.damage = damage
+        self.random = random.Random(seed)
+        self.passed = 0
+
+    def carry(self, data):
+        self.passed += len(data)
+        if self.damage == 0:
+            return data
+        out = bytearray()
+        for byte in data:
+            chance = self.random.random() / self.damage
+            if chance < 1:  # dropped
+                continue
+            if chance < 2:  # one bit flipped
+                byte ^= 1 << self.random.randrange(8)
+            out.append(byte)
+            if 2 <= chance < 3:  # doubled
+                out.append(byte)
+        return bytes(out)
+
+
+class Cable:
+    """Forwards between .path, a tty for the program, and .uart, a Unix socket for the emulator.
+
+    damage: the rate of each kind of damage, per byte. cut_after: bytes from the device after which
+    the cable is cut until mend(). rewrite: what becomes of the bytes from the device.
+    """
+
+    def __init__(self, folder, damage=0.0, seed=1, cut_after=None, rewrite=None):
+        self.uart = os.path.join(folder, "uart")
+        self.server = socket.socket(socket.AF_UNIX)
+        self.server.bind(self.uart)
+        self.server.listen(1)
+        self.master, self.slave = os.openpty()
+        tty.setraw(self.slave)
+        os.set_blocking(self.master, False)
+        self.path = os.ttyname(self.slave)
+        self.to_device = Wire(damage, seed)
+        self.to_host = Wire(damage, seed + 1)
+        self.cut_after = cut_after
+        self.rewrite = rewrite
+        self.device = None
+        self.stop = threading.Event()
+        self.thread = threading.Thread(target=self.run, daemon=True)
+
+    def plug_in(self, timeout):
+        """Once the emulator has been started."""
+        self.server.settimeout(timeout)
+        self.device, _ = self.server.accept()
+        self.device.setblocking(False)
+        self.thread.start()
+
+    def wait_for_device(self, timeout):
+        """Until it has something to say."""
+        end = time.monotonic() + timeout
+        while self.to_host.passed == 0:
+            if time.monotonic() > end:
+                raise TimeoutError("the device does not speak")
+            time.sleep(0.01)
+
+    def mend(self):
+        self.cut_after = None
+
+    def is_cut(self):
+        return self.cut_after is not None and self.to_host.passed >= self.cut_after
+
+    def close(self):
+        self.stop.set()
+        if self.thread.is_alive():
+            self.thread.join(5)
+        for thing in (self.device, self.server):
+            if thing is not None:
+                thing.close()
+        os.close(self.master)
+        os.close(self.slave)
+
+    def run(self):
+        with selectors.DefaultSelector() as ready:
+            ready.register(self.master, selectors.EVENT_READ)
+            ready.register(self.device, selectors.EVENT_READ)
+            while not self.stop.is_set():
+                for key, _ in ready.select(0.05):
+                    if not (self.from_host() if key.fileobj == self.master else self.from_device()):
+                        return
+
+    def from_host(self):
+        data = read_some(lambda: os.read(self.master, 65536))
+        if data and not self.is_cut():
+            write_all(self.device.fileno(), self.to_device.carry(data), self.stop)
+        return data is not None
+
+    def from_device(self):
+        data = read_some(lambda: self.device.recv(65536))
+        if data == b"":
+            return False  # the emulator has ended
+        if data and not self.is_cut():
+            data = self.to_host.carry(data)
+            write_all(self.master, self.rewrite(data) if self.rewrite else data, self.stop)
+        return data is not None
+
+
+def read_some(read):
+    """The bytes; b"" at the end; None where the other side has gone."""
+    try:
+        return read()
+    except BlockingIOError:
+        return bytearray()
+    except OSError:
+        return None
+
+
+def write_all(descriptor, data, stop):
+    while data and not stop.is_set():
+        try:
+            data = data[os.write(descriptor, data):]
+        except BlockingIOError:
+            stop.wait(0.001)
+        except OSError:
+            return

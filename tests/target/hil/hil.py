@@ -1,0 +1,196 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""batuta-duel fences with the firmware in an emulator, over a cable that may be bad.
+
+usage: hil.py SCENARIO --duel PROGRAM --shared FOLDER -- EMULATOR... FIRMWARE
+Exit status 77: the host's program or the recordings are not there.
+"""
+
+import argparse
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+
+sys.dont_write_bytecode = True  # nothing is left in the source tree
+import frames  # noqa: E402
+from cable import Cable  # noqa: E402
+
+SKIP = 77
+PATIENCE_S = 240
+BOOT_S = 30
+
+
+class Bench:
+    """The emulator with the firmware, the cable, and the host's program."""
+
+    def __init__(self, arguments, **cable):
+        self.arguments = arguments
+        self.folder = tempfile.TemporaryDirectory()
+        self.cable = Cable(self.folder.name, **cable)
+        self.emulator = None
+
+    def __enter__(self):
+        options = f"-serial unix:{self.cable.uart}"
+        environment = dict(os.environ, BATUTA_QEMU_OPTIONS=options)
+        self.emulator = subprocess.Popen(self.arguments.emulator, env=environment)
+        self.cable.plug_in(BOOT_S)
+        self.cable.wait_for_device(BOOT_S)
+        return self
+
+    def __exit__(self, *_):
+        self.emulator.kill()
+        self.emulator.wait()
+        self.cable.close()
+        self.folder.cleanup()
+
+    def fence(self, left, right, *more):
+        """SERIAL in a source becomes the cable's end."""
+        here = [word.replace("SERIAL", "serial:" + self.cable.path) for word in (left, right)]
+        return fence(self.arguments.duel, *here, *more)
+
+
+class Run:
+    """What a run of the program left behind."""
+
+    def __init__(self, process, seconds):
+        self.status = process.returncode
+        self.seconds = seconds
+        self.error = process.stderr.strip()
+        self.lines = [json.loads(line) for line in process.stdout.splitlines()]
+
+    def link(self):
+        return next(line for line in self.lines if line["type"] == "link")
+
+    def summary(self):
+        return self.lines[-1]
+
+    def bout(self):
+        """Everything that must not depend on where it was computed."""
+        kept = [line for line in self.lines if line["type"] != "link"]
+        return [{key: value for key, value in line.items() if not key.startswith("host_ns")}
+                for line in kept]
+
+
+def fence(duel, left, right, *more):
+    command = [duel, "--left", left, "--right", right, "--json", *more]
+    begin = time.monotonic()
+    process = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE_S)
+    return Run(process, time.monotonic() - begin)
+
+
+def require(condition, what, run):
+    if not condition:
+        raise AssertionError(f"{what}\nexit status {run.status}\n{run.error}\n{run.lines[-2:]}")
+
+
+def require_same_bout(run, plain):
+    require(run.status == 0, "the bout did not come to its end", run)
+    require(run.bout() == plain.bout(), "the host's output is not that of a run by itself", run)
+    steps = plain.summary()["steps"]
+    require(run.link()["steps_compared"] == steps, f"not all {steps} steps were compared", run)
+
+
+def tell(name, run):
+    link = run.link()
+    counts = ("steps_compared", "resends", "rejected", "device_rejected", "device_overruns",
+              "device_skipped", "device_silences")
+    print(f"{name}: {run.seconds:.1f} s,", ", ".join(f"{key} {link[key]}" for key in counts))
+
+
+def play(arguments, recording, **cable):
+    """A bout with a recording in place of the stick, and the same one without a device."""
+    recording = os.path.join(arguments.shared, "recordings", recording)
+    plain = fence(arguments.duel, recording, "script:parry")
+    with Bench(arguments, **cable) as bench:
+        run = bench.fence("SERIAL," + recording, "script:parry")
+    tell(os.path.basename(recording), run)
+    require_same_bout(run, plain)
+    return run
+
+
+def mouse(arguments):
+    play(arguments, "ps2_mouse.events")
+
+
+def pad(arguments):
+    """Two dozen beats: events and forces."""
+    run = play(arguments, "madcatz_pad.events")
+    require(run.summary()["blows"] > 0, "a bout without a blow shows too little", run)
+
+
+def trackpoint(arguments):
+    play(arguments, "trackpoint.events")
+
+
+def damaged(arguments):
+    """Dropped, doubled and flipped bytes: the same bout, and the damage is counted."""
+    link = play(arguments, "madcatz_pad.events", damage=2e-4, seed=3).link()
+    for count in ("rejected", "device_rejected", "resends", "missing"):
+        if link[count] == 0:
+            raise AssertionError(f"{count} is 0: the damage was not noticed")
+
+
+def cut(arguments):
+    """The cable is cut in the bout: the host gives up, the device lets go, both begin anew."""
+    recording = os.path.join(arguments.shared, "recordings", "madcatz_pad.events")
+    with Bench(arguments, cut_after=100_000) as bench:
+        first = bench.fence("SERIAL," + recording, "script:parry")
+        tell("cut", first)
+        require(first.status == 1, "the host did not give up", first)
+        require("no whole answer to step" in first.error, "the reason is not told", first)
+        require(first.lines[-1]["type"] == "link", "a bout that did not end has no summary", first)
+        bench.cable.mend()
+        second = bench.fence("SERIAL," + recording, "script:parry")
+    tell("mended", second)
+    require_same_bout(second, fence(arguments.duel, recording, "script:parry"))
+    # Two seconds without a step are far beyond what the force survives.
+    require(second.link()["device_silences"] > 0, "the device did not notice the silence", second)
+
+
+def wrong_bit(arguments):
+    """One bit of one pose, under a valid check sum: the host must see it."""
+    flip = frames.FlipOneBit(frames.POSE, step=200, side=1, byte=5)
+    recording = os.path.join(arguments.shared, "recordings", "ps2_mouse.events")
+    with Bench(arguments, rewrite=flip) as bench:
+        run = bench.fence("SERIAL," + recording, "script:parry")
+    tell("wrong bit", run)
+    require(run.status == 1, "a wrong bit went unnoticed", run)
+    named = "step 200: right pose: position x differs: 0x" in run.error
+    require(named, "the difference is not named", run)
+    print(run.error)
+
+
+def free(arguments):
+    """The device steps by its own clock with samples from here; the host follows it."""
+    with Bench(arguments) as bench:
+        run = bench.fence("script:attack", "SERIAL", "--seconds", "3")
+    tell("free", run)
+    require(run.status == 0, "the bout did not come to its end", run)
+    require(run.link()["mode"] == "free", "not in free mode", run)
+    require(run.summary()["left_samples_used"] > 0, "no sample was used", run)
+    require(run.link()["steps_compared"] >= run.summary()["steps"] > 0, "not all compared", run)
+
+
+SCENARIOS = (mouse, pad, trackpoint, damaged, cut, wrong_bit, free)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("scenario", choices=[scenario.__name__ for scenario in SCENARIOS])
+    parser.add_argument("--duel", required=True)
+    parser.add_argument("--shared", required=True)
+    parser.add_argument("emulator", nargs="+", help="after --")
+    arguments = parser.parse_args()
+    for needed in (arguments.duel, os.path.join(arguments.shared, "recordings")):
+        if not os.path.exists(needed):
+            print(f"skipped: there is no {needed}")
+            return SKIP
+    next(s for s in SCENARIOS if s.__name__ == arguments.scenario)(arguments)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
