@@ -8,19 +8,18 @@ Status SteppedBout::start(const BoutSettings& settings) {
   DuelSettings<float> duel = duel_settings<float>();
   duel.step_us = settings.step_us;
   if (validate(settings.force) != Status::kOk) return Status::kInvalidArgument;
-  duel_.emplace();
-  const Status status = duel_->configure(duel, first_fencer<float>(), second_fencer<float>());
+  const Status status = duel_.configure(duel, first_fencer<float>(), second_fencer<float>());
   if (status != Status::kOk) return status;
   fresh_ = {};
   return forces_.configure(settings.force);
 }
 
 Status SteppedBout::step(const InputSample* left, const InputSample* right) {
-  const Status status = duel_->step(left, right);
+  const Status status = duel_.step(left, right);
   if (status != Status::kOk) return status;
   take(Side::kLeft, left);
   take(Side::kRight, right);
-  forces_.advance(*duel_, fresh_);
+  forces_.advance(duel_, fresh_);
   return Status::kOk;
 }
 

@@ -4,8 +4,6 @@
 // device computes, and what a host computes to hold against it. The same samples give the same
 // bits.
 
-#include <optional>
-
 #include "firmware/stick_forces.hpp"
 
 namespace batuta::firmware {
@@ -17,9 +15,8 @@ struct BoutSettings {
 
 class SteppedBout {
  public:
-  /// Puts the fencers on guard, in a duel that remembers nothing of another one.
-  /// @returns kOk | kInvalidArgument (out of range: `force`, and the last bout, if any, goes on;
-  ///   `step_us`, and there is no bout)
+  /// Puts the fencers on guard, in a bout that remembers nothing of another one.
+  /// @returns kOk | kInvalidArgument (out of range; the last bout, if any, goes on)
   Status start(const BoutSettings& settings);
 
   /// One step. @param left, right  new samples, or null
@@ -28,10 +25,10 @@ class SteppedBout {
   /// Bound: one Duel::step() and the forces of its events.
   Status step(const InputSample* left, const InputSample* right);
 
-  const DuelType& duel() const { return *duel_; }
+  const DuelType& duel() const { return duel_; }
   const StickForces& forces() const { return forces_; }
-  std::uint32_t steps() const { return duel_->steps(); }
-  bool is_over() const { return duel_->bout().is_over(); }
+  std::uint32_t steps() const { return duel_.steps(); }
+  bool is_over() const { return duel_.bout().is_over(); }
   /// The sample that the last step was made with, or null.
   const InputSample* used(Side side) const {
     return fresh_[index_of(side)] ? &samples_[index_of(side)] : nullptr;
@@ -40,9 +37,7 @@ class SteppedBout {
  private:
   void take(Side side, const InputSample* sample);
 
-  /// Never empty. Made anew for each bout: a duel that is only configured anew keeps the seeds of
-  /// its searches, and with them the last bits may differ from those of a first bout.
-  std::optional<DuelType> duel_{std::in_place};
+  DuelType duel_;
   StickForces forces_;
   std::array<InputSample, 2> samples_{};
   std::array<bool, 2> fresh_{};

@@ -7,7 +7,11 @@ namespace {
 /// In units of u: what a computed extent may fall short of the true one, relative to the sum of the
 /// absolute values in it (kdop.md), and a little for the terms of second order.
 template <class Scalar>
-constexpr Scalar kOutward = Scalar(4.25) * kRoundOff<Scalar>;
+constexpr Scalar kOutward = Scalar(3.25) * kRoundOff<Scalar>;
+
+/// The same where the radius is a sum.
+template <class Scalar>
+constexpr Scalar kOutwardOfSum = Scalar(4.25) * kRoundOff<Scalar>;
 
 constexpr std::size_t kAxes = 3;
 constexpr std::size_t kCubeDiagonals = 4;
@@ -82,7 +86,7 @@ Extent<Scalar> extent_along(std::size_t i, const Capsule<Scalar>& capsule, Scala
   const Scalar at_b = height<Scalar, K>(i, axis.b);
   const Scalar radius = (capsule.radius + margin) * direction_length<Scalar, K>(i);
   const Scalar sum = terms<Scalar, K>(i, axis.a.cwiseAbs().cwiseMax(axis.b.cwiseAbs()));
-  const Scalar reach = radius + kOutward<Scalar> * (radius + sum);
+  const Scalar reach = radius + kOutwardOfSum<Scalar> * (radius + sum);
   return {min_of(at_a, at_b) - reach, max_of(at_a, at_b) + reach};
 }
 

@@ -23,6 +23,13 @@ class SeedMemory {
   void remember(BodyPair pair, const Vec3<Scalar>& normal) {
     entries_[place_of(pair)] = {pair, normal};
   }
+  /// Forgets what a body left in a slot: the next one there begins as if it were the first.
+  /// Bound: N entries.
+  void forget(std::uint16_t slot) {
+    for (Entry& entry : entries_) {  // Bound: N
+      if (entry.pair.first == slot || entry.pair.second == slot) entry = {};
+    }
+  }
 
  private:
   struct Entry {
@@ -40,6 +47,8 @@ class SeedMemory {
 };
 
 /// For searches that take no seed: nothing is kept.
-struct NoSeeds {};
+struct NoSeeds {
+  void forget(std::uint16_t /*slot*/) {}
+};
 
 }  // namespace batuta

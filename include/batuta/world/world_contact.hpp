@@ -16,6 +16,7 @@ Status World<SceneT>::remove(BodyId id) {
   for (int i = touching_.size() - 1; i >= 0; --i) {  // Bound: kMaxPairs
     if (touching_[i].first == slot || touching_[i].second == slot) touching_.remove_swapping(i);
   }
+  this->forget(slot);
   return Status::kOk;
 }
 

@@ -25,6 +25,30 @@ TYPED_TEST(DuelRefusals, NotConfigured_StepIsRefused) {
   EXPECT_DEATH((void)this->duel->grip(Side::kRight), "");
 }
 
+// What a bout leaves behind must not show in the next one, not in what its searches cost either.
+TYPED_TEST(DuelRefusals, ConfiguredAgain_GoesOnWithTheBitsOfAFirstBout) {
+  const auto fresh = std::make_unique<TypeParam>();
+  ASSERT_EQ(this->configure(), Status::kOk);
+  InputSample sample;
+  for (int bout = 0; bout < 2; ++bout) {
+    ASSERT_EQ(fresh->configure(this->settings, first_fencer<typename TestFixture::ScalarT>(),
+                               second_fencer<typename TestFixture::ScalarT>()),
+              Status::kOk);
+    if (bout == 1) break;
+    for (std::uint32_t i = 0; i < 40; ++i) {
+      sample.time = i * 1000;
+      sample.x = i % 2 == 0 ? 0.5F : -0.5F;
+      ASSERT_EQ(fresh->step(&sample, &sample), Status::kOk);
+    }
+  }
+  for (int i = 0; i < 20; ++i) {
+    ASSERT_EQ(this->duel->step(nullptr, nullptr), Status::kOk);
+    ASSERT_EQ(fresh->step(nullptr, nullptr), Status::kOk);
+    ASSERT_EQ(fresh->report().evaluations, this->duel->report().evaluations) << i;
+    ASSERT_EQ(fresh->blade_W(Side::kLeft).axis.b, this->duel->blade_W(Side::kLeft).axis.b) << i;
+  }
+}
+
 TYPED_TEST(DuelRefusals, SettingsOutOfRange_AreRefused) {
   using S = typename TestFixture::ScalarT;
   EXPECT_TRUE(this->refuses([](auto& s) { s.salle.distance = S(1e30); }));
