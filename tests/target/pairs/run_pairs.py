@@ -79,7 +79,7 @@ class Trees:
         if pair.board:
             words += [f"-DBATUTA_CPU={pair.cpu}", f"-DBATUTA_BOARD={pair.board}"]
         else:  # nothing else is built there: each room as one source takes half the time
-            words += ["-DBATUTA_TARGET_TESTS=digest", "-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=0"]
+            words += ["-DBATUTA_TARGET_TESTS=digest", "-DBATUTA_UNITY_ROOMS=ON"]
         if pair.compiler:
             words.append(f"-DCMAKE_CXX_COMPILER={pair.compiler}")
         if pair.flags:

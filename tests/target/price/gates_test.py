@@ -129,6 +129,16 @@ class Budgets(unittest.TestCase):
         self.assertEqual(self.over(flash=101, stack=60), {"flash"})
         self.assertEqual(self.over(flash=100, stack=61), {"stack"}, "what was reached before is lost")
 
+    def test_a_bound_that_is_missed_is_said_and_grows_no_worse(self):
+        limits = {("a", "flash"): budgets.Limits(100.0, 50.0, 150.0)}
+        row, = budgets.compare(limits, "a", {"flash": 140})
+        self.assertFalse(row.is_over)
+        self.assertIn("MISSES ITS BOUND", budgets.mark(row))
+        row, = budgets.compare(limits, "a", {"flash": 151})
+        self.assertTrue(row.is_over)
+        self.assertEqual(budgets.kept_of(99, 100.0), 100, "a bound that is met stays one")
+        self.assertEqual(budgets.kept_of(200, 100.0), 204)
+
     def test_what_nobody_measured(self):
         self.assertEqual(self.over(flash=100), {"stack"})
 
