@@ -65,10 +65,12 @@ Scalar height(std::size_t i, const Vec3<Scalar>& p) {
   return i < kAxes ? p[static_cast<Eigen::Index>(i)] : direction<Scalar, K>(i).dot(p);
 }
 
-/// What all terms of height(i, p) come to where none is negative.
+/// What the terms of height(i, p) come to at most, p between a and b.
 template <class Scalar, int K>
-Scalar terms(std::size_t i, const Vec3<Scalar>& p) {
-  return i < kAxes ? p[static_cast<Eigen::Index>(i)] : direction<Scalar, K>(i).cwiseAbs().dot(p);
+Scalar terms(std::size_t i, const Segment<Scalar>& axis) {
+  const auto k = static_cast<Eigen::Index>(i);
+  if (i < kAxes) return max_of(std::abs(axis.a[k]), std::abs(axis.b[k]));
+  return direction<Scalar, K>(i).cwiseAbs().dot(axis.a.cwiseAbs().cwiseMax(axis.b.cwiseAbs()));
 }
 
 /// Lowest and highest point along a direction, rounded outward.
@@ -85,8 +87,7 @@ Extent<Scalar> extent_along(std::size_t i, const Capsule<Scalar>& capsule, Scala
   const Scalar at_a = height<Scalar, K>(i, axis.a);
   const Scalar at_b = height<Scalar, K>(i, axis.b);
   const Scalar radius = (capsule.radius + margin) * direction_length<Scalar, K>(i);
-  const Scalar sum = terms<Scalar, K>(i, axis.a.cwiseAbs().cwiseMax(axis.b.cwiseAbs()));
-  const Scalar reach = radius + kOutwardOfSum<Scalar> * (radius + sum);
+  const Scalar reach = radius + kOutwardOfSum<Scalar> * (radius + terms<Scalar, K>(i, axis));
   return {min_of(at_a, at_b) - reach, max_of(at_a, at_b) + reach};
 }
 
