@@ -83,6 +83,15 @@ std::uint32_t period_count() {
   return present().past.periods;
 }
 
+std::uint32_t next_period(std::uint32_t last) {
+  for (;;) {                   // Bound: one period
+    const InterruptLock lock;  // else the tick could come between the look and the sleep
+    const std::uint32_t count = period_count();
+    if (count != last) return count;
+    __asm volatile("wfi");  // wakes up with interrupts off, too
+  }
+}
+
 Microseconds SysTickClock::do_now() {
   const Present now = present();
   return now.past.us + now.elapsed / period.ticks_per_us;

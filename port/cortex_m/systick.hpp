@@ -58,6 +58,10 @@ constexpr std::uint32_t elapsed_ticks(std::uint32_t from, std::uint32_t to, Tick
 /// Periods that have ended since the start, modulo 2^32.
 std::uint32_t period_count();
 
+/// Sleeps until period_count() is another number than `last`. @returns that number
+/// Bound: one period; a timer that has stopped never returns, which is what a watchdog is for.
+std::uint32_t next_period(std::uint32_t last);
+
 /// Microseconds since the start, modulo 2^32.
 class SysTickClock final : public Clock {
  private:

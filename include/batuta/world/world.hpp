@@ -4,6 +4,7 @@
 // to the end of the step [Kavan §2.1, §3, §4.2]. One object, placed by the caller; its size and the
 // longest step are constants. Frame W, SI units; times within a step run from 0 to dt.
 
+#include "batuta/core/arithmetic.hpp"
 #include "batuta/core/pool.hpp"
 #include "batuta/world/broadphase.hpp"
 #include "batuta/world/encounter.hpp"
@@ -54,7 +55,11 @@ class World : private SeedsOf<SceneT> {
   static constexpr int kMaxRounds = 2 * SceneT::kMaxContacts + SceneT::kMaxBodies + 1;
 
   /// @param number  tells this world's ids from those of another world of the same scene
-  explicit World(std::uint16_t number = 0) : actors_(number) {}
+  /// @pre the file that names the scene, and the thread, round every operation
+  ///   (core/arithmetic.hpp): contracted or flushed arithmetic voids what the searches prove
+  explicit World(std::uint16_t number = 0) : actors_(number) {
+    BATUTA_ASSERT(rounds_each_operation<Scalar>());
+  }
 
   /// @returns kOk | kInvalidArgument (an option out of range; the settings stay as they were)
   Status configure(const WorldSettings<SceneT>& settings) {

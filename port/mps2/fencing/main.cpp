@@ -2,8 +2,8 @@
 // The fencing firmware on an MPS2 board. The board has neither stick nor motor: the stick's samples
 // come over UART 0, the force is a pair of words and two LEDs.
 
+#include "batuta/core/arithmetic.hpp"
 #include "cortex_m/fault.hpp"
-#include "cortex_m/registers.hpp"
 #include "cortex_m/systick.hpp"
 #include "firmware/application.hpp"
 #include "mps2/board.hpp"
@@ -17,6 +17,7 @@ using namespace batuta;
 constexpr std::uint32_t kBitsPerSecond = 1'000'000;
 constexpr std::uint32_t kUartRate = 1;             // second detail of a failed start: no such rate
 constexpr std::uint32_t kApplicationSettings = 2;  // refused by the application
+constexpr std::uint32_t kArithmetic = 3;           // this program was compiled with other flags
 
 [[noreturn]] void give_up(std::uint32_t reason) {
   cortex_m::enter_safe_state(cortex_m::FaultCode::kStartUp,
@@ -39,25 +40,16 @@ struct Fencing {
 
 Fencing fencing;
 
-/// Sleeps until the timer has another number than `last`. @returns that number
-std::uint32_t next_tick(std::uint32_t last) {
-  while (true) {                         // Bound: the period, unless the timer has stopped
-    const cortex_m::InterruptLock lock;  // else the tick could come between the look and the sleep
-    const std::uint32_t tick = cortex_m::period_count();
-    if (tick != last) return tick;
-    __asm volatile("wfi");  // wakes up with interrupts off, too
-  }
-}
-
 }  // namespace
 
 int main() {
+  if (!rounds_each_operation<float>()) give_up(kArithmetic);
   cortex_m::start_systick(cortex_m::millisecond(mps2::kBoard.clock_hz));
   if (!fencing.uart.start(kBitsPerSecond)) give_up(kUartRate);
   if (fencing.application.start({}) != Status::kOk) give_up(kApplicationSettings);
   std::uint32_t tick = cortex_m::period_count();
   while (true) {
-    tick = next_tick(tick);
+    tick = cortex_m::next_period(tick);
     fencing.application.tick(tick);
   }
 }

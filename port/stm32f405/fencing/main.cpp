@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The fencing firmware on an STM32F405: brings the devices up, ticks at 1 kHz, feeds the watchdog.
 
+#include "batuta/core/arithmetic.hpp"
 #include "cortex_m/fault.hpp"
 #include "cortex_m/registers.hpp"
 #include "cortex_m/systick.hpp"
@@ -20,6 +21,7 @@ namespace {
 // Second detail of a failed start.
 constexpr std::uint32_t kCalibration = 1;
 constexpr std::uint32_t kApplicationSettings = 2;
+constexpr std::uint32_t kArithmetic = 3;
 
 /// Smaller numbers interrupt larger ones; SysTick, which every handler may read, has 0.
 enum Priority : std::uint32_t { kGuard = 1, kLine = 2, kStick = 3 };
@@ -36,21 +38,11 @@ BridgeForce force(tim8());
 Watchdog watchdog(iwdg());
 firmware::Application application({clock, stream, &stick, &force}, last_fault());
 
-void require(Status status, std::uint32_t reason) {
-  if (status == Status::kOk) return;
+void require(bool condition, std::uint32_t reason) {
+  if (condition) return;
   cortex_m::enter_safe_state(cortex_m::FaultCode::kStartUp,
                              static_cast<std::uint32_t>(cortex_m::StartUpFailure::kApplication),
                              reason);
-}
-
-/// Sleeps until the timer has another number than `last`. @returns that number
-std::uint32_t next_tick(std::uint32_t last) {
-  for (;;) {  // Bound: a millisecond; a timer that has stopped starves the watchdog
-    const cortex_m::InterruptLock lock;  // else the tick could come between the look and the sleep
-    const std::uint32_t tick = cortex_m::period_count();
-    if (tick != last) return tick;
-    __asm volatile("wfi");  // wakes up with interrupts off, too
-  }
 }
 
 /// TIM7 once a millisecond: the force guard, which no hanging loop keeps from acting.
@@ -69,7 +61,7 @@ void start_devices() {
   cortex_m::start_systick(cortex_m::millisecond(kClocks.hclk_hz()));
   stream.start(brr_of(kClocks.pclk2_hz(), kBaud));
   enable(Interrupt::kUsart1, kLine);
-  require(stick.calibrate(kStickAxis, kStickAxis), kCalibration);
+  require(stick.calibrate(kStickAxis, kStickAxis) == Status::kOk, kCalibration);
   force.configure(kPulsePeriod);
   connect_force_pins();
   // Without a clock that is known to be right nothing is measured and nothing moves: an emulator
@@ -108,12 +100,13 @@ void batuta_on_tim7() {
 int main() {
   using namespace batuta;
   using namespace batuta::stm32f405;
+  require(rounds_each_operation<float>(), kArithmetic);
   start_devices();
-  require(application.start({}), kApplicationSettings);
+  require(application.start({}) == Status::kOk, kApplicationSettings);
   watchdog.start();
   std::uint32_t tick = cortex_m::period_count();
   for (;;) {  // for ever: the watchdog sees to it that it goes on
-    tick = next_tick(tick);
+    tick = cortex_m::next_period(tick);
     application.tick(tick);
     watchdog.on_step(force.guard_ticks());
     if (application.ticks().used == kHealthySteps) forget_restarts();
