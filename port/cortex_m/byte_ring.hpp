@@ -35,6 +35,11 @@ class ByteRing {
     return true;
   }
 
+  /// By either side; the other may be about to change it.
+  bool empty() const {
+    return begin_.load(std::memory_order_acquire) == end_.load(std::memory_order_acquire);
+  }
+
  private:
   std::array<std::uint8_t, Capacity> bytes_{};
   std::atomic<std::uint16_t> begin_{0};  ///< counts bytes read, modulo 2^16

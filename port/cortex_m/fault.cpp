@@ -31,7 +31,8 @@ void record_fault(FaultCode code, std::uint32_t detail0, std::uint32_t detail1) 
 
 FaultRecord last_fault() {
   const CheckedRecord found = kept.checked;
-  return found.check == check_word(found.record) ? found.record : FaultRecord{};
+  const bool exists = found.record.code <= FaultCode::kMainReturned;
+  return exists && found.check == check_word(found.record) ? found.record : FaultRecord{};
 }
 
 FaultRecord take_last_fault() {

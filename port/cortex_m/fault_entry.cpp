@@ -16,7 +16,6 @@ extern std::uint32_t batuta_stack_top[];
   __asm volatile(
       ".syntax unified\n"
       "mrs r0, msp\n"
-      "mov r1, lr\n"
       "ldr r2, =batuta_fault_stack_top\n"
 #if __ARM_ARCH >= 8
       "movs r3, #0\n"
@@ -28,8 +27,7 @@ extern std::uint32_t batuta_stack_top[];
 }
 
 /// @param main_stack  stack pointer at the entry: the frame of the exception, if it could be stored
-/// @param link        EXC_RETURN
-[[noreturn, gnu::used]] void batuta_fault(std::uintptr_t main_stack, std::uint32_t link);
+[[noreturn, gnu::used]] void batuta_fault(std::uintptr_t main_stack);
 }
 
 namespace {
@@ -87,7 +85,7 @@ std::uint32_t program_counter(std::uintptr_t stack) {
 
 }  // namespace
 
-void batuta_fault(std::uintptr_t main_stack, std::uint32_t /*link*/) {
+void batuta_fault(std::uintptr_t main_stack) {
   __asm volatile("cpsid i" ::: "memory");
   batuta_board_force_off();  // first of all; enter_safe_state() does it again
   forget_fp_registers();

@@ -52,14 +52,15 @@ inline void enable_interrupt(std::uint32_t number) {
   for (;;) __asm volatile("");  // Bound: a few cycles, until the reset arrives.
 }
 
-/// No interrupt happens while one of these lives; what was before comes back. Nests.
+/// No interrupt happens while one of these lives; what was before comes back, and what is pending
+/// happens, before the next instruction. Nests.
 class InterruptLock {
  public:
   InterruptLock() {
     __asm volatile("mrs %0, primask" : "=r"(before_));
     __asm volatile("cpsid i" ::: "memory");
   }
-  ~InterruptLock() { __asm volatile("msr primask, %0" ::"r"(before_) : "memory"); }
+  ~InterruptLock() { __asm volatile("msr primask, %0\n isb" ::"r"(before_) : "memory"); }
   InterruptLock(const InterruptLock&) = delete;
   InterruptLock& operator=(const InterruptLock&) = delete;
 

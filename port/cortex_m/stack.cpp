@@ -25,6 +25,7 @@ std::size_t stack_size() {
 
 std::size_t stack_used() {
   const volatile std::uint32_t* word = batuta_stack_bottom;
+  // Bound: stack_size() / 4.
   while (word < batuta_stack_top && *word == kPaint) ++word;
   return bytes_between(const_cast<const std::uint32_t*>(word), batuta_stack_top);
 }
@@ -33,6 +34,7 @@ void repaint_stack() {
   const InterruptLock lock;  // an interrupt's frame would be painted over
   std::uint32_t* here = nullptr;
   __asm volatile("mov %0, sp" : "=r"(here));
+  // Bound: stack_size() / 4.
   for (volatile std::uint32_t* word = batuta_stack_bottom; word < here; ++word) *word = kPaint;
 }
 

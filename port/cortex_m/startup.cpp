@@ -24,7 +24,12 @@ extern void (*const batuta_init_array_end[])();
 [[gnu::naked, gnu::used]] void batuta_reset() {
   __asm volatile(
       ".syntax unified\n"
-      "ldr r0, =batuta_stack_top\n"  // a debugger or boot loader may come here without it
+      // A debugger or boot loader may come here with interrupts on, on the other stack.
+      "cpsid i\n"
+      "movs r0, #0\n"
+      "msr control, r0\n"
+      "isb\n"
+      "ldr r0, =batuta_stack_top\n"
       "mov sp, r0\n"
       "ldr r1, =batuta_stack_bottom\n"
 #if __ARM_ARCH >= 8
@@ -92,6 +97,7 @@ void run_constructors() {
 void batuta_start(std::uint32_t coprocessors) {
   // Where the table was found at reset is not where it is if a boot loader came first.
   batuta::cortex_m::kVectorTable.write(reinterpret_cast<std::uintptr_t>(batuta_vectors));
+  __asm volatile("dsb\n isb" ::: "memory");
   batuta::cortex_m::guard_stack();
   initialise_variables();
   if ((coprocessors & kFpuAccess) != kFpuAccess) {
@@ -101,5 +107,6 @@ void batuta_start(std::uint32_t coprocessors) {
     fail_start_up(StartUpFailure::kBoard, reason);
   }
   run_constructors();
+  __asm volatile("cpsie i" ::: "memory");
   enter_safe_state(FaultCode::kMainReturned, static_cast<std::uint32_t>(batuta_main()), 0);
 }

@@ -84,11 +84,12 @@ std::uint32_t period_count() {
 }
 
 std::uint32_t next_period(std::uint32_t last) {
-  for (;;) {                   // Bound: one period
+  // Bound: the interrupts of one period; a timer that has stopped never returns.
+  for (;;) {
     const InterruptLock lock;  // else the tick could come between the look and the sleep
     const std::uint32_t count = period_count();
     if (count != last) return count;
-    __asm volatile("wfi");  // wakes up with interrupts off, too
+    __asm volatile("dsb\n wfi" ::: "memory");  // wakes up with interrupts off, too
   }
 }
 

@@ -10,6 +10,15 @@ using link::MessageType;
 using link::Mode;
 using link::Refusal;
 
+namespace {
+
+/// In 16 bits: the line has little room, and the first few are what matters.
+std::uint16_t saturated(std::uint32_t count) {
+  return static_cast<std::uint16_t>(count < 0xFFFFU ? count : 0xFFFFU);
+}
+
+}  // namespace
+
 Status Application::start(const ApplicationSettings& settings) {
   if (settings.pause <= 0) return Status::kInvalidArgument;
   settings_ = settings;
@@ -120,6 +129,7 @@ bool Application::take(const link::Step& step) {
 }
 
 void Application::take(const link::StickSample& sample) {
+  if (session_ == 0) return refuse(Refusal::kNoSession, MessageType::kStickSample, 0);
   if (mode_ != Mode::kFree) return refuse(Refusal::kWrongMode, MessageType::kStickSample, 0);
   keep(sample.side == link::LinkSide::kLeft ? Side::kLeft : Side::kRight, sample.sample);
 }
@@ -175,15 +185,20 @@ void Application::send_report(bool repeated) {
   message.rejected = link().rejected();
   message.lost = link().lost;
   message.unsent = unsent();
+  message.session = static_cast<std::uint16_t>(session_);  // its low half
+  message.force_failures = saturated(report_.force_failures);
+  message.stick_invalid = saturated(report_.stick_invalid);
   message.spent_us = static_cast<std::uint32_t>(elapsed_us(watch_.begun(), board_.clock.now()));
   (void)sender_.send(message);
 }
 
-/// The force of the last step, as long as steps come; none after the bout.
+/// The impulses of a step are its mean force over one step's length: the motor gets it in the tick
+/// that made the step, once, and nothing in a tick without a step, nor after the bout. What comes
+/// back after a silence comes slowly.
 void Application::command_force(bool stepped) {
   link_ramp_.advance(stepped);
   const Vec2<float> whole = bout_.forces().of(settings_.own_side).share;
-  const float share = bout_.is_over() ? 0.0F : link_ramp_.share();
+  const float share = stepped && !bout_.is_over() ? link_ramp_.share() : 0.0F;
   force_ = {watch_.begun(), share * whole.x(), share * whole.y()};
   if (board_.force == nullptr) return;
   if (board_.force->write(force_) != Status::kOk) ++report_.force_failures;

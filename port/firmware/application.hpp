@@ -37,7 +37,7 @@ struct ApplicationSettings {
   std::int32_t pause = 2000;
 };
 
-/// What happened since start() that is told nowhere else.
+/// What happened since start(), beside what the link and the ticks count.
 struct ApplicationReport {
   std::uint32_t steps_refused = 0;   ///< Step and StickSample that were not obeyed
   std::uint32_t stick_invalid = 0;   ///< samples of the own stick outside its square
@@ -63,7 +63,7 @@ class Application {
 
   /// The work of one tick. Never blocks; never makes two steps. @pre start() was kOk
   /// @param tick  number of the board's timer tick, one every step_us, modulo 2^32: numbers that
-  ///   are left out are counted as skipped
+  ///   are left out are counted as skipped; @pre not the last call's
   /// Bound: FrameReader::kBytesPerTick bytes in, kFramesPerTick frames obeyed, one step,
   /// link::kMaxStepFrames frames out.
   void tick(std::uint32_t tick);
@@ -120,7 +120,7 @@ class Application {
   FrameReader<link::End::kDevice> reader_;
   link::Sender<kSendBytes> sender_;
   TickWatch watch_;
-  ForceRamp link_ramp_;  ///< by ticks: a force outlives its step only so long
+  ForceRamp link_ramp_;  ///< by ticks: counts the host's silences, and limits what comes after one
   ForceCommand force_;
   Order order_;
   std::uint32_t session_ = 0;

@@ -32,6 +32,8 @@ class FrameReader {
   }
 
   const link::LinkCounters& counters() const { return decoder_.counters(); }
+  /// The tick's bytes were used up before those that had been read.
+  bool holds_bytes() const { return next_ != size_; }
   /// The stream has said that nothing will come any more.
   bool is_gone() const { return gone_; }
 

@@ -13,6 +13,7 @@ void TickWatch::start(std::int32_t period_us) {
 }
 
 void TickWatch::begin(std::uint32_t tick, Microseconds now) {
+  BATUTA_ASSERT(report_.used == 0 || tick != last_tick_);
   if (report_.used > 0) report_.skipped += tick - last_tick_ - 1;
   last_tick_ = tick;
   begun_ = now;

@@ -23,7 +23,7 @@ class TickWatch {
 
   /// The work of a tick begins.
   /// @param tick  number of the timer's tick, modulo 2^32: those between the last one and this are
-  ///   skipped
+  ///   skipped. @pre another one than the last one's: a tick is begun once
   void begin(std::uint32_t tick, Microseconds now);
   /// It ends.
   void end(Microseconds now);

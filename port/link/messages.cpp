@@ -141,6 +141,9 @@ void list(Fields& fields, StepReport& message) {
   fields.u32(message.evaluations);
   fields.u32(message.incomplete_steps);
   fields.u32(message.spent_us);
+  fields.u16(message.session);
+  fields.u16(message.force_failures);
+  fields.u16(message.stick_invalid);
 }
 
 void list(Fields& fields, Refused& message) {

@@ -13,7 +13,7 @@ namespace batuta::link {
 
 /// In every frame. A change of any layout or meaning raises it; there is no second version to fall
 /// back to.
-inline constexpr std::uint8_t kProtocolVersion = 1;
+inline constexpr std::uint8_t kProtocolVersion = 2;
 
 /// Bytes of the longest payload (Event: 59), with a little air. Frames stay below 254 bytes, which
 /// keeps COBS to one byte of overhead.
@@ -54,7 +54,8 @@ enum class LinkSide : std::uint8_t { kLeft, kRight };
 /// bout.
 struct Hello {
   static constexpr MessageType kType = MessageType::kHello;
-  std::uint32_t session = 0;  ///< chosen by the host, different each time, not 0
+  std::uint32_t session = 0;  ///< chosen by the host, different each time, not 0. Its low half
+                              ///< neither: StepReport tells that
   Mode mode = Mode::kPaced;
 };
 
@@ -140,7 +141,8 @@ struct Touch {
   float place = 0;
 };
 
-/// What a stick's motor was told for the step.
+/// The force of the step on a stick; the motor's own share may be less, as after a silence of the
+/// host. The other stick's motor, if there is one, is not the device's.
 struct Force {
   static constexpr MessageType kType = MessageType::kForce;
   std::uint32_t step = 0;
@@ -174,10 +176,14 @@ struct StepReport {
   std::uint32_t evaluations = 0;       ///< distance evaluations of this step's searches
   std::uint32_t incomplete_steps = 0;  ///< steps in which a blade was held, so far
   std::uint32_t spent_us = 0;          ///< on this step
+  std::uint16_t session = 0;           ///< low half of the session's number; 0: the device is alone
+  std::uint16_t force_failures =
+      0;  ///< commands that the motor did not take, so far; stays at 65535
+  std::uint16_t stick_invalid = 0;  ///< samples of the own stick out of its square, the same
 };
 
 enum class Refusal : std::uint8_t {
-  kNoSession,  ///< Hello first
+  kNoSession,  ///< Hello first: Step and StickSample
   kWrongMode,  ///< Step while free, or StickSample while paced
   kWrongStep,  ///< neither the next step nor the last one again
   kBoutOver,   ///< no more steps in this bout

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mps2/uart.hpp"
 
+#include <atomic>
+
 #include "cortex_m/registers.hpp"
 #include "mps2/board.hpp"
 
@@ -22,7 +24,7 @@ constexpr std::uint32_t kInterruptTransmit = 1;
 constexpr std::uint32_t kInterruptReceive = 2;
 constexpr std::uint32_t kTransmitAndReceiveWithInterrupts = 0xF;
 
-Uart* running = nullptr;  // the one that the interrupts belong to
+std::atomic<Uart*> running{nullptr};  // the one that the interrupts belong to
 
 }  // namespace
 
@@ -32,7 +34,7 @@ bool Uart::start(std::uint32_t bits_per_second) {
   if (bits_per_second == 0) return false;
   const std::uint32_t divider = kBoard.clock_hz / bits_per_second;
   if (divider < kLeastDivider || divider > kMostDivider) return false;
-  running = this;
+  running.store(this);
   kDivider.write(divider);
   kControl.write(kTransmitAndReceiveWithInterrupts);
   cortex_m::enable_interrupt(kBoard.uart_receive_interrupt);
@@ -41,7 +43,6 @@ bool Uart::start(std::uint32_t bits_per_second) {
 }
 
 void Uart::on_receive() {
-  kInterrupt.write(kInterruptReceive);
   // Bound: one byte is in the register; a second one that came meanwhile has its own interrupt.
   if (kState.is_set(kStateReceiveFull)) {
     if (!received_.push(static_cast<std::uint8_t>(kData.read()))) overruns_ = overruns_ + 1;
@@ -53,7 +54,6 @@ void Uart::on_receive() {
 }
 
 void Uart::on_transmit() {
-  kInterrupt.write(kInterruptTransmit);
   feed();
 }
 
@@ -85,10 +85,17 @@ int Uart::do_write(const std::uint8_t* bytes, int count) {
 
 }  // namespace batuta::mps2
 
+// Cleared first: a byte that comes in the handler raises the interrupt again. Cleared always: one
+// that belongs to nobody must not come for ever.
+
 void batuta_on_uart_receive() {
-  if (batuta::mps2::running != nullptr) batuta::mps2::running->on_receive();
+  using namespace batuta::mps2;
+  kInterrupt.write(kInterruptReceive);
+  if (Uart* const uart = running.load()) uart->on_receive();
 }
 
 void batuta_on_uart_transmit() {
-  if (batuta::mps2::running != nullptr) batuta::mps2::running->on_transmit();
+  using namespace batuta::mps2;
+  kInterrupt.write(kInterruptTransmit);
+  if (Uart* const uart = running.load()) uart->on_transmit();
 }

@@ -27,8 +27,8 @@ class Uart final : public link::ByteStream {
   /// Bytes lost on reception since the start, because the ring or the register was full.
   std::uint32_t overruns() const { return overruns_; }
 
-  void on_receive();   ///< the interrupt's
-  void on_transmit();  ///< the interrupt's
+  void on_receive();   ///< the interrupt's, which has been cleared
+  void on_transmit();  ///< the interrupt's, which has been cleared
 
  private:
   int do_read(std::uint8_t* bytes, int capacity) override;

@@ -69,6 +69,8 @@ std::uint32_t batuta_board_init() {
   batuta_board_force_off();
 
   const ResetCause cause = take_reset_cause();
+  // RAM may have kept a record over a short loss of power; nobody could tell whose.
+  if (cause == ResetCause::kPowerOn) (void)cortex_m::take_last_fault();
   const cortex_m::FaultCode before = cortex_m::last_fault().code;
   if (cause == ResetCause::kWatchdog && before == cortex_m::FaultCode::kNone) {
     cortex_m::record_fault(cortex_m::FaultCode::kWatchdog, 0, 0);

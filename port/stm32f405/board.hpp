@@ -60,7 +60,7 @@ static_assert(is_valid(kStickAxis), "");
 /// How the clocks came up; kRunning, or kAbsent in an emulator, where no force may be armed.
 ClockStart clock_state();
 
-/// Steps went well for long enough: restarts are counted from zero again.
+/// Ticks without a fault, for long enough: restarts are counted from zero again.
 void forget_restarts();
 
 /// Hands the force pins from their safe level to the timer.

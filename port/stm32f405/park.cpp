@@ -19,20 +19,24 @@ void wait_for_eye() {
   }
 }
 
+constexpr std::uint32_t kPin = 1U << kLightPin;
+constexpr std::uint32_t kLow = kPin << 16;  // in BSRR the upper half clears
+
+/// @param light  kLow: on for half of the time; kPin: dark
+void blink(std::uint32_t light) {
+  gpioc().bsrr = light;
+  wait_for_eye();
+  gpioc().bsrr = kPin;
+  wait_for_eye();
+}
+
 }  // namespace
 
 void park(std::uint32_t code) {
   constexpr std::uint32_t kPauseBlinks = 5;
-  constexpr std::uint32_t kPin = 1U << kLightPin;
-  constexpr std::uint32_t kLow = kPin << 16;  // in BSRR the upper half clears
-  for (;;) {                                  // for ever
-    for (std::uint32_t blink = 0; blink < code + kPauseBlinks; ++blink) {
-      // Bound: code + kPauseBlinks
-      gpioc().bsrr = blink < code ? kLow : kPin;
-      wait_for_eye();
-      gpioc().bsrr = kPin;
-      wait_for_eye();
-    }
+  for (;;) {                                               // Bound: none; here is where it stays
+    for (std::uint32_t i = 0; i < code; ++i) blink(kLow);  // Bound: code
+    for (std::uint32_t i = 0; i < kPauseBlinks; ++i) blink(kPin);  // Bound: kPauseBlinks
   }
 }
 

@@ -8,20 +8,10 @@
 #include "cortex_m/registers.hpp"
 #include "stm32f405/interrupts.hpp"
 
-extern "C" {
-[[gnu::weak]] void batuta_on_adc() {
-  batuta_fault_entry();
-}
-[[gnu::weak]] void batuta_on_usart1() {
-  batuta_fault_entry();
-}
-[[gnu::weak]] void batuta_on_tim7() {
-  batuta_fault_entry();
-}
-[[gnu::weak]] void batuta_on_dma2_stream0() {
-  batuta_fault_entry();
-}
-}
+BATUTA_WEAK_HANDLER(batuta_on_adc)
+BATUTA_WEAK_HANDLER(batuta_on_usart1)
+BATUTA_WEAK_HANDLER(batuta_on_tim7)
+BATUTA_WEAK_HANDLER(batuta_on_dma2_stream0)
 
 namespace batuta::stm32f405 {
 namespace {

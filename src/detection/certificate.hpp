@@ -140,11 +140,11 @@ void take_toll(Clearances<Scalar>& f, const Vec3<Scalar>& n, const NormalMotion<
   f.fourth -= fourth + horizon * (fifth + horizon * sixth) + R * m2 * m2 / 2;
 }
 
-/// First root of c0 + c1 h + bend h^2, without cancellation. @pre c0 > 0, and
-/// there is one
+/// First root of c0 + c1 h + bend h^2, without cancellation; no number, or none that is finite,
+/// where a coefficient or the discriminant is not. @pre c0 > 0, and there is one
 template <class Scalar>
 Scalar first_root(Scalar c0, Scalar c1, Scalar bend) {
-  if (!(bend < Scalar(0))) return -c0 / c1;  // the tangent: below a parabola that opens upwards
+  if (bend >= Scalar(0)) return -c0 / c1;  // the tangent: below a parabola that opens upwards
   const Scalar root = std::sqrt(c1 * c1 - 4 * (bend * c0));
   return c1 < Scalar(0) ? 2 * c0 / (root - c1) : (c1 + root) / (-2 * bend);
 }
@@ -170,7 +170,9 @@ template <class Scalar>
   if (least > zero) return window;
   if (!(c[0] > zero)) return zero;
   const Scalar root = kRoundDown<Scalar> * first_root(c[0], c[1], bend);
-  return root > zero ? min_of(root, window) : zero;
+  // A discriminant that overflows makes a root of infinity, which proves nothing.
+  const bool proves = root > zero && root <= std::numeric_limits<Scalar>::max();
+  return proves ? min_of(root, window) : zero;
 }
 
 /// Whether a polynomial is nowhere negative on [0, window], told by its first coefficient alone.

@@ -87,7 +87,8 @@ Vec3<Scalar> sharpened(const Vec3<Scalar>& n, const EdgePair<Scalar>& edges) {
   if (!(largest_component(along_edges) > kSharp<Scalar>)) return n;
   const Vec3<Scalar> sharp = n - along_edges;
   const Scalar square = sharp.squaredNorm();
-  return square > kLeastSharp<Scalar> ? Vec3<Scalar>(sharp * (1 / std::sqrt(square))) : n;
+  if (!(square > kLeastSharp<Scalar>)) return n;
+  return sharp * (1 / std::sqrt(square));
 }
 
 }  // namespace batuta

@@ -31,9 +31,10 @@ static_assert(parents_come_first(), "kBodyParent: a bone is carried by an earlie
 constexpr std::array<std::uint8_t, kBodyParts> kBehind = bones_behind();
 
 /// How far an end of a bone may leave the straight way of its step, as a share of the chord between
-/// its axes at start and end: pi^2 / 32, rounded up (target.md).
+/// its axes at start and end: pi^2 / 32, and 1/2 where the axes differ in length, rounded up
+/// (target.md).
 template <class Scalar>
-inline constexpr Scalar kBulge = Scalar(0.31);
+inline constexpr Scalar kBulge = Scalar(0.81);
 
 /// The rounding of shapes and of the twist between them, as a share of the coordinates (target.md).
 template <class Scalar>

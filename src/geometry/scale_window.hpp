@@ -40,13 +40,13 @@ inline typename ScaleWindow<Scalar>::Bits bits_of(Scalar x) {
   return bits;
 }
 
-/// Whether the length whose square this is (or one a few times smaller) lies in the window; false
-/// for zero and for what is not finite.
+/// Whether a length lies in the window, and those up to four times smaller with it, whose square
+/// this is; false for zero and for what is not finite.
 /// @pre square >= 0 or NaN
 template <class Scalar>
 inline bool is_in_window(Scalar square) {
   using Window = ScaleWindow<Scalar>;
-  const auto least = bits_of<Scalar>(Window::kSmallest * Window::kSmallest / 16);
+  const auto least = bits_of<Scalar>(16 * Window::kSmallest * Window::kSmallest);
   const auto most = bits_of<Scalar>(Window::kLargest * Window::kLargest);
   return bits_of(square) - least <= most - least;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "batuta/geometry/segment.hpp"
 
-#include <array>
 #include <utility>
 
 #include "batuta/geometry/direction.hpp"
@@ -87,6 +86,7 @@ template <class Scalar>
 struct Query {
   Vec3<Scalar> d_A, d_B, r;  ///< r: from the first end of A to that of B
   Scalar AA, BB, SS;         ///< squares: of d_A, of d_B, of all three
+  Scalar scale;              ///< power of two that all of these have been multiplied by
 };
 
 template <class Scalar>
@@ -98,11 +98,25 @@ BATUTA_HOT Query<Scalar> make_query(const Ends<Scalar>& A, const Ends<Scalar>& B
   q.AA = q.d_A.squaredNorm();
   q.BB = q.d_B.squaredNorm();
   q.SS = q.AA + q.BB + q.r.squaredNorm();
+  q.scale = 1;
   return q;
 }
 template <class Scalar>
 BATUTA_HOT Query<Scalar> by_value(const Query<Scalar>& q) {
-  return {by_value(q.d_A), by_value(q.d_B), by_value(q.r), q.AA, q.BB, q.SS};
+  return {by_value(q.d_A), by_value(q.d_B), by_value(q.r), q.AA, q.BB, q.SS, q.scale};
+}
+
+/// Differences are scaled, not ends: lengths may be tiny far from the origin.
+template <class Scalar>
+BATUTA_RARE void bring_into_window(Query<Scalar>& q) {
+  q.scale = window_scale(
+      max_of(largest_component(q.r), max_of(largest_component(q.d_A), largest_component(q.d_B))));
+  q.d_A *= q.scale;
+  q.d_B *= q.scale;
+  q.r *= q.scale;
+  q.AA = q.d_A.squaredNorm();
+  q.BB = q.d_B.squaredNorm();
+  q.SS = q.AA + q.BB + q.r.squaredNorm();
 }
 
 /// To [0, 1]; never -0, and 0 for NaN: what a projection onto a point gives.
@@ -161,32 +175,6 @@ BATUTA_APART Vec3<Scalar> conventional_normal(Query<Scalar> q, Vec3<Scalar> gap)
   return normal;
 }
 
-/// The ends, brought into the window: four copies, and the factor.
-template <class Scalar>
-struct ScaledEnds {
-  std::array<Vec3<Scalar>, 4> ends;
-  Scalar scale;
-};
-
-template <class Scalar>
-BATUTA_RARE void bring_into_window(Ends<Scalar> A, Ends<Scalar> B, ScaledEnds<Scalar>& out) {
-  Scalar length = 0;
-  for (int k = 0; k < 3; ++k) {  // Bound: 3
-    const Scalar a = (*A.a)[k];
-    const Scalar b = (*B.a)[k];
-    length += std::abs((*A.b)[k] - a) + (std::abs((*B.b)[k] - b) + std::abs(b - a));
-  }
-  out.scale = window_scale(length);
-  out.ends = {*A.a * out.scale, *A.b * out.scale, *B.a * out.scale, *B.b * out.scale};
-}
-
-template <class Scalar>
-BATUTA_RARE void restore_scale(ClosestPoints<Scalar>& out, Scalar scale) {
-  out.p_A /= scale;
-  out.p_B /= scale;
-  out.distance /= scale;
-}
-
 /// A point of a segment, measured from the nearer end: exact at the ends, and half the rounding
 /// error elsewhere.
 template <class Scalar>
@@ -216,9 +204,16 @@ BATUTA_HOT ClosestPoints<Scalar> answer(const Query<Scalar>& q, const Ends<Scala
                                         bool swapped) {
   const Place<Scalar> at_A = place(A, x.s);
   const Place<Scalar> at_B = place(B, x.u);
-  const Vec3<Scalar> to_A = at_A.from_end * q.d_A;
-  const Vec3<Scalar> to_B = at_B.from_end * q.d_B;
-  const Vec3<Scalar> gap = (*at_B.end - *at_A.end) + (to_B - to_A);
+  Vec3<Scalar> to_A = at_A.from_end * q.d_A;
+  Vec3<Scalar> to_B = at_B.from_end * q.d_B;
+  Vec3<Scalar> between_ends = *at_B.end - *at_A.end;
+  const bool is_scaled = q.scale != Scalar(1);
+  if (is_scaled) between_ends *= q.scale;
+  const Vec3<Scalar> gap = between_ends + (to_B - to_A);
+  if (is_scaled) {
+    to_A /= q.scale;
+    to_B /= q.scale;
+  }
   const Vec3<Scalar> p_A = *at_A.end + to_A;
   const Vec3<Scalar> p_B = *at_B.end + to_B;
   const Scalar gap2 = gap.squaredNorm();
@@ -239,6 +234,7 @@ BATUTA_HOT ClosestPoints<Scalar> answer(const Query<Scalar>& q, const Ends<Scala
     out.normal_AB = conventional_normal<Scalar>(by_value(q), by_value(gap));
     if (swapped) out.normal_AB = -out.normal_AB;
   }
+  if (is_scaled) out.distance /= q.scale;
   return out;
 }
 
@@ -256,20 +252,9 @@ ClosestPoints<Scalar> closest_points(const Segment<Scalar>& A_in, const Segment<
   Ends<Scalar> B(B_in);
   const bool swapped = comes_before(B, A);
   if (swapped) std::swap(A, B);
-  bool is_scaled = false;
-  ScaledEnds<Scalar> scaled;
-  Query<Scalar> q;
-  for (;;) {  // Bound: 2
-    q = make_query(A, B);
-    if (is_in_window(q.SS) || is_scaled) break;
-    bring_into_window(A, B, scaled);
-    A = {&scaled.ends[0], &scaled.ends[1], A.flipped};
-    B = {&scaled.ends[2], &scaled.ends[3], B.flipped};
-    is_scaled = true;
-  }
-  ClosestPoints<Scalar> out = answer(q, A, B, closest_pair(q), swapped);
-  if (is_scaled) restore_scale(out, scaled.scale);
-  return out;
+  Query<Scalar> q = make_query(A, B);
+  if (!is_in_window(q.SS)) bring_into_window(q);
+  return answer(q, A, B, closest_pair(q), swapped);
 }
 
 #define BATUTA_INSTANTIATE(S)                                                  \
@@ -277,5 +262,8 @@ ClosestPoints<Scalar> closest_points(const Segment<Scalar>& A_in, const Segment<
   template ClosestPoints<S> closest_points(const Segment<S>&, const Segment<S>&);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
+#undef BATUTA_HOT
+#undef BATUTA_APART
+#undef BATUTA_RARE
 
 }  // namespace batuta

@@ -69,7 +69,7 @@ Result<Impulse<Scalar>> collision_impulse(const Collider<Scalar>& A, const Colli
   const Scalar give = yield_A.along_n + yield_B.along_n;
   const bool collides = v_rel < Scalar(0) && give > Scalar(0);
   const Scalar j = collides ? -(Scalar(1) + restitution) * v_rel / give : Scalar(0);
-  if (!is_finite(j)) return result;
+  if (!is_finite(v_rel) || !is_finite(give) || !is_finite(j)) return result;
 
   result.status = Status::kOk;
   Impulse<Scalar>& impulse = result.value;

@@ -10,7 +10,7 @@ import struct
 import sys
 import zlib
 
-VERSION = 1
+VERSION = 2
 RAW, WRAPPED = b"\x00", b"\x01"  # first byte of a seed: how the fuzz target uses the rest
 
 SAMPLE = struct.pack("<IffII", 123456, 0.5, -1.0, 1, 7)
@@ -31,7 +31,7 @@ MESSAGES = {
     "touch": (0x85, struct.pack("<IBBBBIf", 17, 0, 1, 2, 1, 16, 0.0005) + POINT + UNIT
               + struct.pack("<2f", 0.0, 1.0)),
     "stick_used": (0x86, struct.pack("<IB", 17, 1) + SAMPLE),
-    "step_report": (0x87, struct.pack("<IBBBB10I", 17, 7, 1, 1, 5, *range(10))),
+    "step_report": (0x87, struct.pack("<IBBBB10I3H", 17, 7, 1, 1, 5, *range(10), 0xFFEE, 2, 3)),
     "refused": (0x88, struct.pack("<BBII", 2, 0x02, 9, 17)),
 }
 
@@ -66,7 +66,7 @@ def seeds():
         record(hello[0], number, struct.pack("<IB", session, 1))
         for number, session in ((3, 1), (2, 1), (4, 1), (0, 2)))
     files["bad_check_sum"] = RAW + wire(step[0], 6, step[1], spoil=1) + frame
-    files["bad_version"] = RAW + wire(step[0], 6, step[1], version=2) + frame
+    files["bad_version"] = RAW + wire(step[0], 6, step[1], version=VERSION - 1) + frame
     files["bad_type"] = WRAPPED + record(0x7F, 1, b"") + record(0xFF, 2, b"\x00")
     files["bad_payload_nan"] = WRAPPED + record(
         0x84, 1, struct.pack("<IBffB", 17, 1, float("nan"), 0.25, 3))

@@ -55,7 +55,7 @@ class Target {
 
   /// The body goes to `shape_W` in `dt`: every bone with the constant twist of the shortest turn.
   /// Refits the hierarchy.
-  /// @pre dt > 0; finite; every bone as long as it was, to rounding (target.md)
+  /// @pre dt > 0; finite
   /// Bound: one forward and one backward pass over kBodyParts bones.
   void move_to(const BodyShape<Scalar>& shape_W, Scalar dt);
 

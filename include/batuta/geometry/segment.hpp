@@ -55,7 +55,7 @@ inline constexpr Scalar kLargestCoordinate = std::numeric_limits<Scalar>::max() 
 /// The point of `segment` closest to `point`. Swapping the ends gives the same point and distance,
 /// bit for bit.
 /// @pre no coordinate is NaN or beyond kLargestCoordinate; any scale
-/// Bound: no loop but the choice of a scale. Error of the distance <= 4 u S, S the largest length
+/// Bound: no loop but the choice of a scale. Error of the distance <= 5 u S, S the largest length
 /// in the query.
 template <class Scalar>
 PointOnSegment<Scalar> closest_point(const Segment<Scalar>& segment, const Vec3<Scalar>& point);
@@ -66,9 +66,10 @@ PointOnSegment<Scalar> closest_point(const Segment<Scalar>& segment, const Vec3<
 /// normal (turned round with A and B) bit for bit; a parameter s becomes 1 - s up to u (0 on a
 /// point). Identical segments have one arbitrary normal either way.
 /// @pre no coordinate is NaN or beyond kLargestCoordinate; any scale; zero length allowed
-/// Bound: no loop but the choice of a scale. Excess of the distance over the minimum, and error of
-/// `distance`, <= 4 u S, S the largest length in the query (src/geometry/segment.md). p_A and p_B
-/// are rounded where they lie.
+/// Bound: no loop but the choice of a scale. Excess of the distance over the minimum <= 4 u S,
+/// error of `distance` <= 5 u S, S the largest length in the query (src/geometry/segment.md). p_A
+/// and p_B are rounded where they lie. Points and parallel segments divide by zero on the way:
+/// leave the traps of the FPU off.
 template <class Scalar>
 ClosestPoints<Scalar> closest_points(const Segment<Scalar>& A, const Segment<Scalar>& B);
 

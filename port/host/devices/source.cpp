@@ -2,7 +2,9 @@
 
 #include "host/devices/source.hpp"
 
+#include <charconv>
 #include <filesystem>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -17,7 +19,8 @@ namespace {
 constexpr std::string_view kSerial = "serial:";
 
 constexpr const char* kKnown =
-    "a recording (.events, .evemu), default, script:guard|parry|attack, or serial:LINE[,SOURCE]";
+    "a recording (.events, .evemu), default, script:guard|parry|attack, or "
+    "serial:LINE[@BAUD][,SOURCE]";
 
 OpenedSource refuse(const std::string& error) {
   OpenedSource refused;
@@ -45,11 +48,25 @@ OpenedSource open_replay(LoadedRecording loaded, const std::string& label) {
   return opened;
 }
 
+/// A whole number above 0 and nothing beside it.
+std::optional<int> baud_of(std::string_view words) {
+  int baud = 0;
+  const char* const end = words.data() + words.size();
+  const std::from_chars_result read = std::from_chars(words.data(), end, baud);
+  const bool number = read.ec == std::errc() && read.ptr == end && baud > 0;
+  return number ? std::optional<int>(baud) : std::nullopt;
+}
+
 /// A device on a serial line, with its own stick or with a source in its place.
 OpenedSource open_serial(const std::string& words) {
   const std::size_t comma = words.find(',');
-  const std::string line = words.substr(kSerial.size(), comma - kSerial.size());
-  if (line.empty()) return refuse(words + ": no line; write serial:LINE or serial:LINE,SOURCE");
+  const std::string place = words.substr(kSerial.size(), comma - kSerial.size());
+  const std::size_t at = place.rfind('@');
+  const std::string line = place.substr(0, at);
+  if (line.empty()) return refuse(words + ": no line; write serial:LINE[@BAUD][,SOURCE]");
+  const std::optional<int> baud =
+      at == std::string::npos ? kDeviceBaud : baud_of(std::string_view(place).substr(at + 1));
+  if (!baud) return refuse(words + ": BAUD is a number such as " + std::to_string(kDeviceBaud));
   OpenedSource opened;
   if (comma == std::string::npos) {
     opened.source = std::make_unique<ReportedStick>("the stick of the device at " + line);
@@ -60,6 +77,7 @@ OpenedSource open_serial(const std::string& words) {
     opened = open_source(inner);
   }
   opened.line = line;
+  opened.baud = *baud;
   return opened;
 }
 

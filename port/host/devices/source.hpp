@@ -26,6 +26,9 @@ class Source : public InputDevice {
   virtual std::uint32_t losses() const { return 0; }
 };
 
+/// Rate of a device's line, where the words name none: the STM32 port's (port/stm32f405/board.hpp).
+inline constexpr int kDeviceBaud = 3000000;
+
 struct OpenedSource {
   std::unique_ptr<Source> source;  ///< null if it could not be opened
   std::string error;               ///< why not, in one line
@@ -33,11 +36,12 @@ struct OpenedSource {
   /// Path of the serial line to a device that fences along; empty: none. The source is then the
   /// recording that takes the place of the device's stick, or, where `own_stick`, a ReportedStick.
   std::string line;
+  int baud = kDeviceBaud;  ///< of that line; whether it can, SerialPort::open knows
   bool own_stick = false;
 };
 
 /// SOURCE: "default", "script:guard|parry|attack", the path of a recording, or
-/// "serial:LINE[,SOURCE]" with one of the former. Opens recordings, but no line.
+/// "serial:LINE[@BAUD][,SOURCE]" with one of the former. Opens recordings, but no line.
 OpenedSource open_source(const std::string& words);
 
 }  // namespace batuta::host

@@ -33,9 +33,9 @@ bool DuelRunner::step() {
   const InputSample* left = read(Side::kLeft, samples[0]);
   const InputSample* right = read(Side::kRight, samples[1]);
   const auto before = std::chrono::steady_clock::now();
-  const Status status = bout_.step(left, right);
+  status_ = bout_.step(left, right);
   const auto spent = std::chrono::steady_clock::now() - before;
-  if (status != Status::kOk) return false;
+  if (status_ != Status::kOk) return false;
   add_up(spent);
   ending_ = judge();
   return ending_ == Ending::kNone;

@@ -62,6 +62,8 @@ class DuelRunner {
   /// One step of kStep_us. @returns whether the bout goes on. @pre start() was kOk
   bool step();
 
+  /// Of the last step(): other than kOk, there was none, and the bout has not come to its end.
+  Status status() const { return status_; }
   Ending ending() const { return ending_; }
   const DuelType& duel() const { return bout_.duel(); }
   /// The duel with the forces on the sticks and the samples of the last step.
@@ -83,6 +85,7 @@ class DuelRunner {
   Tally tally_;
   double limit_;
   Ending ending_ = Ending::kNone;
+  Status status_ = Status::kOk;
 };
 
 }  // namespace batuta::host

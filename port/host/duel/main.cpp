@@ -56,7 +56,7 @@ void wait_for_step(Clock& clock, Microseconds start, const DuelRunner& runner) {
   if (early_us > 0) std::this_thread::sleep_for(std::chrono::microseconds(early_us));
 }
 
-/// @returns whether the bout came to its end: without a device it always does
+/// @returns whether the bout came to its end; if not, the runner's status or the device says why
 bool run(DuelRunner& runner, const Observers& observers, bool realtime, DevicePartner* device) {
   HostClock clock;
   const Microseconds start = clock.now();
@@ -65,6 +65,7 @@ bool run(DuelRunner& runner, const Observers& observers, bool realtime, DevicePa
   while (going_on) {  // Bound: the steps up to runner.limit()
     if (device != nullptr && !device->before_step(runner)) return false;
     going_on = runner.step();
+    if (runner.status() != Status::kOk) return false;
     if (device != nullptr && !device->after_step(runner)) return false;
     for (const auto& observer : observers) observer->on_step(runner);
     if (realtime) wait_for_step(clock, start, runner);
@@ -95,6 +96,10 @@ int play_bouts(const Options& options, DeviceSetup& setup, std::ostream& svg) {
     if (runner->start() != Status::kOk) return complain(kExitFailure, "the fencers are not valid");
     const Observers observers = make_observers(options, runner->limit(), svg);
     const bool ended = run(*runner, observers, options.realtime, device);
+    if (runner->status() != Status::kOk) {
+      return complain(kExitFailure, "step " + std::to_string(runner->bout().steps() + 1) +
+                                        " was not made: the bout refused it");
+    }
     const bool again =
         !ended && device->session() == Session::kLost && device->lost_sessions() <= kMostLost;
     if (!again) conclude(*runner, observers, device, options.json);

@@ -19,8 +19,10 @@ constexpr const char* kFooter = R"(SOURCE is one of
   default                  the synthetic recording that is built into the program
   script:guard, script:parry, script:attack
                            a simple opponent
-  serial:LINE              the fencing firmware at the other end of a serial line, with its own stick
-  serial:LINE,SOURCE       the same, with a recording or a script in place of its stick
+  serial:LINE[@BAUD]       the fencing firmware at the other end of a serial line, with its own stick;
+                           3000000 baud unless the words say otherwise
+  serial:LINE[@BAUD],SOURCE
+                           the same, with a recording or a script in place of its stick
                            (here and there the bout is the same, to the last bit; this is checked
                            after every step)
 The bout ends with a touch, or when the recordings are at their end; with two scripts, after 180 s.

@@ -32,12 +32,12 @@ void AdcStick::start(unsigned x_channel, unsigned y_channel, std::uint32_t timer
   adc.sqr1 = (kAxes - 1U) << 20;
   adc.sqr3 = x_channel | (y_channel << 5);
   adc.cr1 = Adc::kCr1Scan | Adc::kCr1Ovrie;
-  start_dma();
 
   at_.pace.psc = 0;
   at_.pace.arr = timer_hz / kPaceHz - 1U;
   at_.pace.cr2 = Tim::kCr2MmsUpdate;
   at_.pace.egr = Tim::kEgrUg;
+  start_dma();  // behind this update, which is a trigger, too
   at_.pace.cr1 = Tim::kCr1Cen;
 }
 
@@ -51,6 +51,7 @@ void AdcStick::start_dma() {
   stream.m0ar = bus_address(buffer_);
   stream.ndtr = 2U * kWindowCounts;
   stream.cr = kStreamSetup | DmaStream::kCrEn;
+  at_.pace.cnt = 0;  // the next trigger is a turn away: the ADC is stable 3 us after ADON (tSTAB)
   at_.adc.cr2 =
       Adc::kCr2Adon | Adc::kCr2Dma | Adc::kCr2Dds | Adc::kCr2ExtselTim3Trgo | Adc::kCr2ExtenRising;
 }

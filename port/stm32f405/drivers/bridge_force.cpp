@@ -52,6 +52,7 @@ void BridgeForce::guard_tick() {
   left_.store(left - 1U, std::memory_order_relaxed);
   if (left > 1U) return;
   silence();
+  timer_.cr1 &= ~Tim::kCr1Udis;  // a command that hangs between its stores has left it set
   expiries_.store(expiries_.load(std::memory_order_relaxed) + 1U, std::memory_order_relaxed);
 }
 

@@ -40,9 +40,10 @@ class BridgeForce final : public ForceDevice {
   /// How often the guard took a force away.
   std::uint32_t expiries() const { return expiries_.load(std::memory_order_relaxed); }
 
-  /// BDTR without MOE: outputs driven low, break enabled, and all but MOE locked until a reset.
+  /// BDTR without MOE: outputs driven low, break enabled. Both, and the outputs' polarities, are
+  /// locked until a reset (level 2); MOE is not.
   static constexpr std::uint32_t kSafe =
-      Tim::kBdtrLock1 | Tim::kBdtrOssi | Tim::kBdtrOssr | Tim::kBdtrBke;
+      Tim::kBdtrLock2 | Tim::kBdtrOssi | Tim::kBdtrOssr | Tim::kBdtrBke;
 
  private:
   Status do_write(const ForceCommand& command) override;

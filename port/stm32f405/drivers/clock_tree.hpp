@@ -6,6 +6,8 @@
 
 #include <cstdint>
 
+#include "stm32f405/registers/rcc.hpp"
+
 namespace batuta::stm32f405 {
 
 /// From the crystal to the buses.
@@ -62,8 +64,7 @@ constexpr bool is_valid(const ClockTree& tree) {
 
 /// RCC_PLLCFGR, fed from the crystal (RM0090 7.3.2).
 constexpr std::uint32_t pllcfgr_of(const ClockTree& tree) {
-  constexpr std::uint32_t kSourceHse = 1U << 22;
-  return tree.pll_m | (tree.pll_n << 6) | ((tree.pll_p / 2U - 1U) << 16) | kSourceHse |
+  return tree.pll_m | (tree.pll_n << 6) | ((tree.pll_p / 2U - 1U) << 16) | Rcc::kPllcfgrSrcHse |
          (tree.pll_q << 24);
 }
 

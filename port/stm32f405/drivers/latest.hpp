@@ -30,6 +30,7 @@ class Latest {
       const std::uint32_t before = count();
       if (before == 0) return 0;
       const T copied = slots_[before % 2U];
+      std::atomic_signal_fence(std::memory_order_acq_rel);  // the copy before the second look
       if (count_.load(std::memory_order_acquire) != before) continue;  // put() came in between
       value = copied;
       return before;

@@ -13,7 +13,7 @@ enum class ResetCause : std::uint8_t {
   kPowerOn,   ///< also a brown-out
   kPin,       ///< the reset button, or a debugger
   kWatchdog,  ///< independent or window watchdog
-  kSoftware,  ///< this port's own, after a fault
+  kSoftware,  ///< this port's own, after a fault, or a debugger's
   kLowPower,  ///< never used here
 };
 

@@ -30,11 +30,12 @@ constexpr std::uint32_t restarts_in(const RestartLedger& ledger) {
 }
 
 /// At every start, first of all.
-/// @param fault_recorded  decides where the part does not tell the cause
+/// @param fault_recorded  decides where the part does not tell the cause, or whose a software reset
+///   is: this port records a fault before its own, a debugger does not
 /// @returns true: run | false: restarted too often, park
 inline bool may_run(RestartLedger& ledger, ResetCause cause, bool fault_recorded) {
-  const bool by_itself = cause == ResetCause::kWatchdog || cause == ResetCause::kSoftware ||
-                         (cause == ResetCause::kUnknown && fault_recorded);
+  const bool may_be_own = cause == ResetCause::kSoftware || cause == ResetCause::kUnknown;
+  const bool by_itself = cause == ResetCause::kWatchdog || (may_be_own && fault_recorded);
   if (!by_itself) {
     write_restarts(ledger, 0);
     return true;
@@ -45,9 +46,9 @@ inline bool may_run(RestartLedger& ledger, ResetCause cause, bool fault_recorded
   return true;
 }
 
-/// After kHealthySteps steps without a fault: what happened before has nothing to do with what may
+/// After kHealthyTicks ticks without a fault: what happened before has nothing to do with what may
 /// happen now.
-inline constexpr std::uint32_t kHealthySteps = 10000;
+inline constexpr std::uint32_t kHealthyTicks = 10000;
 inline void note_healthy(RestartLedger& ledger) {
   write_restarts(ledger, 0);
 }

@@ -3,7 +3,7 @@
 // The link's serial line: a ring each way, emptied and filled by the interrupt of USART1.
 
 #include "link/byte_stream.hpp"
-#include "stm32f405/drivers/byte_ring.hpp"
+#include "cortex_m/byte_ring.hpp"
 #include "stm32f405/registers/usart.hpp"
 
 namespace batuta::stm32f405 {
@@ -40,8 +40,8 @@ class UsartStream final : public link::ByteStream {
   void transmit();
 
   Usart& usart_;
-  ByteRing<kReceiveBytes> received_;
-  ByteRing<kTransmitBytes> to_send_;
+  cortex_m::ByteRing<kReceiveBytes> received_;
+  cortex_m::ByteRing<kTransmitBytes> to_send_;
   // Written by the interrupt alone.
   volatile std::uint32_t overruns_ = 0;
   volatile std::uint32_t framing_ = 0;

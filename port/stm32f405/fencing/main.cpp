@@ -71,7 +71,8 @@ void start_devices() {
   enable(Interrupt::kDma2Stream0, kStick);
   enable(Interrupt::kAdc, kStick);
   start_guard();
-  // An open emergency stop is told with every command; closing it takes a reset.
+  // With an open emergency stop no command is taken; every step's report counts them. Once it is
+  // closed it takes a reset.
   (void)force.arm();
 }
 
@@ -108,7 +109,7 @@ int main() {
   for (;;) {  // for ever: the watchdog sees to it that it goes on
     tick = cortex_m::next_period(tick);
     application.tick(tick);
-    watchdog.on_step(force.guard_ticks());
-    if (application.ticks().used == kHealthySteps) forget_restarts();
+    watchdog.on_tick(force.guard_ticks());
+    if (application.ticks().used == kHealthyTicks) forget_restarts();
   }
 }

@@ -35,7 +35,6 @@ struct Dma {
   DmaStream stream[8];
 
   // Stream 0's flags in LISR; the same bits in LIFCR clear them.
-  static constexpr std::uint32_t kStream0Feif = 1U << 0;
   static constexpr std::uint32_t kStream0Dmeif = 1U << 2;
   static constexpr std::uint32_t kStream0Teif = 1U << 3;
   static constexpr std::uint32_t kStream0Htif = 1U << 4;

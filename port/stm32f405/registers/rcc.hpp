@@ -39,9 +39,6 @@ struct Rcc {
   static constexpr std::uint32_t kCfgrSwsMask = 3U << 2;
   static constexpr std::uint32_t kCfgrSwsPll = 2U << 2;
 
-  static constexpr std::uint32_t kCirCssf = 1U << 7;
-  static constexpr std::uint32_t kCirCssc = 1U << 23;
-
   static constexpr std::uint32_t kAhb1enrGpioa = 1U << 0;
   static constexpr std::uint32_t kAhb1enrGpiob = 1U << 1;
   static constexpr std::uint32_t kAhb1enrGpioc = 1U << 2;

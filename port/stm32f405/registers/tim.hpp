@@ -36,7 +36,8 @@ struct Tim {
   /// Both channels of a CCMRx: PWM mode 1, compare values taken over at an update.
   static constexpr std::uint32_t kCcmrPwm1Both = (6U << 4) | (1U << 3) | (6U << 12) | (1U << 11);
   static constexpr std::uint32_t kCcerAllFour = (1U << 0) | (1U << 4) | (1U << 8) | (1U << 12);
-  static constexpr std::uint32_t kBdtrLock1 = 1U << 8;
+  static constexpr std::uint32_t kBdtrLock2 = 2U
+                                              << 8;  ///< break, idle levels, polarities, OSSI, OSSR
   static constexpr std::uint32_t kBdtrOssi = 1U << 10;  ///< without MOE, drive the idle level
   static constexpr std::uint32_t kBdtrOssr = 1U << 11;
   static constexpr std::uint32_t kBdtrBke = 1U << 12;

@@ -60,23 +60,52 @@ TEST_F(SweepingStick, ABlow_ReachesTheMotor_AsItIsTold) {
   EXPECT_GT(told.x, 0) << "the stick went to the left";
 }
 
-TEST_F(SweepingStick, WhenTheHostStops_TheForceStaysForTheLimit_ThenFadesInTheLength) {
+TEST_F(SweepingStick,
+       WhenTheHostStops_TheForceEndsWithItsTick_AndTheSilenceIsCountedAfterTheLimit) {
   rig.settings.bout.force.ramp = {30, 20};
   rig.start();
   order_until_forced();
-  const float whole = rig.motor.last.x;
   for (int i = 0; i < 30; ++i) {
     rig.run(1);
-    ASSERT_EQ(rig.motor.last.x, whole) << i;
+    ASSERT_FALSE(is_forced()) << i;
   }
-  for (int i = 19; i >= 0; --i) {
+  EXPECT_EQ(rig.device->silences(), 0U);
+  rig.run(1);
+  EXPECT_EQ(rig.device->silences(), 1U);
+  for (int i = 0; i < 1000; ++i) {
     rig.run(1);
-    ASSERT_EQ(rig.motor.last.x, static_cast<float>(i) / 20.0F * whole) << i;
+    ASSERT_FALSE(is_forced()) << i;
   }
   EXPECT_EQ(rig.device->silences(), 1U);
-  rig.run(1000);
+}
+
+TEST_F(SweepingStick, AnOrderOnceMore_IsNoSecondBlow) {
+  rig.start();
+  order_until_forced();
+  --step;
+  order();
   EXPECT_FALSE(is_forced());
-  EXPECT_EQ(rig.device->silences(), 1U);
+}
+
+/// However slow the host is, the motor gets each step's force for one tick.
+TEST_F(SweepingStick, TheImpulse_DoesNotDependOnTheHostsPace) {
+  std::array<double, 2> impulse{};
+  for (const int idle : {0, 7}) {
+    SCOPED_TRACE(idle);
+    rig.start();
+    step = 0;
+    host.send(link::Hello{static_cast<std::uint32_t>(idle) + 1, Mode::kPaced});
+    rig.run(1);
+    while (step < 200) {
+      order();
+      for (int i = 0; i <= idle; ++i) {
+        impulse[idle == 0 ? 0 : 1] += std::fabs(rig.motor.last.x);
+        if (i < idle) rig.run(1);
+      }
+    }
+  }
+  EXPECT_GT(impulse[0], 0);
+  EXPECT_EQ(impulse[0], impulse[1]);
 }
 
 TEST_F(SweepingStick, WhenTheHostComesBack_TheForceComesBackSlowly_AndTheSilenceIsTold) {
@@ -89,8 +118,11 @@ TEST_F(SweepingStick, WhenTheHostComesBack_TheForceComesBackSlowly_AndTheSilence
   const auto reports = host.received<link::StepReport>();
   ASSERT_EQ(reports.size(), 1U);
   EXPECT_EQ(reports[0].silences, 1U);
+  int back = 1;  // steps since the silence
+  for (; !is_forced() && back < 49; ++back) order();
+  ASSERT_TRUE(is_forced()) << "else nothing was seen";
   const Vec2<float> whole = rig.device->bout().forces().of(Side::kLeft).share;
-  EXPECT_EQ(rig.motor.last.x, 1.0F / 50.0F * whole.x());
+  EXPECT_EQ(rig.motor.last.x, static_cast<float>(back) / 50.0F * whole.x());
 }
 
 TEST_F(SweepingStick, WhenTheOwnStickStops_ItsForceFades_ThoughStepsGoOn) {

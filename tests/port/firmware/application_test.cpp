@@ -82,6 +82,8 @@ TEST_F(FreeDevice, Alone_MakesOneStepATick_AndTellsItWithTheSample) {
 }
 
 TEST_F(FreeDevice, TheLatestSampleWins_WhereverItComesFrom) {
+  host.send(link::Hello{3, Mode::kFree});
+  rig.run(1);
   rig.stick.samples = {sample_at(0, 0.25F, 0)};
   host.send(link::StickSample{link::LinkSide::kLeft, sample_at(1, 0.5F, 0)});
   host.send(link::StickSample{link::LinkSide::kLeft, sample_at(2, 0.75F, 0)});
@@ -92,6 +94,20 @@ TEST_F(FreeDevice, TheLatestSampleWins_WhereverItComesFrom) {
   EXPECT_EQ(used[0].sample.x, 0.75F);
   EXPECT_EQ(used[1].side, link::LinkSide::kRight);
   EXPECT_EQ(used[1].sample.x, -0.75F);
+}
+
+TEST_F(FreeDevice, Alone_AStickSampleIsRefused) {
+  host.send(link::StickSample{link::LinkSide::kLeft, sample_at(1, 0.5F, 0)});
+  rig.run(1);
+  EXPECT_EQ(host.received<link::Refused>().at(0).why, Refusal::kNoSession);
+}
+
+TEST_F(FreeDevice, AReport_IsOfItsSession_AndOfNoneAlone) {
+  rig.run(1);
+  EXPECT_EQ(host.received<link::StepReport>().at(0).session, 0U);
+  host.send(link::Hello{0x12345678, Mode::kFree});
+  rig.run(1);
+  EXPECT_EQ(host.received<link::StepReport>().at(0).session, 0x5678U);
 }
 
 TEST_F(FreeDevice, AStepOrder_IsRefused_WithItsReason) {
@@ -135,7 +151,10 @@ TEST_F(FreeDevice, TheOwnStickBeyondItsSquare_IsCounted_AndNotUsed) {
   rig.stick.samples = {sample_at(0, 2, 0)};
   rig.run(1);
   EXPECT_EQ(rig.device->report().stick_invalid, 1U);
-  EXPECT_EQ(host.received<link::StickUsed>().size(), 0U);
+  const auto reports = host.received<link::StepReport>();
+  ASSERT_EQ(reports.size(), 1U);
+  EXPECT_EQ(reports[0].stick_invalid, 1U);
+  EXPECT_FALSE(reports[0].used_left);
 }
 
 TEST(Device, TellsTheFaultOfTheLastRun) {
@@ -312,6 +331,7 @@ TEST_F(FreeDevice, ABrokenMotor_IsCounted) {
   rig.motor.broken = true;
   rig.run(3);
   EXPECT_EQ(rig.device->report().force_failures, 3U);
+  EXPECT_EQ(host.received<link::StepReport>().back().force_failures, 2U) << "sent before the third";
 }
 
 TEST_F(FreeDevice, LateTicks_AreCountedAndTold_AndNeverMadeUpFor) {

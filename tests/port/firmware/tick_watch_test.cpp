@@ -47,6 +47,13 @@ TEST(TickWatch, TheFirstTick_SkipsNothing_WhateverItsNumber) {
   EXPECT_EQ(watch.report().skipped, 0U);
 }
 
+TEST(TickWatchDeathTest, ATickBegunTwice_IsACallersMistake) {
+  TickWatch watch = started();
+  watch.begin(7, 0);
+  watch.end(10);
+  EXPECT_DEATH(watch.begin(7, 20), "");
+}
+
 TEST(TickWatch, Start_ForgetsEverything) {
   TickWatch watch = started();
   watch.begin(1, 0);

@@ -60,7 +60,8 @@ TEST(PacedPartner, AWholeBout_IsTheSameOnBothSides) {
   plain.run();
   EXPECT_EQ(partner.compared(), plain.runner->duel().steps());
   EXPECT_EQ(bout.runner->ending(), Ending::kTouch);
-  EXPECT_GE(bout.runner->tally().beats, 5U) << "events and forces have been compared";
+  EXPECT_GE(bout.runner->tally().beats, 5U) << "events have been compared";
+  EXPECT_GE(partner.forces_not_zero(), bout.runner->tally().beats) << "and forces";
   EXPECT_EQ(bench.rig.device->bout().steps(), plain.runner->duel().steps());
   EXPECT_EQ(bench.link.sums().resends, 0U);
   EXPECT_EQ(bench.link.counters().rejected(), 0U);
@@ -209,6 +210,41 @@ TEST(FreePartner, LostTelemetry_LosesTheSession_AndANewOneGoesOn) {
   ASSERT_TRUE(bench.open(0.5)) << bench.partner.problem();
   ASSERT_TRUE(fence(*bench.runner, bench.partner)) << bench.partner.problem();
   EXPECT_EQ(bench.partner.compared(), before + 500U);
+}
+
+TEST(FreePartner, AResetOfTheDevice_LosesTheSession_AndIsToldAsSuch) {
+  FreeBench bench;
+  ASSERT_TRUE(bench.open(10));
+  ASSERT_TRUE(fence(*bench.runner, bench.partner, 100));
+  bench.reset();
+  EXPECT_FALSE(fence(*bench.runner, bench.partner, 200));
+  EXPECT_EQ(bench.partner.session(), Session::kLost);
+  EXPECT_THAT(bench.partner.problem(), HasSubstr("was it reset?"));
+  EXPECT_EQ(bench.partner.compared(), 100U) << "nothing of the device alone is taken for the bout";
+  ASSERT_TRUE(bench.open(0.5)) << bench.partner.problem();
+  EXPECT_EQ(bench.link.welcome().fault_code, 5U);
+  ASSERT_TRUE(fence(*bench.runner, bench.partner)) << bench.partner.problem();
+}
+
+TEST(FreePartner, AResetWhoseFramesAreAllOld_IsToldAsSuch) {
+  FreeBench bench;
+  ASSERT_TRUE(bench.open(10));
+  ASSERT_TRUE(fence(*bench.runner, bench.partner, 900));
+  bench.reset();
+  EXPECT_FALSE(fence(*bench.runner, bench.partner, 1000));
+  EXPECT_EQ(bench.partner.session(), Session::kLost);
+  EXPECT_THAT(bench.partner.problem(), HasSubstr("numbers its frames anew; was it reset?"));
+}
+
+TEST(FreePartner, ALateHelloOfAnOlderSession_LosesTheSession) {
+  FreeBench bench;
+  ASSERT_TRUE(bench.open(10));
+  ASSERT_TRUE(fence(*bench.runner, bench.partner, 100));
+  test::PlainHost late(bench.rig.cable);
+  late.send(link::Hello{bench.link.welcome().session ^ 1U, link::Mode::kFree});
+  EXPECT_FALSE(fence(*bench.runner, bench.partner, 200));
+  EXPECT_EQ(bench.partner.session(), Session::kLost);
+  EXPECT_THAT(bench.partner.problem(), HasSubstr("in another session"));
 }
 
 TEST(FreePartner, ASilentDevice_IsGivenUp) {

@@ -33,6 +33,18 @@ TEST(DuelRunner, TheDefaultBout_EndsWithATouchByTheLeft) {
   EXPECT_FALSE(bout.runner->step()) << "it is over";
 }
 
+TEST(DuelRunner, AStepThatTheBoutRefuses_IsNoEnd) {
+  ReplayDevice left = still_stick(0.5);
+  ReplayDevice right = still_stick(0.5);
+  const auto runner = std::make_unique<DuelRunner>(left, right, 0.5);  // not started
+  EXPECT_FALSE(runner->step());
+  EXPECT_EQ(runner->status(), Status::kInvalidArgument);
+  EXPECT_EQ(runner->ending(), Ending::kNone);
+  ASSERT_EQ(runner->start(), Status::kOk);
+  EXPECT_TRUE(runner->step());
+  EXPECT_EQ(runner->status(), Status::kOk);
+}
+
 TEST(DuelRunner, AnAttackOnAGuard_Hits_FromEitherSide) {
   BoutRig from_left("script:attack", "script:guard");
   from_left.run();

@@ -75,6 +75,7 @@ def usage(folder):
     refuses(["--left", "device:/dev/input/event0"], 2, "live devices are not built into this version")
     refuses(["--left", "serial:/dev/null"], 2, "/dev/null")
     refuses(["--left", "serial:" + os.path.join(folder, "none")], 2, "none")
+    refuses(["--left", "serial:/dev/null@12"], 2, "unknown rate of 12 baud")
     refuses(["--left", "serial:a", "--right", "serial:b"], 2, "one device at a time")
     refuses(["--left", "none.events"], 2, "none.events: no such file")
     refuses(["--left", folder], 2, "cannot be read")

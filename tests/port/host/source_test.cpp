@@ -29,9 +29,26 @@ TEST(OpenSource, Scripts) {
 }
 
 TEST(OpenSource, Refusals_AreOneLineThatNamesTheSource) {
-  for (const char* words : {"script:", "script:riposte", "banana", "none.events",
-                            "device:/dev/input/event0", "serial:", "serial:,script:guard",
-                            "serial:/dev/a,serial:/dev/b", "", "/", "carrier:pigeon"}) {
+  for (const char* words : {"script:",
+                            "script:riposte",
+                            "banana",
+                            "none.events",
+                            "device:/dev/input/event0",
+                            "serial:",
+                            "serial:,script:guard",
+                            "serial:/dev/a,serial:/dev/b",
+                            "serial:@3000000",
+                            "serial:/dev/a@",
+                            "serial:/dev/a@fast",
+                            "serial:/dev/a@0",
+                            "serial:/dev/a@-9600",
+                            "serial:/dev/a@+9600",
+                            "serial:/dev/a@9600 ",
+                            "serial:/dev/a@1e6",
+                            "serial:/dev/a@99999999999,script:guard",
+                            "",
+                            "/",
+                            "carrier:pigeon"}) {
     const OpenedSource opened = open_source(words);
     EXPECT_FALSE(opened.source) << words;
     EXPECT_THAT(opened.error, HasSubstr(words));
@@ -61,6 +78,18 @@ TEST(OpenSource, ASerialLineWithASource_IsThatSource) {
   EXPECT_EQ(opened.source->description(), open_source("script:attack").source->description());
   EXPECT_THAT(open_source("serial:/dev/ttyUSB0,banana").error, HasSubstr("unknown source"));
   EXPECT_TRUE(open_source("script:attack").line.empty());
+}
+
+TEST(OpenSource, ASerialLine_HasTheRateOfItsWords_OrTheBoards) {
+  EXPECT_EQ(open_source("serial:/dev/ttyUSB0").baud, 3000000);
+  EXPECT_EQ(open_source("serial:/dev/ttyUSB0,script:attack").baud, 3000000);
+  for (const char* words : {"serial:/dev/by@id@115200", "serial:/dev/by@id@115200,script:attack"}) {
+    const OpenedSource opened = open_source(words);
+    ASSERT_TRUE(opened.source) << opened.error;
+    EXPECT_EQ(opened.line, "/dev/by@id");
+    EXPECT_EQ(opened.baud, 115200);
+  }
+  EXPECT_THAT(open_source("serial:/dev/a@fast").error, HasSubstr("BAUD is a number"));
 }
 
 TEST(OpenSource, GuessedCalibration_IsNoted) {

@@ -106,6 +106,13 @@ TEST_F(AToldStep, WhatTheBoutSays_IsCompared) {
   EXPECT_THAT(difference(), HasSubstr("bout: evaluations differs: "));
 }
 
+TEST_F(AToldStep, AnotherNumberOfFrames_IsADifference) {
+  link::StepReport report = firmware::report_message(*bout);
+  report.frames = static_cast<std::uint8_t>(firmware::frames_of(*bout, false) - 1);
+  tell(report);
+  EXPECT_THAT(difference(), HasSubstr("bout: frames differs: "));
+}
+
 TEST_F(AToldStep, FramesOfOtherSteps_AreNotTaken) {
   link::Pose pose = firmware::pose_message(bout->duel(), Side::kLeft);
   pose.position_W[0] = 9;

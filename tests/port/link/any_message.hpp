@@ -108,10 +108,24 @@ inline Layout layout(const Force& m) {
 inline Layout layout(const StepReport& m) {
   const unsigned flags =
       (m.used_left ? 1U : 0U) + (m.used_right ? 2U : 0U) + (m.repeated ? 4U : 0U);
-  return {{m.step, 4},        {m.frames, 1},           {m.bout_state, 1}, {m.touches, 1},
-          {flags, 1},         {m.overruns, 4},         {m.skipped, 4},    {m.silences, 4},
-          {m.stale_steps, 4}, {m.rejected, 4},         {m.lost, 4},       {m.unsent, 4},
-          {m.evaluations, 4}, {m.incomplete_steps, 4}, {m.spent_us, 4}};
+  return {{m.step, 4},
+          {m.frames, 1},
+          {m.bout_state, 1},
+          {m.touches, 1},
+          {flags, 1},
+          {m.overruns, 4},
+          {m.skipped, 4},
+          {m.silences, 4},
+          {m.stale_steps, 4},
+          {m.rejected, 4},
+          {m.lost, 4},
+          {m.unsent, 4},
+          {m.evaluations, 4},
+          {m.incomplete_steps, 4},
+          {m.spent_us, 4},
+          {m.session, 2},
+          {m.force_failures, 2},
+          {m.stick_invalid, 2}};
 }
 inline Layout layout(const Refused& m) {
   return {{static_cast<std::uint64_t>(m.why), 1},
@@ -282,6 +296,9 @@ inline void draw(FieldDraws& d, StepReport& m) {
        {&m.overruns, &m.skipped, &m.silences, &m.stale_steps, &m.rejected, &m.lost, &m.unsent,
         &m.evaluations, &m.incomplete_steps, &m.spent_us}) {
     *count = d.u32();
+  }
+  for (std::uint16_t* count : {&m.session, &m.force_failures, &m.stick_invalid}) {
+    *count = static_cast<std::uint16_t>(d.u32());
   }
 }
 inline void draw(FieldDraws& d, Refused& m) {

@@ -104,9 +104,11 @@ TEST_F(AdcStickTest, ErrorOfDmaOrAdc_StartsTheTurnAnew) {
   rig_.stick.start(10, 11, 84000000);
   rig_.dma.stream[0].cr = 0;
   rig_.dma.stream[0].ndtr = 5;
+  rig_.pace.cnt = 5249;  // a trigger is due
   rig_.dma.lisr = Dma::kStream0Teif;
   rig_.stick.on_dma(rig_.now);
   EXPECT_EQ(rig_.stick.faults(), 1U);
+  EXPECT_EQ(rig_.pace.cnt, 0U);  // a whole turn for the ADC to settle
   EXPECT_EQ(rig_.dma.stream[0].ndtr, 64U);
   EXPECT_NE(rig_.dma.stream[0].cr & DmaStream::kCrEn, 0U);
   rig_.stick.on_overrun();

@@ -29,7 +29,7 @@ TEST_F(BridgeForceTest, Configured_IsForcedLow) {
   EXPECT_FALSE(force_.is_armed());
   EXPECT_EQ(timer_.arr, 8399U);
   EXPECT_EQ(timer_.bdtr, BridgeForce::kSafe);
-  EXPECT_EQ(timer_.bdtr & Tim::kBdtrMoe, 0U);
+  EXPECT_EQ(timer_.bdtr, 0x1E00U);  // BKE, OSSR, OSSI, LOCK 2; not MOE (RM0090 17.4.18)
   EXPECT_TRUE(is_silent());
 }
 
@@ -73,6 +73,15 @@ TEST_F(BridgeForceTest, NoCommand_TheGuardActsAfterItsTicksAndOnce) {
   EXPECT_EQ(force_.guard_ticks(), 100U + BridgeForce::kGuardTicks);
   EXPECT_EQ(write(1, 0), Status::kOk);  // commands have come back
   EXPECT_EQ(timer_.ccr[0], 8400U);
+}
+
+TEST_F(BridgeForceTest, CommandThatHangs_TheGuardsZeroesAreTakenOver) {
+  ASSERT_EQ(force_.arm(), Status::kOk);
+  ASSERT_EQ(write(1, 1), Status::kOk);
+  timer_.cr1 |= Tim::kCr1Udis;  // as between the stores of a command
+  tick(BridgeForce::kGuardTicks);
+  EXPECT_TRUE(is_silent());
+  EXPECT_EQ(timer_.cr1, Tim::kCr1Arpe | Tim::kCr1Cen);
 }
 
 TEST_F(BridgeForceTest, Commands_KeepTheGuardWaiting) {

@@ -8,11 +8,13 @@
 #include <random>
 #include <thread>
 
-#include "stm32f405/drivers/byte_ring.hpp"
+#include "cortex_m/byte_ring.hpp"
 #include "stm32f405/drivers/latest.hpp"
 
 namespace batuta::stm32f405 {
 namespace {
+
+using cortex_m::ByteRing;
 
 TEST(ByteRing, AnyPushesAndPops_AreThoseOfAQueue) {
   ByteRing<16> ring;

@@ -34,6 +34,15 @@ TEST(RestartLedger, FaultsInARow_ParkAfterTheLimit) {
   }
 }
 
+TEST(RestartLedger, DebuggersReset_Runs) {
+  RestartLedger ledger = random_memory();
+  EXPECT_EQ(runs_until_parked(ledger, ResetCause::kSoftware, false), 100);
+  EXPECT_EQ(restarts_in(ledger), 0U);
+  // A watchdog's restart counts with and without a record.
+  EXPECT_EQ(runs_until_parked(ledger, ResetCause::kWatchdog, false),
+            static_cast<int>(kMaxRestarts));
+}
+
 TEST(RestartLedger, ResetButton_UnparksAndCountsFromZero) {
   RestartLedger ledger = random_memory();
   (void)runs_until_parked(ledger, ResetCause::kSoftware, true);

@@ -10,18 +10,18 @@
 namespace batuta::stm32f405 {
 namespace {
 
-TEST(WatchdogPolicy, StepsWithALivingGuard_Feed) {
+TEST(WatchdogPolicy, TicksWithALivingGuard_Feed) {
   WatchdogPolicy policy;
-  for (std::uint32_t tick = 1; tick < 1000; ++tick) EXPECT_TRUE(policy.on_step(tick));
+  for (std::uint32_t tick = 1; tick < 1000; ++tick) EXPECT_TRUE(policy.on_tick(tick));
   EXPECT_EQ(policy.starved(), 0U);
 }
 
 TEST(WatchdogPolicy, DeadGuard_Starves) {
   WatchdogPolicy policy;
-  EXPECT_TRUE(policy.on_step(5));
-  for (int i = 0; i < 20; ++i) EXPECT_FALSE(policy.on_step(5));
+  EXPECT_TRUE(policy.on_tick(5));
+  for (int i = 0; i < 20; ++i) EXPECT_FALSE(policy.on_tick(5));
   EXPECT_EQ(policy.starved(), 20U);
-  EXPECT_TRUE(policy.on_step(6));
+  EXPECT_TRUE(policy.on_tick(6));
 }
 
 TEST(Watchdog, Started_WaitsNominallyTenMilliseconds) {
@@ -42,13 +42,13 @@ TEST(Watchdog, RegistersThatNeverAnswer_DoNotHangTheStart) {
   EXPECT_EQ(registers.kr, Iwdg::kKrFeed);
 }
 
-TEST(Watchdog, OnlyAStepFeeds) {
+TEST(Watchdog, OnlyATickWithALivingGuardFeeds) {
   Iwdg registers{};
   Watchdog watchdog(registers);
   registers.kr = 0;
-  watchdog.on_step(0);  // the guard has not run
+  watchdog.on_tick(0);  // the guard has not run
   EXPECT_EQ(registers.kr, 0U);
-  watchdog.on_step(1);
+  watchdog.on_tick(1);
   EXPECT_EQ(registers.kr, Iwdg::kKrFeed);
 }
 

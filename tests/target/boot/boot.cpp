@@ -93,11 +93,22 @@ void check_file(Checks& check) {
   check.that(file.read(in, 16) == 0, "after the end nothing comes");
 }
 
+void check_fault_record(Checks& check) {
+  using namespace cortex_m;
+  record_fault(FaultCode::kMainReturned, 5, 6);
+  check.that(last_fault().code == FaultCode::kMainReturned, "the last code is one");
+  check.that(take_last_fault().detail[1] == 6, "a record has its details");
+  check.that(take_last_fault().code == FaultCode::kNone, "a record is told once");
+  record_fault(static_cast<FaultCode>(7), 5, 6);
+  check.that(take_last_fault().code == FaultCode::kNone, "a code that does not exist is no record");
+}
+
 }  // namespace
 
 int main() {
   Checks check;
   check.that(cortex_m::last_fault().code == cortex_m::FaultCode::kNone, "no fault at power-on");
+  check_fault_record(check);
   check_variables(check);
   check_arithmetic(check);
   check_library(check);

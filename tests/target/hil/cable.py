@@ -57,14 +57,16 @@ class Cable:
         self.rewrite = rewrite
         self.device = None
         self.stop = threading.Event()
-        self.thread = threading.Thread(target=self.run, daemon=True)
+        self.threads = []
 
     def plug_in(self, timeout):
         """Once the emulator has been started."""
         self.server.settimeout(timeout)
         self.device, _ = self.server.accept()
         self.device.setblocking(False)
-        self.thread.start()
+        for direction in ((self.master, self.from_host), (self.device, self.from_device)):
+            self.threads.append(threading.Thread(target=self.run, args=direction, daemon=True))
+            self.threads[-1].start()
 
     def wait_for_device(self, timeout):
         """Until it has something to say."""
@@ -82,22 +84,22 @@ class Cable:
 
     def close(self):
         self.stop.set()
-        if self.thread.is_alive():
-            self.thread.join(5)
+        for thread in self.threads:
+            thread.join(5)
         for thing in (self.device, self.server):
             if thing is not None:
                 thing.close()
         os.close(self.master)
         os.close(self.slave)
 
-    def run(self):
+    def run(self, end, forward):
+        """One direction, in a thread of its own: some emulated UARTs stop their processor until
+        what it sends is taken, and take nothing themselves meanwhile."""
         with selectors.DefaultSelector() as ready:
-            ready.register(self.master, selectors.EVENT_READ)
-            ready.register(self.device, selectors.EVENT_READ)
+            ready.register(end, selectors.EVENT_READ)
             while not self.stop.is_set():
-                for key, _ in ready.select(0.05):
-                    if not (self.from_host() if key.fileobj == self.master else self.from_device()):
-                        return
+                if ready.select(0.05) and not forward():
+                    return
 
     def from_host(self):
         data = read_some(lambda: os.read(self.master, 65536))
@@ -107,8 +109,6 @@ class Cable:
 
     def from_device(self):
         data = read_some(lambda: self.device.recv(65536))
-        if data == b"":
-            return False  # the emulator has ended
         if data and not self.is_cut():
             data = self.to_host.carry(data)
             write_all(self.master, self.rewrite(data) if self.rewrite else data, self.stop)
@@ -116,11 +116,11 @@ class Cable:
 
 
 def read_some(read):
-    """The bytes; b"" at the end; None where the other side has gone."""
+    """The bytes, maybe none; None where the other side has gone."""
     try:
-        return read()
+        return read() or None
     except BlockingIOError:
-        return bytearray()
+        return b""
     except OSError:
         return None
 

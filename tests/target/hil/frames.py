@@ -5,6 +5,7 @@ import struct
 import zlib
 
 POSE = 0x82
+STEP_REPORT = 0x87
 HEADER = 4  # version, type, sequence number
 
 
@@ -28,6 +29,22 @@ def stuff(raw):
 
 def signed(body):
     return body + struct.pack("<I", zlib.crc32(body))
+
+
+class Silences:
+    """Passes bytes on, and keeps what each step report says: [(step, silences), ...]."""
+
+    def __init__(self):
+        self.told = []
+        self.rest = b""
+
+    def __call__(self, data):
+        *wires, self.rest = (self.rest + data).split(b"\0")
+        for raw in map(unstuff, wires):
+            if len(raw) > HEADER + 20 and raw[1] == STEP_REPORT and signed(raw[:-4]) == raw:
+                step, silences = struct.unpack_from("<I12xI", raw, HEADER)
+                self.told.append((step, silences))
+        return data
 
 
 class FlipOneBit:

@@ -95,7 +95,7 @@ def require_same_bout(run, plain):
 
 def tell(name, run):
     link = run.link()
-    counts = ("steps_compared", "resends", "rejected", "device_rejected", "device_overruns",
+    counts = ("steps_compared", "forces_not_zero", "resends", "rejected", "device_rejected", "device_overruns",
               "device_skipped", "device_silences")
     print(f"{name}: {run.seconds:.1f} s,", ", ".join(f"{key} {link[key]}" for key in counts))
 
@@ -119,6 +119,7 @@ def pad(arguments):
     """Two dozen beats: events and forces."""
     run = play(arguments, "madcatz_pad.events")
     require(run.summary()["blows"] > 0, "a bout without a blow shows too little", run)
+    require(run.link()["forces_not_zero"] > 0, "no force but zero was compared", run)
 
 
 def trackpoint(arguments):
@@ -127,7 +128,7 @@ def trackpoint(arguments):
 
 def damaged(arguments):
     """Dropped, doubled and flipped bytes: the same bout, and the damage is counted."""
-    link = play(arguments, "madcatz_pad.events", damage=2e-4, seed=3).link()
+    link = play(arguments, "madcatz_pad.events", damage=5e-5, seed=3).link()
     for count in ("rejected", "device_rejected", "resends", "missing"):
         if link[count] == 0:
             raise AssertionError(f"{count} is 0: the damage was not noticed")
@@ -135,19 +136,24 @@ def damaged(arguments):
 
 def cut(arguments):
     """The cable is cut in the bout: the host gives up, the device lets go, both begin anew."""
+    silences = frames.Silences()
     recording = os.path.join(arguments.shared, "recordings", "madcatz_pad.events")
-    with Bench(arguments, cut_after=100_000) as bench:
+    with Bench(arguments, cut_after=100_000, rewrite=silences) as bench:
         first = bench.fence("SERIAL," + recording, "script:parry")
         tell("cut", first)
         require(first.status == 1, "the host did not give up", first)
         require("no whole answer to step" in first.error, "the reason is not told", first)
         require(first.lines[-1]["type"] == "link", "a bout that did not end has no summary", first)
+        before = silences.told[-1]
+        silences.told.clear()
         bench.cable.mend()
         second = bench.fence("SERIAL," + recording, "script:parry")
     tell("mended", second)
     require_same_bout(second, fence(arguments.duel, recording, "script:parry"))
-    # Two seconds without a step are far beyond what the force survives.
-    require(second.link()["device_silences"] > 0, "the device did not notice the silence", second)
+    # Two seconds without a step are one silence. No stick can have had one yet in the first step.
+    after = silences.told[0]
+    require(before[0] > 1 and after[0] == 1, f"not before and after: {before}, {after}", second)
+    require(after[1] > before[1], f"the silence was not noticed: {before}, {after}", second)
 
 
 def wrong_bit(arguments):

@@ -4,7 +4,8 @@
 tree's emulator) and compares every answer with those of the first pair. Prints the pairs with their digests; where one
 differs, names the first query, and the first field of its answer.
 
-Exit status: 0 all the same; 1 a difference, or a pair that could not be built or run; 2 wrong use.
+Exit status: 0 all the same; 1 a difference, or a pair that could not be built or run; 2 wrong use;
+77 there are no queries.
 """
 import argparse
 import collections
@@ -24,6 +25,8 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.normpath(os.path.join(HERE, "..", "..", ".."))
 QUICK_EVERY = 100
 PREPARED = "references.json"
+RESULTS = "results.json"
+SKIPPED = 77
 LEAST_FLIGHT = 10000  # blocks of 100 steps: a million
 RUN_TIMEOUT = 1800  # s
 
@@ -210,9 +213,13 @@ def sample_of(run):
     return "all" if run.every == 1 else f"1/{run.every}"
 
 
+def is_same(reference, run):
+    return run.records == reference.records and run.digests == reference.digests
+
+
 def judge(trees, reference, run):
     """@returns whether the pair agrees; prints its line"""
-    same = run.records == reference.records and run.digests == reference.digests
+    same = is_same(reference, run)
     verdict = "same" if same else "DIFFERENT"
     print(f"{run.pair.name:22} {run.compiler:14} {sample_of(run):5} {combined(run)}  {verdict:9} built in"
           f" {run.built_in:4.0f} s, ran {run.seconds:5.1f} s", flush=True)
@@ -223,6 +230,17 @@ def judge(trees, reference, run):
     return same and not run.warning
 
 
+def result_of(reference, run):
+    """What a later reader wants to know of a pair: see tests/target/all/show.py."""
+    return {"pair": run.pair.name, "compiler": run.compiler, "queries": sample_of(run), "digest": combined(run),
+            "verdict": "same" if is_same(reference, run) else "DIFFERENT"}
+
+
+def keep_results(trees, results):
+    with open(os.path.join(trees.folder, RESULTS), "w", encoding="utf-8") as file:
+        json.dump(results, file, indent=1)
+
+
 def print_sections(run):
     tally = hashes.counts(run.records)
     for section, digest in run.digests.items():
@@ -230,17 +248,20 @@ def print_sections(run):
 
 
 def compare_all(trees, references, pairs, jobs):
-    """Two pairs at a time where there are two processors. @returns the names of those that agree"""
-    good = set()
+    """Two pairs at a time where there are two processors. @returns the names of those that agree, and all results"""
+    good, results = set(), []
     with concurrent.futures.ThreadPoolExecutor(max_workers=jobs) as pool:
         runs = {pool.submit(trees.run, pair, 1): pair for pair in pairs}
         for future in concurrent.futures.as_completed(runs):
             try:
-                if judge(trees, references[runs[future].every], future.result()):
-                    good.add(runs[future].name)
+                run = future.result()
+                results.append(result_of(references[run.every], run))
+                if judge(trees, references[run.every], run):
+                    good.add(run.pair.name)
             except (Failure, OSError) as failure:
                 print(f"{runs[future].name:22} FAILED: {failure}", flush=True)
-    return good
+                results.append({"pair": runs[future].name, "verdict": "FAILED"})
+    return good, results
 
 
 def prepare(trees, pair, samples, jobs):
@@ -270,6 +291,9 @@ def prepared(trees, pair):
 def run_all(table, options):
     """@returns whether all pairs are as they have to be: the same, or, if a fault is planted in them, not the same"""
     trees = Trees(options)
+    keeps_results = not (options.prepare or options.prepared or options.planted)
+    if keeps_results:
+        keep_results(trees, [])  # nothing of an earlier run outlives one that fails
     wanted = [pair for pair in table[1:] if not options.pairs or pair.name in options.pairs]
     if options.prepared:
         references = prepared(trees, table[0])
@@ -285,7 +309,10 @@ def run_all(table, options):
         if tool:
             print(f"{pair.name:22} not run: there is no {tool} (sh toolchains/setup.sh target installs it)")
     runnable = [pair for pair in wanted if not lacking[pair]]
-    same = compare_all(trees, references, runnable, options.jobs)
+    same, results = compare_all(trees, references, runnable, options.jobs)
+    if keeps_results:
+        lacked = [{"pair": pair.name, "verdict": f"not run: no {tool}"} for pair, tool in lacking.items() if tool]
+        keep_results(trees, [result_of(run, run) for run in references.values()] + results + lacked)
     complete = len(runnable) == len(wanted) or options.allow_missing
     return complete and len(same) == (0 if options.planted else len(runnable))
 
@@ -322,6 +349,9 @@ def main():
         if options.every < 1:
             parser.error("--every: at least 1")
         table = [pair._replace(every=options.every) for pair in table]
+    if not os.path.isdir(os.path.join(options.shared, "vectors")):
+        print(f"skipped: there is no {os.path.join(options.shared, 'vectors')}")
+        return SKIPPED
     begin = time.monotonic()
     try:
         good = run_all(table, options)

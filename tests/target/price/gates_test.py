@@ -109,6 +109,25 @@ class Stack(unittest.TestCase):
         worst.with_interrupts("batuta_reset", False)
         self.assertIn("lost calls", " ".join(worst.findings.values()))
 
+    def test_less_stack_reserved_than_used(self):
+        """Of the stack and of the faults' own: the linker script may say too little, or nothing."""
+        image = plant("libm")
+        for root, symbol in (("batuta_reset", "batuta_stack_size"), ("batuta_fault", "batuta_fault_stack_size")):
+            worst = COLLECTOR.worst_case(image)
+            depth = worst.of(root).bytes
+            self.assertGreater(depth, 0)
+            for reserved, is_found in ((depth, False), (depth - 1, True), (None, True)):
+                worst.findings.clear()
+                worst.graph.constants[symbol] = reserved
+                worst.compare(root, depth, symbol)
+                self.assertEqual(symbol in " ".join(worst.findings.values()), is_found, f"{root} {reserved}")
+
+    def test_reserved_stack_is_read(self):
+        constants = COLLECTOR.worst_case(plant("libm")).graph.constants
+        for symbol in ("batuta_stack_size", "batuta_fault_stack_size"):
+            self.assertIn(symbol, constants)
+            self.assertEqual(constants[symbol] % 8, 0)
+
     def test_frames_read_from_instructions(self):
         cases = [("push", "{r4, r5, lr}", 12), ("push", "{r4-r7, lr}", 20), ("stmdb", "sp!, {r4, r5, r6, lr}", 16),
                  ("vpush", "{d8-d9}", 16), ("sub", "sp, #40", 40), ("sub.w", "sp, sp, #520", 520),
@@ -141,6 +160,15 @@ class Budgets(unittest.TestCase):
 
     def test_what_nobody_measured(self):
         self.assertEqual(self.over(flash=100), {"stack"})
+
+    def test_what_is_kept_depends_on_the_part(self):
+        self.assertIn("search.worst", budgets.kept_figures("cortex-m4f"))
+        self.assertEqual([name for name in budgets.kept_figures("cortex-m7") if name.startswith(("duel", "search"))],
+                         ["duel.flash", "duel.stack", "duel.step.99.9%"])
+        self.assertEqual(budgets.kept_figures("cortex-m3"), [])
+        promised = {figure for part, figure in budgets.read(price.BUDGETS) if part == "cortex-m4f"}
+        missing = promised - set(budgets.kept_figures("cortex-m4f"))
+        self.assertEqual(missing, {"firmware.ram_without_buffers"}, "a bound that is missed has to be kept from growing")
 
     def test_the_file(self):
         limits = budgets.read(price.BUDGETS)

@@ -56,6 +56,8 @@ class Collector:
         self.figures[f"{name}.flash"], self.figures[f"{name}.ram"] = self.rooms[name]["total"]
         depth, self.paths[name] = worst.with_interrupts("batuta_reset", self.manifest["has_fpu"])
         self.figures[f"{name}.stack"] = depth
+        worst.compare("batuta_reset with interrupts", depth, "batuta_stack_size")
+        worst.compare("batuta_fault", worst.of("batuta_fault").bytes, "batuta_fault_stack_size")
         self.findings += [f"{name}: {text}" for text in worst.findings.values()]
 
     def take_sizes(self):
@@ -82,8 +84,8 @@ class Collector:
                 self.findings.append(f"bench: {root}: {measured} B of stack used, {computed} B computed")
 
     def write(self, folder):
-        found = {"cpu": self.manifest["cpu"], "board": self.manifest["board"], "figures": self.figures,
-                 "rooms": self.rooms, "findings": self.findings}
+        found = {"cpu": self.manifest["cpu"], "part": self.manifest["part"], "board": self.manifest["board"],
+                 "figures": self.figures, "rooms": self.rooms, "findings": self.findings}
         (folder / "price.json").write_text(json.dumps(found, indent=1) + "\n")
 
 
@@ -113,7 +115,8 @@ def parse():
     parser.add_argument("--queries", type=pathlib.Path, help="file of batuta_digest_pack; default: made by it")
     parser.add_argument("--without-instructions", action="store_true", help="nothing is run")
     parser.add_argument("--verbose", action="store_true", help="largest symbols and deepest stacks, too")
-    parser.add_argument("--keep", action="store_true", help="write what was reached into budgets.csv")
+    parser.add_argument("--keep", action="store_true",
+                        help="write what was reached into budgets.csv: what of it, budgets.py says by part")
     return parser.parse_args()
 
 
@@ -124,24 +127,29 @@ def collect(options, manifest, folder):
             collector.take_image(name, path)
         else:
             print(f"{name}: not built")
-    collector.take_sizes()
-    queries = None if options.without_instructions else instructions.find_queries(options.queries, manifest, folder)
-    if queries:
-        collector.take_bench(queries)
+    is_complete = True
+    if "bench" in manifest:
+        collector.take_sizes()
+        queries = None if options.without_instructions else instructions.find_queries(options.queries, manifest, folder)
+        is_complete = queries is not None
+        if is_complete:
+            collector.take_bench(queries)
     collector.write(folder)
-    return collector, queries is not None
+    return collector, is_complete
 
 
 def main():
     options = parse()
     manifest, folder = read_manifest(options.tree)
-    collector, counted = collect(options, manifest, folder)
+    collector, is_complete = collect(options, manifest, folder)
+    part = manifest["part"]
     if options.keep:
-        budgets.keep(BUDGETS, manifest["cpu"], collector.figures, budgets.KEPT)
-    rows = budgets.compare(budgets.read(BUDGETS), manifest["cpu"], collector.figures)
-    if not counted:
+        budgets.keep(BUDGETS, part, collector.figures, budgets.kept_figures(part))
+    rows = budgets.compare(budgets.read(BUDGETS), part, collector.figures)
+    if not is_complete:
         rows = [row for row in rows if row.value is not None]
-    print(f"{manifest['cpu']} on {manifest['board']}. Instructions are counted by QEMU's -icount: they are no cycles.")
+    counting = " Instructions are counted by QEMU's -icount: they are no cycles." if "bench" in manifest else ""
+    print(f"{part} on {manifest['board']}.{counting}")
     print_rooms(collector.rooms)
     if options.verbose:
         print_details(collector)
@@ -149,7 +157,7 @@ def main():
     print("\n".join(f"GATE {text}" for text in collector.findings) or "the gates found nothing")
     if collector.findings or any(row.is_over for row in rows):
         return 1
-    return 0 if counted else SKIPPED
+    return 0 if is_complete else SKIPPED
 
 
 if __name__ == "__main__":

@@ -32,7 +32,8 @@ ROWS = [
     ("a pair made ready, max", ["make_moving_pair.max"]),
     ("one search evaluation, median / max", ["search.evaluation.median", "search.evaluation.max"]),
     ("search over generic pairs, mean", ["search.generic.mean"]),
-    ("of these hit / miss, mean", ["search.generic.hit.mean", "search.generic.miss.mean"]),
+    ("of these a hit, median / 99.9 % / max", [f"search.generic.hit.{word}" for word in ("median", "99.9%", "max")]),
+    ("of these a miss, median / 99.9 % / max", [f"search.generic.miss.{word}" for word in ("median", "99.9%", "max")]),
     ("worst search, default budget", ["search.worst"]),
     ("impulse with restitution, max", ["impulse.max"]),
     ("duel step, two armed fencers, median / 99.9 % / max", ["duel.step.median", "duel.step.99.9%", "duel.step.max"]),
@@ -46,10 +47,15 @@ def cell(names, lookup):
     return "" if all(value is None for value in values) else " / ".join(budgets.number(value) for value in values)
 
 
+def price_of(tree):
+    """price.json of a build tree; without figures where there is none."""
+    found = sorted(tree.rglob("price/price.json"))
+    return json.loads(found[0].read_text()) if found else {"figures": {}}
+
+
 def column_of(tree):
     """(cpu, cells) of a build tree; None where it was not measured in full."""
-    found = sorted(tree.rglob("price/price.json"))
-    price = json.loads(found[0].read_text()) if found else {"figures": {}}
+    price = price_of(tree)
     if "duel.step.max" not in price["figures"]:
         return None
     return price["cpu"], [cell(names, price["figures"].get) for _, names in ROWS]

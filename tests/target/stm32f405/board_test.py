@@ -15,10 +15,16 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "hil"))
 import frames  # noqa: E402 (of the tests with the host's program)
 
 PATIENCE = 20.0  # s; a loaded host is slow, a board that hangs is slower
-VERSION = 1
+VERSION = 2
+ALONE_STEPS = 300
 HELLO, STEP = 0x01, 0x02
 WELCOME, POSE, EVENT, FORCE, TOUCH, STICK_USED, STEP_REPORT, REFUSED = range(0x81, 0x89)
 PACED = 0
+REPORT = struct.Struct("<IBBBB9II")  # as it begins: step; frames, bout state, touches, flags; counts
+OVERRUNS, SKIPPED = 5, 6  # in REPORT
+# Time by instructions, 8 ns each: 125,000 a tick. By the host's clock a busy host would be the one that leaves ticks
+# out.
+BY_INSTRUCTIONS = ["-icount", "shift=3"]
 
 
 def encode(kind, sequence, payload):
@@ -43,9 +49,9 @@ def split(data):
 class Board:
     """QEMU with the board's serial line as a pipe each way."""
 
-    def __init__(self, machine, image):
+    def __init__(self, machine, image, options=()):
         command = ["qemu-system-arm", "-machine", machine, "-display", "none", "-monitor", "none",
-                   "-serial", "stdio", "-kernel", image]
+                   "-serial", "stdio", "-kernel", image, *options]
         self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0)
         self.sequence = 0
         self.pending = b""
@@ -108,16 +114,20 @@ def step_number(payload):
 
 
 def test_alone(board):
-    """Without a host the board fences by itself: whole frames, step after step, none left out."""
-    steps = []
+    """Without a host the board fences by itself: whole frames, step after step, a tick and a millisecond each."""
+    reports = []
     for number, frame in enumerate(board.frames()):
         expect(frame is not None, f"frame {number} is damaged")
         if frame[0] == STEP_REPORT:
-            steps.append(step_number(frame[1]))
-        if len(steps) == 300:
+            reports.append(REPORT.unpack_from(frame[1]))
+        if len(reports) == ALONE_STEPS:
             break
-    expect(len(steps) == 300, f"{len(steps)} steps in {PATIENCE} s")
-    expect(steps == list(range(steps[0], steps[0] + 300)), "a step is missing")
+    expect(len(reports) == ALONE_STEPS, f"{len(reports)} steps in {PATIENCE} s")
+    steps = [report[0] for report in reports]
+    expect(steps == list(range(steps[0], steps[0] + ALONE_STEPS)), "a step is missing")
+    last = reports[-1]
+    expect(last[SKIPPED] == 0, f"{last[SKIPPED]} ticks went by unused")
+    expect(last[OVERRUNS] == 0, f"{last[OVERRUNS]} steps took longer than a tick")
 
 
 def check_welcome(board, session):
@@ -190,7 +200,8 @@ TESTS = {"Alone": test_alone, "Session": test_session, "Noise": test_noise, "Res
 def main(words):
     if len(words) != 3 or words[2] not in TESTS:
         fail(__doc__)
-    with Board(words[0], words[1]) as board:
+    options = BY_INSTRUCTIONS if words[2] == "Alone" else []
+    with Board(words[0], words[1], options) as board:
         TESTS[words[2]](board)
 
 

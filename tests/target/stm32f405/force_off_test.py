@@ -8,33 +8,65 @@ import subprocess
 import sys
 
 FUNCTION = "batuta_board_force_off"
-ALLOWED = re.compile(r"(ldr|mov|movs|movw|movt|mov\.w|str|str\.w|bx|nop|\.word)$")
+# Address and value, in this order, written down from RM0090 and the wiring in stm32f405.md:
+# TIM8_BDTR = BKE, OSSR, OSSI, LOCK 2, no MOE; GPIOC_MODER = 0, 1 analogue, 6 ... 9 and 13 outputs.
+STORES = [(0x40010444, 0x00001E00), (0x40020800, 0x0405500F)]
 
 
-def instructions(objdump, image):
-    """(mnemonic, operands) of the function, and the words behind it."""
+def lines_of(objdump, image):
+    """(address, mnemonic, operands, address in the comment or None) of the function and the words behind it."""
     listing = subprocess.run([objdump, "-d", "--no-show-raw-insn", f"--disassemble={FUNCTION}", image],
                              check=True, capture_output=True, text=True).stdout
-    lines = re.findall(r"^\s*[0-9a-f]+:\s+(\S+)\s*(.*)$", listing, re.M)
-    return [(mnemonic, operands.split("@")[0].strip()) for mnemonic, operands in lines]
+    for address, mnemonic, operands in re.findall(r"^\s*([0-9a-f]+):\s+(\S+)\s*(.*)$", listing, re.M):
+        operands, _, comment = operands.partition("@")
+        target = re.search(r"\(([0-9a-f]+) ", comment)
+        yield int(address, 16), mnemonic, operands.strip(), int(target[1], 16) if target else None
 
 
-def findings(code):
-    stores = [operands for mnemonic, operands in code if mnemonic.startswith("str")]
-    if len(stores) != 2:
-        yield f"{len(stores)} stores"
-    for mnemonic, operands in code:
-        if not ALLOWED.match(mnemonic) or re.search(r"\bsp\b", operands):
-            yield f"{mnemonic} {operands}"
+class Processor:
+    """As much of one as two stores take; what it does not know it refuses with ValueError."""
+
+    def __init__(self, words):
+        self.words = words
+        self.registers = {}
+        self.stores = []
+
+    def run(self, mnemonic, operands, target):
+        name = mnemonic.split(".")[0]
+        move = re.fullmatch(r"(r\d+), #(\d+)", operands)
+        store = re.fullmatch(r"(r\d+), \[(r\d+)(?:, #(\d+))?\]", operands)
+        if name == "ldr" and "[pc" in operands and target in self.words:
+            self.registers[operands.split(",")[0]] = self.words[target]
+        elif name in ("mov", "movs", "movw") and move:
+            self.registers[move[1]] = int(move[2])
+        elif name == "movt" and move:
+            self.registers[move[1]] = self.registers[move[1]] & 0xFFFF | int(move[2]) << 16
+        elif name == "str" and store:
+            self.stores.append((self.registers[store[2]] + int(store[3] or 0), self.registers[store[1]]))
+        else:
+            raise ValueError(f"{mnemonic} {operands}")
+
+
+def stores_of(lines):
+    """What the function stores, from its first instruction to its return."""
+    words = {address: int(operands, 16) for address, mnemonic, operands, _ in lines if mnemonic == ".word"}
+    processor = Processor(words)
+    for _, mnemonic, operands, target in lines:
+        if (mnemonic, operands) == ("bx", "lr"):
+            return processor.stores
+        processor.run(mnemonic, operands, target)
+    raise ValueError(f"no return, or no {FUNCTION}")
 
 
 def main(words):
     if len(words) != 2:
         sys.exit(__doc__)
-    code = instructions(*words)
-    found = list(findings(code)) if code else [f"there is no {FUNCTION}"]
-    print("\n".join(found) or f"{len(code)} lines, two stores")
-    return 1 if found else 0
+    try:
+        stores = stores_of(list(lines_of(*words)))
+    except ValueError as refused:
+        sys.exit(f"not two plain stores: {refused}")
+    print(", ".join(f"[{address:#x}] = {value:#x}" for address, value in stores))
+    return 0 if stores == STORES else 1
 
 
 if __name__ == "__main__":

@@ -213,5 +213,35 @@ TYPED_TEST(SegmentTest, PointAndSegment_AgreesWithClosedForms) {
   EXPECT_EQ(closest_point<Scalar>(segment, {2, 0, 0}).distance, 0);
 }
 
+// Lengths that have to be scaled, at coordinates that could not be.
+TEST(ClosestPoints, TinyLengthsFarFromTheOrigin_AreNotScaledAway) {
+  const auto near = [](float x, float y) {
+    return closest_points<float>({{0, y, 0}, {0, y, 0}}, {{x, y, 0}, {x, y, 0}});
+  };
+  EXPECT_EQ(near(1e-35F, 300).distance, 1e-35F);
+  EXPECT_EQ(near(1e-20F, 1e16F).distance, 1e-20F);
+  EXPECT_EQ(near(1e-35F, 300).p_B, Vec3<float>(1e-35F, 300, 0));
+  const Segment<float> A{{0, 1e30F, 0}, {1e-9F, 1e30F, 0}};
+  const Segment<float> B{{0, 1e30F, 1e-9F}, {1e-9F, 1e30F, 1e-9F}};
+  EXPECT_EQ(closest_points<float>(A, B).distance, 1e-9F);
+}
+
+// A query in the lowest octaves of the window, the second segment far shorter: its cross product
+// would lose bits unscaled.
+TEST(ClosestPoints, ShortBesideSmall_IsStillWithinFourRoundOffs) {
+  const Segment<float> A{{0x1.d18beep-31F, -0x1.905faap-30F, 0x1.19ec3ep-31F},
+                         {-0x1.680e08p-24F, 0x1.35a66p-23F, -0x1.b41458p-25F}};
+  const Segment<float> B{{0x1.4a8d0ap-48F, -0x1.c9d002p-51F, -0x1.564e9p-51F},
+                         {-0x1.844ff6p-43F, 0x1.0ce7fp-45F, 0x1.921f6p-46F}};
+  const auto found = closest_points<float>(A, B);
+  const auto wide = [](const Segment<float>& s) {
+    return Segment<double>{s.a.cast<double>(), s.b.cast<double>()};
+  };
+  const double least = closest_points<double>(wide(A), wide(B)).distance;
+  const double reached = (wide(B).at(double{found.u}) - wide(A).at(double{found.s})).norm();
+  const double size = (wide(A).b - wide(A).a).norm();
+  EXPECT_LE(reached - least, 4 * size * static_cast<double>(kRoundOff<float>));
+}
+
 }  // namespace
 }  // namespace batuta

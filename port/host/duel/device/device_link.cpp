@@ -13,6 +13,11 @@ std::uint32_t random_session() {
   return std::random_device{}();
 }
 
+/// What a StepReport tells of a session.
+std::uint16_t low_half(std::uint32_t session) {
+  return static_cast<std::uint16_t>(session);
+}
+
 const char* reason_of(link::Refusal why) {
   switch (why) {
     case link::Refusal::kNoSession:
@@ -32,7 +37,7 @@ const char* reason_of(link::Refusal why) {
 }  // namespace
 
 DeviceLink::DeviceLink(const Line& line, const Patience& patience)
-    : line_(line), patience_(patience), last_session_(random_session()) {}
+    : line_(line), patience_(patience), session_(random_session()) {}
 
 Microseconds DeviceLink::deadline_after(int milliseconds) {
   return line_.clock.now() + static_cast<Microseconds>(milliseconds) * 1000U;
@@ -47,16 +52,19 @@ const link::Frame* DeviceLink::next_frame(Microseconds deadline) {
     if (frame != nullptr || reader_.is_gone()) return frame;
     const std::int32_t left_us = elapsed_us(line_.clock.now(), deadline);
     if (left_us <= 0) return nullptr;
+    if (reader_.holds_bytes()) continue;  // the line may have nothing more to wait for
     line_.wait(std::min(left_us / 1000 + 1, sender_.pending() > 0 ? 1 : 1000));
   }
 }
 
 bool DeviceLink::open(link::Mode mode) {
   problem_.clear();
+  ++session_;
+  if (low_half(session_) == 0) ++session_;  // the device's word for "alone"
+  ++sums_.sessions;
   for (int i = 0; i < patience_.greetings && !reader_.is_gone(); ++i) {  // Bound: greetings
-    if (++last_session_ == 0) ++last_session_;
-    ++sums_.sessions;
-    if (greet({last_session_, mode})) return judge_welcome();
+    if (i > 0) ++sums_.resends;
+    if (greet({session_, mode})) return judge_welcome();
     if (!problem_.empty()) return false;
   }
   problem_ = silence("no answer to Hello", patience_.greetings);
@@ -104,11 +112,22 @@ bool DeviceLink::ask(const link::Step& order, StepAnswer& answer) {
 bool DeviceLink::collect(std::uint32_t step, StepAnswer& answer) {
   const Microseconds deadline = deadline_after(patience_.resend_after_ms);
   while (const link::Frame* frame = next_frame(deadline)) {  // Bound: the time
+    if (is_of_other_session(*frame)) return false;
     const StepAnswer::Taken taken = answer.take(*frame);
     if (answer.is_complete()) return true;
     if (taken == StepAnswer::Taken::kReport || is_final(*frame, step)) return false;
   }
   return false;
+}
+
+/// A report of a step, this one or not, from a bout that this side knows nothing of. Nothing of an
+/// older session comes after the Welcome: the line keeps the order.
+bool DeviceLink::is_of_other_session(const link::Frame& frame) {
+  link::StepReport report;
+  if (!link::read_message(frame, report) || report.session == low_half(session_)) return false;
+  problem_ = "the device is in another session (" + std::to_string(report.session) + ", not " +
+             std::to_string(low_half(session_)) + "); was it reset?";
+  return true;
 }
 
 /// A refusal of this very step: asking again cannot help.
@@ -125,12 +144,18 @@ bool DeviceLink::is_final(const link::Frame& frame, std::uint32_t step) {
 DeviceLink::Heard DeviceLink::listen(std::uint32_t step, StepAnswer& answer) {
   problem_.clear();
   answer.begin(step);
+  const std::uint32_t old = counters().count(link::Rejection::kOld);
   const Microseconds deadline = deadline_after(patience_.tries * patience_.resend_after_ms);
   while (const link::Frame* frame = next_frame(deadline)) {  // Bound: the time
+    if (is_of_other_session(*frame)) return Heard::kOtherSession;
     const StepAnswer::Taken taken = answer.take(*frame);
     if (answer.is_complete()) return Heard::kStep;
     const bool ended = taken == StepAnswer::Taken::kReport || taken == StepAnswer::Taken::kLater;
     if (ended) return Heard::kLost;
+  }
+  if (counters().count(link::Rejection::kOld) != old) {
+    problem_ = "the device numbers its frames anew; was it reset?";
+    return Heard::kOtherSession;
   }
   problem_ = silence("nothing came of step " + std::to_string(step), patience_.tries);
   return Heard::kSilence;

@@ -28,7 +28,7 @@ struct Patience {
 
 /// Sums since the start, beside those of the decoder.
 struct LinkSums {
-  std::uint32_t sessions = 0;  ///< Hello sent
+  std::uint32_t sessions = 0;  ///< begun, or tried to
   std::uint32_t resends = 0;   ///< questions asked once more
   std::uint32_t refusals = 0;  ///< Refused received
 };
@@ -37,9 +37,9 @@ class DeviceLink {
  public:
   explicit DeviceLink(const Line& line, const Patience& patience = {});
 
-  /// Says Hello until the device answers; a new bout begins there. Each Hello is a session of its
-  /// own. @returns false: problem()
-  /// Bound: greetings times resend_after_ms.
+  /// Says Hello until the device answers; a new bout begins there. All of them carry one session,
+  /// which is new with each call, so that one that comes late begins nothing. @returns false:
+  /// problem() Bound: greetings times resend_after_ms.
   bool open(link::Mode mode);
 
   /// Paced: has a step made, and collects everything that the device tells of it.
@@ -47,9 +47,10 @@ class DeviceLink {
   /// Bound: tries times resend_after_ms.
   bool ask(const link::Step& order, StepAnswer& answer);
 
-  enum class Heard : std::uint8_t { kStep, kLost, kSilence };
+  enum class Heard : std::uint8_t { kStep, kLost, kOtherSession, kSilence };
   /// Free: collects what the device tells of a step.
-  /// @returns kStep | kLost: frames of it never came, and never will | kSilence: problem()
+  /// @returns kStep | kLost: frames of it never came, and never will | kOtherSession:
+  ///   problem() | kSilence: problem()
   Heard listen(std::uint32_t step, StepAnswer& answer);
 
   /// Sends without an answer. What finds no room is dropped.
@@ -72,6 +73,7 @@ class DeviceLink {
   bool greet(const link::Hello& hello);
   bool judge_welcome();
   bool collect(std::uint32_t step, StepAnswer& answer);
+  bool is_of_other_session(const link::Frame& frame);
   bool is_final(const link::Frame& frame, std::uint32_t step);
   std::string silence(const std::string& what, int tries) const;
 
@@ -81,7 +83,7 @@ class DeviceLink {
   link::Sender<1024> sender_;
   link::Welcome welcome_;
   LinkSums sums_;
-  std::uint32_t last_session_;
+  std::uint32_t session_;  ///< of the last Hello
   std::string problem_;
 };
 

@@ -42,6 +42,9 @@ void print_device(std::FILE* out, const DevicePartner& partner) {
   std::fprintf(out,
                "device  overruns %u, ticks skipped %u, silences %u, steps with a stale stick %u\n",
                report.overruns, report.skipped, report.silences, report.stale_steps);
+  std::fprintf(out,
+               "device  commands that its motor did not take %u, samples of its stick refused %u\n",
+               report.force_failures, report.stick_invalid);
   if (welcome.fault_code != 0) {
     std::fprintf(out, "device  its last run ended with a fault: %s (%u, 0x%08x, 0x%08x)\n",
                  fault_name(welcome.fault_code), welcome.fault_code, welcome.fault_detail[0],
@@ -62,6 +65,7 @@ void print_device_json(std::FILE* out, const DevicePartner& partner) {
   JsonLine line(out, "link");
   line.text("mode", name_of(partner.mode()))
       .count("steps_compared", partner.compared())
+      .count("forces_not_zero", partner.forces_not_zero())
       .count("sessions", link.sums().sessions)
       .count("lost_sessions", partner.lost_sessions())
       .count("resends", link.sums().resends)
@@ -80,6 +84,8 @@ void print_device_json(std::FILE* out, const DevicePartner& partner) {
       .count("device_skipped", report.skipped)
       .count("device_silences", report.silences)
       .count("device_stale_steps", report.stale_steps)
+      .count("device_force_failures", report.force_failures)
+      .count("device_stick_invalid", report.stick_invalid)
       .count("device_fault", link.welcome().fault_code)
       .text("problem", partner.problem());
 }

@@ -20,6 +20,10 @@ bool DevicePartner::after_step(const DuelRunner& runner) {
   const std::string difference = first_difference(runner.bout(), answer_);
   if (!difference.empty()) return fail(difference);
   ++compared_;
+  for (std::size_t side = 0; side < 2; ++side) {  // Bound: 2; complete: both are there
+    const link::Force& force = *answer_.force(side);
+    if (force.x != 0 || force.y != 0) ++forces_not_zero_;
+  }
   return true;
 }
 
@@ -62,6 +66,8 @@ bool FreePartner::do_before_step(const DuelRunner& runner) {
   switch (line().listen(steps + 1, answer())) {
     case DeviceLink::Heard::kLost:
       return lose("telemetry of step " + std::to_string(steps + 1) + " was lost");
+    case DeviceLink::Heard::kOtherSession:
+      return lose(line().problem());
     case DeviceLink::Heard::kSilence:
       return fail(line().problem());
     case DeviceLink::Heard::kStep:

@@ -15,7 +15,8 @@ namespace batuta::host {
 /// How a session with a device went so far.
 enum class Session : std::uint8_t {
   kGoingOn,
-  kLost,    ///< telemetry is missing: the bout cannot be followed any more, a new one may
+  kLost,  ///< telemetry is missing, or the device was reset: the bout cannot be followed any more,
+          ///< a new one may
   kFailed,  ///< problem() says why
 };
 
@@ -38,6 +39,8 @@ class DevicePartner {
   const std::string& problem() const { return problem_; }
   /// Steps that were the same on both sides, over all sessions.
   std::uint32_t compared() const { return compared_; }
+  /// Of the forces compared in them, those with a component that is not zero.
+  std::uint32_t forces_not_zero() const { return forces_not_zero_; }
   /// Sessions that ended with kLost.
   std::uint32_t lost_sessions() const { return lost_sessions_; }
   /// The device's own counts, as of its last step.
@@ -64,6 +67,7 @@ class DevicePartner {
   Session session_ = Session::kGoingOn;
   std::string problem_;
   std::uint32_t compared_ = 0;
+  std::uint32_t forces_not_zero_ = 0;
   std::uint32_t lost_sessions_ = 0;
 };
 

@@ -14,7 +14,7 @@ std::string DeviceSetup::open(const OpenedSource& left, const OpenedSource& righ
   }
   const Side device_side = left.line.empty() ? Side::kRight : Side::kLeft;
   const OpenedSource& device = device_side == Side::kLeft ? left : right;
-  OpenedSerialPort opened = SerialPort::open(device.line, kDeviceBaud);
+  OpenedSerialPort opened = SerialPort::open(device.line, device.baud);
   if (!opened.port) return opened.error;
   port_ = std::move(opened.port);
   const auto wait = [port = port_.get()](int timeout_ms) { (void)port->wait_readable(timeout_ms); };

@@ -10,10 +10,6 @@
 
 namespace batuta::host {
 
-/// Rate of a line that has one: the fastest that every host knows. A step's telemetry takes about
-/// 3 ms of it.
-inline constexpr int kDeviceBaud = 1000000;
-
 class DeviceSetup {
  public:
   /// Takes the sources, which must outlive this, and opens the line, if there is one.

@@ -129,6 +129,11 @@ std::string first_difference(const firmware::SteppedBout& here, const StepAnswer
   to.of("bout");
   to.number("step", here.steps(), there.step());
   compare(to, "bout", firmware::report_message(here), there.report());
+  if (there.report()) {
+    const bool samples = there.used(0) || there.used(1);  // told in free mode only
+    to.number("frames", static_cast<unsigned>(firmware::frames_of(here, samples)),
+              there.report()->frames);
+  }
   for (const Side side : {Side::kLeft, Side::kRight}) {  // Bound: 2
     const std::string whose = side == Side::kLeft ? "left" : "right";
     const std::size_t i = index_of(side);

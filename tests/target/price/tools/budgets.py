@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The budgets: a file of lines "cpu,figure,bound,aim,kept". A build must not exceed what was reached before, which is kept, or
+"""The budgets: a file of lines "part,figure,bound,aim,kept". A build must not exceed what was reached before, which is kept, or
 where nothing is, the bound, which was promised. What is kept may lie above the bound: then the bound is missed, and every run
 says so; the aim is what it wants to reach."""
 
@@ -10,27 +10,38 @@ import math
 Limits = collections.namedtuple("Limits", "bound aim kept")
 Row = collections.namedtuple("Row", "figure value limits is_over")
 
-HEADER = ["cpu", "figure", "bound", "aim", "kept"]
+HEADER = ["part", "figure", "bound", "aim", "kept"]
 
 # The part for which bounds are promised.
 BOUND_CPU = "cortex-m4f"
 
-# Figures of which is kept what was reached.
-KEPT = [*(f"{scene}.{kind}" for scene in ("detection_only", "two_capsules", "duel", "firmware")
-          for kind in ("flash", "ram", "stack")),
-        "segment_segment.max", "search.evaluation.median", "search.generic.mean", "search.worst", "impulse.max",
-        "duel.step.99.9%"]
+SCENES = "detection_only", "two_capsules", "duel", "firmware"
+
+
+def of_scenes(*kinds):
+    return [f"{scene}.{kind}" for scene in SCENES for kind in kinds]
+
+
+# Figures of which is kept what was reached, by part: everything where bounds are promised; elsewhere what would show a
+# loss that this part alone has. Parts that are not named are measured and shown.
+WITH_FPU = [*of_scenes("flash", "stack"), "duel.step.99.9%"]
+KEPT = {
+    BOUND_CPU: [*of_scenes("flash", "ram", "stack"), "segment_segment.median", "segment_segment.max",
+                "search.evaluation.median", "search.generic.mean", "search.worst", "impulse.max", "duel.step.99.9%"],
+    "cortex-m7": WITH_FPU, "cortex-m33": WITH_FPU, "cortex-m55": WITH_FPU,
+    "stm32f405": ["firmware.flash", "firmware.ram", "firmware.stack"],
+}
 
 # What is kept of what was reached: so much more may come with a new compiler or a small change.
 ROOM = 1.02
 
 
 def read(path):
-    """(cpu, figure) -> Limits, in the order of the file."""
+    """(part, figure) -> Limits, in the order of the file."""
     found = {}
     with path.open(newline="") as file:
         for entry in csv.DictReader(line for line in file if not line.startswith("#")):
-            key = entry["cpu"], entry["figure"]
+            key = entry["part"], entry["figure"]
             if key in found:
                 raise ValueError(f"{path.name}: {', '.join(key)}: stated twice")
             found[key] = Limits(*(float(entry[name]) if entry[name] else None for name in HEADER[2:]))
@@ -48,9 +59,9 @@ def kept_of(value, bound):
     return min(room, bound) if bound is not None and value <= bound else room
 
 
-def compare(limits, cpu, figures):
+def compare(limits, part, figures):
     """A Row for each figure, in their order; a limit without a figure is exceeded, for nobody looked."""
-    left = {figure: of for (of_cpu, figure), of in limits.items() if of_cpu == cpu}
+    left = {figure: of for (of_part, figure), of in limits.items() if of_part == part}
     rows = []
     for figure, value in figures.items():
         of = left.pop(figure, Limits(None, None, None))
@@ -58,14 +69,18 @@ def compare(limits, cpu, figures):
     return rows + [Row(figure, None, of, most(of) is not None) for figure, of in left.items()]
 
 
-def keep(path, cpu, figures, names):
+def kept_figures(part):
+    return KEPT.get(part, [])
+
+
+def keep(path, part, figures, names):
     """Writes what was reached now as what is kept of these figures."""
     comments = [line for line in path.read_text().splitlines() if line.startswith("#")]
     limits = read(path)
     for figure in names:
         if figure in figures:
-            before = limits.get((cpu, figure), Limits(None, None, None))
-            limits[cpu, figure] = before._replace(kept=kept_of(figures[figure], before.bound))
+            before = limits.get((part, figure), Limits(None, None, None))
+            limits[part, figure] = before._replace(kept=kept_of(figures[figure], before.bound))
     lines = [",".join([*key, *("" if limit is None else f"{limit:.0f}" for limit in of)]) for key, of in limits.items()]
     path.write_text("\n".join([*comments, ",".join(HEADER), *lines]) + "\n")
 

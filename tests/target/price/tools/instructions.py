@@ -162,6 +162,7 @@ def search_figures(samples, family_of):
     for outcome, number in (("hit", OUTCOMES.index("contact")), ("miss", OUTCOMES.index("free"))):
         costs = [samples.count(row.ticks) for row in generic if row.a == number]
         figures[f"search.generic.{outcome}.mean"] = mean(costs)
+        figures.update(spread(f"search.generic.{outcome}", costs))
     vectors = [samples.count(row.ticks) for chunk, row in searches if chunk == first]
     figures.update(spread("search.vectors", vectors))
     worst = max(searches, key=lambda pair: pair[1].ticks)[1]

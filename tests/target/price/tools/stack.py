@@ -68,6 +68,14 @@ class WorstCase:
             parts.append((handler, Path(path.bytes + EXCEPTION_FRAME[has_fpu], path.steps)))
         return sum(path.bytes for _, path in parts), parts
 
+    def compare(self, what, depth, symbol):
+        """A finding where the linker script reserves less than this depth; the size is an absolute symbol of it."""
+        reserved = self.graph.constants.get(symbol)
+        if reserved is None:
+            self.findings[what, symbol] = f"reserved stack: {what}: the image has no {symbol}"
+        elif depth > reserved:
+            self.findings[what, symbol] = f"reserved stack: {what}: {depth:,} B deep, {symbol} is {reserved:,} B"
+
     def _longest(self, address):
         if address in self._paths:
             return self._paths[address]

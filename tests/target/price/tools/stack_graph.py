@@ -147,6 +147,7 @@ class CallGraph:
         self.by_name = {symbol.name: symbol.address & ~1 for symbol in image.symbols if symbol.kind in "tTwWvV"}
         self.by_name.update(code.aliases)
         self.strong = {symbol.name for symbol in image.symbols if symbol.kind in "tT"}
+        self.constants = {symbol.name: symbol.address for symbol in image.symbols if symbol.kind in "aA"}
         self._names_of_all(image)
         self._keep_calls_of_functions()
         self._join(image, compiled)
