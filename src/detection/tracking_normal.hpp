@@ -57,14 +57,21 @@ bool can_be_followed(const NormalMotion<Scalar>& N) {
          largest_component(N.m2) <= kFastest<Scalar> * kFastest<Scalar>;
 }
 
+/// What a certificate is asked.
+template <class Scalar>
+struct Demand {
+  Scalar R;        ///< what the distance of the axes has to exceed
+  Scalar horizon;  ///< how far it looks
+};
+
 /// From the clearances along n, held fixed, to those along n moved, on [0,
-/// horizon].
+/// demand.horizon].
 /// @param rate  see tracking_rate()
 /// @returns false if n moves too fast to be followed; then they are not to be
 /// used
 template <class Scalar>
 bool track(Clearances<Scalar>& f, const Vec3<Scalar>& n, const EdgePair<Scalar>& edges,
-           const Vec3<Scalar>& rate, const PairState<Scalar>& pair, Scalar R, Scalar horizon) {
+           const Vec3<Scalar>& rate, const PairState<Scalar>& pair, const Demand<Scalar>& demand) {
   NormalMotion<Scalar> N = {tracking_rate(f, n, edges, rate), Vec3<Scalar>::Zero()};
   add_rate(f.A, N.m, Scalar(0), pair.A, pair.turn_A);
   add_rate(f.B, N.m, N.m.dot(pair.travel), pair.B, pair.turn_B);
@@ -74,7 +81,7 @@ bool track(Clearances<Scalar>& f, const Vec3<Scalar>& n, const EdgePair<Scalar>&
     add_bend(f.B, N.m2, N.m2.dot(pair.travel), pair.B, pair.turn_B);
   }
   if (!can_be_followed(N)) return false;
-  take_toll(f, n, N, pair, R, horizon);
+  take_toll(f, n, N, pair, demand.R, demand.horizon);
   return true;
 }
 

@@ -81,7 +81,7 @@ class Walk {
     if (theta_ + step < Scalar(1)) {
       const Vec3<Scalar> rate =
           relative_rate(closest.s, closest.u, state_) * (1 / closest.distance);
-      if (track(f, n, edges, rate, state_, radii_, horizon())) {
+      if (track(f, n, edges, rate, state_, {radii_, horizon()})) {
         step = max_of(step, proven_free(f, horizon()));
       }
     }

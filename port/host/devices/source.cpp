@@ -57,6 +57,24 @@ std::optional<int> baud_of(std::string_view words) {
   return number ? std::optional<int>(baud) : std::nullopt;
 }
 
+/// What needs no device: recordings and scripts.
+OpenedSource open_played(const std::string& words) {
+  if (words == "default") {
+    return open_replay(parse_recording(kDefaultRecording, "default", {}), "default");
+  }
+  if (starts_with(words, "script:")) return open_script(words);
+  if (starts_with(words, "device:")) {
+    return refuse(words + ": live devices are not built into this version");
+  }
+  std::error_code error;
+  if (!std::filesystem::exists(words, error)) {
+    const bool path = words.find_first_of("/.") != std::string::npos;
+    return refuse(path ? words + ": no such file"
+                       : words + ": unknown source; a source is " + kKnown);
+  }
+  return open_replay(load_recording(words), std::filesystem::path(words).filename().string());
+}
+
 /// A device on a serial line, with its own stick or with a source in its place.
 OpenedSource open_serial(const std::string& words) {
   const std::size_t comma = words.find(',');
@@ -74,7 +92,7 @@ OpenedSource open_serial(const std::string& words) {
   } else {
     const std::string inner = words.substr(comma + 1);
     if (starts_with(inner, kSerial)) return refuse(words + ": a device is no stick of a device");
-    opened = open_source(inner);
+    opened = open_played(inner);
   }
   opened.line = line;
   opened.baud = *baud;
@@ -84,21 +102,7 @@ OpenedSource open_serial(const std::string& words) {
 }  // namespace
 
 OpenedSource open_source(const std::string& words) {
-  if (words == "default") {
-    return open_replay(parse_recording(kDefaultRecording, "default", {}), "default");
-  }
-  if (starts_with(words, "script:")) return open_script(words);
-  if (starts_with(words, kSerial)) return open_serial(words);
-  if (starts_with(words, "device:")) {
-    return refuse(words + ": live devices are not built into this version");
-  }
-  std::error_code error;
-  if (!std::filesystem::exists(words, error)) {
-    const bool path = words.find_first_of("/.") != std::string::npos;
-    return refuse(path ? words + ": no such file"
-                       : words + ": unknown source; a source is " + kKnown);
-  }
-  return open_replay(load_recording(words), std::filesystem::path(words).filename().string());
+  return starts_with(words, kSerial) ? open_serial(words) : open_played(words);
 }
 
 }  // namespace batuta::host

@@ -24,8 +24,9 @@ constexpr BridgeDuty bridge_duty(float force, std::uint32_t period) {
   const bool forward = force > 0.0F;
   const float size = forward ? force : -force;
   if (!(size > 0.0F)) return duty;  // zero, and what is no number
-  const std::uint32_t steps =
-      size >= 1.0F ? period : static_cast<std::uint32_t>(size * static_cast<float>(period) + 0.5F);
+  const float exact = size < 1.0F ? size * static_cast<float>(period) : static_cast<float>(period);
+  const auto below = static_cast<std::uint32_t>(exact);
+  const std::uint32_t steps = exact - static_cast<float>(below) < 0.5F ? below : below + 1;
   (forward ? duty.in1 : duty.in2) = steps;
   return duty;
 }

@@ -32,10 +32,12 @@ class Comparison {
                   bits_of(here), bits_of(there));
     first_ = place() + name + values.data();
   }
-  void number(const char* name, std::uint64_t here, std::uint64_t there) {
+  /// A count, a flag or a kind.
+  template <class Number>
+  void number(const char* name, Number here, Number there) {
     if (!first_.empty() || here == there) return;
-    first_ = place() + name + " differs: " + std::to_string(here) + " here, " +
-             std::to_string(there) + " there";
+    first_ = place() + name + " differs: " + std::to_string(static_cast<std::uint64_t>(here)) +
+             " here, " + std::to_string(static_cast<std::uint64_t>(there)) + " there";
   }
   template <std::size_t N>
   void fields(const char* name, const char* const (&parts)[N], const std::array<float, N>& here,
@@ -89,7 +91,7 @@ void compare(Comparison& to, const link::Event& here, const link::Event& there) 
 }
 
 void compare(Comparison& to, const link::Touch& here, const link::Touch& there) {
-  to.number("by", static_cast<unsigned>(here.by), static_cast<unsigned>(there.by));
+  to.number("by", here.by, there.by);
   to.number("part", here.part, there.part);
   to.number("certain", here.certain, there.certain);
   to.number("step", here.when_step, there.when_step);
