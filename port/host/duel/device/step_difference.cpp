@@ -33,9 +33,11 @@ class Comparison {
     first_ = place() + name + values.data();
   }
   /// A count, a flag or a kind.
-  template <class Number>
-  void number(const char* name, Number here, Number there) {
-    if (!first_.empty() || here == there) return;
+  template <class Here, class There>
+  void number(const char* name, Here here, There there) {
+    if (!first_.empty() || static_cast<std::uint64_t>(here) == static_cast<std::uint64_t>(there)) {
+      return;
+    }
     first_ = place() + name + " differs: " + std::to_string(static_cast<std::uint64_t>(here)) +
              " here, " + std::to_string(static_cast<std::uint64_t>(there)) + " there";
   }
