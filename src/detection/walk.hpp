@@ -19,6 +19,7 @@ class Walk {
   /// @param pair  with lengths in the ScaleWindow; it must outlive the walk
   /// @param slab  in its unit
   /// @param inflation  kInflation; tests try less, to see that it is needed
+  // cppcheck-suppress uninitMemberVar ; deviation: walk-features
   Walk(const MovingPair<Scalar>& pair, Scalar slab, Scalar inflation)
       : pair_(pair),
         radii_(pair.A.radius + pair.B.radius),

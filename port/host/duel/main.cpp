@@ -86,27 +86,48 @@ void conclude(const DuelRunner& runner, const Observers& observers, DevicePartne
 /// Sessions with a device that may be lost before the program gives up.
 constexpr std::uint32_t kMostLost = 10;
 
+enum class BoutEnd : std::uint8_t {
+  kOver,
+  kDeviceLost,  ///< another session may be tried
+  kFailed,      ///< and everything has been said
+};
+
+/// What became of a bout that its device did not follow to its end.
+BoutEnd give_up_on(const DevicePartner& device) {
+  const bool again = device.session() == Session::kLost && device.lost_sessions() <= kMostLost;
+  complain(kExitFailure, device.problem() + (again ? "; a new session begins" : ""));
+  return again ? BoutEnd::kDeviceLost : BoutEnd::kFailed;
+}
+
+BoutEnd fail(const std::string& what) {
+  complain(kExitFailure, what);
+  return BoutEnd::kFailed;
+}
+
+BoutEnd play_bout(const Options& options, DeviceSetup& setup, std::ostream& svg) {
+  DevicePartner* device = setup.partner();
+  if (device != nullptr && !device->open()) return fail(device->problem());
+  const auto runner = std::make_unique<DuelRunner>(setup.source(Side::kLeft),
+                                                   setup.source(Side::kRight), options.seconds);
+  if (runner->start() != Status::kOk) return fail("the fencers are not valid");
+  const Observers observers = make_observers(options, runner->limit(), svg);
+  const bool ended = run(*runner, observers, options.realtime, device);
+  if (runner->status() != Status::kOk) {
+    return fail("step " + std::to_string(runner->bout().steps() + 1) +
+                " was not made: the bout refused it");
+  }
+  const BoutEnd end = ended ? BoutEnd::kOver : give_up_on(*device);
+  if (end != BoutEnd::kDeviceLost) conclude(*runner, observers, device, options.json);
+  return end;
+}
+
 /// One bout; with a device that was lost on the way, another one.
 int play_bouts(const Options& options, DeviceSetup& setup, std::ostream& svg) {
-  DevicePartner* device = setup.partner();
-  while (true) {  // Bound: kMostLost + 1 sessions
-    if (device != nullptr && !device->open()) return complain(kExitFailure, device->problem());
-    const auto runner = std::make_unique<DuelRunner>(setup.source(Side::kLeft),
-                                                     setup.source(Side::kRight), options.seconds);
-    if (runner->start() != Status::kOk) return complain(kExitFailure, "the fencers are not valid");
-    const Observers observers = make_observers(options, runner->limit(), svg);
-    const bool ended = run(*runner, observers, options.realtime, device);
-    if (runner->status() != Status::kOk) {
-      return complain(kExitFailure, "step " + std::to_string(runner->bout().steps() + 1) +
-                                        " was not made: the bout refused it");
-    }
-    const bool again =
-        !ended && device->session() == Session::kLost && device->lost_sessions() <= kMostLost;
-    if (!again) conclude(*runner, observers, device, options.json);
-    if (ended) return kExitOk;
-    complain(kExitFailure, device->problem() + (again ? "; a new session begins" : ""));
-    if (!again) return kExitFailure;
+  BoutEnd end = BoutEnd::kDeviceLost;
+  while (end == BoutEnd::kDeviceLost) {  // Bound: kMostLost + 1 sessions
+    end = play_bout(options, setup, svg);
   }
+  return end == BoutEnd::kOver ? kExitOk : kExitFailure;
 }
 
 /// Opens a source and says what there is to say.

@@ -2,8 +2,8 @@
 #pragma once
 // The link's serial line: a ring each way, emptied and filled by the interrupt of USART1.
 
-#include "link/byte_stream.hpp"
 #include "cortex_m/byte_ring.hpp"
+#include "link/byte_stream.hpp"
 #include "stm32f405/registers/usart.hpp"
 
 namespace batuta::stm32f405 {
