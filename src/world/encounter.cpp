@@ -5,11 +5,6 @@ namespace batuta {
 namespace {
 
 template <class Scalar>
-Collider<Scalar> collider(const Party<Scalar>& party) {
-  return {party.body->X_WB, party.twist, party.body->inverse_mass, party.body->inverse_moments};
-}
-
-template <class Scalar>
 void add(Body<Scalar>& body, const Momentum<Scalar>& change) {
   if (body.inverse_mass > Scalar(0)) body.momentum.p_W += change.p_W;
   if (body.inverse_moments != Vec3<Scalar>::Zero()) body.momentum.b_W += change.b_W;
@@ -36,36 +31,43 @@ Result<Separation<Scalar>> shifts_for(const Party<Scalar>& A, const Party<Scalar
 }  // namespace
 
 template <class Scalar>
+Collider<Scalar> collider_of(const Party<Scalar>& party) {
+  return {party.body->X_WB, party.twist, party.body->inverse_mass, party.body->inverse_moments};
+}
+
+template <class Scalar>
 Result<EncounterAnswer<Scalar>> answer_contact(const Party<Scalar>& A, const Party<Scalar>& B,
                                                const Contact<Scalar>& contact,
+                                               const Result<Impulse<Scalar>>& impulse,
                                                const EncounterOptions<Scalar>& options) {
-  if (!(options.separation > Scalar(0)))
+  if (!impulse.ok() || !(options.separation > Scalar(0)))
     return failure<EncounterAnswer<Scalar>>(Status::kInvalidArgument);
-  const auto hit = collision_impulse(collider(A), collider(B), contact, options.restitution);
-  if (!hit.ok()) return failure<EncounterAnswer<Scalar>>(hit.status);
 
   EncounterAnswer<Scalar> answer;
-  answer.v_rel = hit.value.v_rel;
+  answer.v_rel = impulse.value.v_rel;
   answer.kind = classify(answer.v_rel, options.rest_speed);
-  const bool colliding = answer.kind == ContactKind::kColliding;
+  const bool resting = answer.kind == ContactKind::kResting;
+  const bool pushes = answer.kind == ContactKind::kColliding || (options.settles && resting);
   const bool overlapping = contact.gap < -options.margin;
-  answer.separated = answer.kind == ContactKind::kResting || overlapping;
+  answer.separated = resting || overlapping;
   const auto shifts = shifts_for(A, B, contact, answer, options);
   if (!shifts.ok()) return failure<EncounterAnswer<Scalar>>(shifts.status);
   answer.separation = shifts.value;
   A.body->X_WB.p_W += shifts.value.shift_A_W;
   B.body->X_WB.p_W += shifts.value.shift_B_W;
-  if (colliding) {
-    answer.impulse = hit.value.magnitude;
-    add(*A.body, hit.value.on_A);
-    add(*B.body, hit.value.on_B);
+  if (pushes) {
+    answer.impulse = impulse.value.magnitude;
+    add(*A.body, impulse.value.on_A);
+    add(*B.body, impulse.value.on_B);
   }
   return success(answer);
 }
 
-#define BATUTA_INSTANTIATE(S)                         \
-  template Result<EncounterAnswer<S>> answer_contact( \
-      const Party<S>&, const Party<S>&, const Contact<S>&, const EncounterOptions<S>&);
+#define BATUTA_INSTANTIATE(S)                                                                      \
+  template Collider<S> collider_of(const Party<S>&);                                               \
+  template Result<EncounterAnswer<S>> answer_contact(const Party<S>&, const Party<S>&,             \
+                                                     const Contact<S>&, const Result<Impulse<S>>&, \
+                                                     const EncounterOptions<S>&);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 

@@ -9,8 +9,11 @@
 //   kHasSlab                         a gap within a slab counts as contact; else a gap <= 0 does
 //   contact_gap(pair, options)       the largest gap, m, at which it may speak of contact
 //   kUsesSeed                        a normal from an earlier search of the same pair helps
+//   kForStraightFlight               serves scenes in which nothing turns
+//   kForSpheres                      of these, one whose only shape is the sphere
 //   search(pair, options, seed_AB)   first contact in [0, duration]; seed_AB zero: none
 
+#include "batuta/detection/sphere_flight.hpp"
 #include "batuta/detection/stepping.hpp"
 #include "batuta/detection/translation.hpp"
 
@@ -22,6 +25,8 @@ struct Stepping {
   using Scalar = ScalarT;
   using Options = SteppingOptions<Scalar>;
   static constexpr bool kUsesSeed = false;
+  static constexpr bool kForStraightFlight = false;
+  static constexpr bool kForSpheres = false;
   static constexpr bool kHasSlab = false;
   static constexpr std::uint32_t kDefaultBudget = 4096;
 
@@ -50,6 +55,7 @@ struct Certified {
   using Scalar = ScalarT;
   using Options = AdvancementOptions<Scalar>;
   static constexpr bool kHasSlab = true;
+  static constexpr bool kForSpheres = false;
   static constexpr std::uint32_t kDefaultBudget = Options{}.budget;
 
   static constexpr Options options(std::uint32_t budget, Scalar slab) {
@@ -69,6 +75,7 @@ template <class ScalarT>
 struct Advancement : Certified<ScalarT> {
   using Scalar = ScalarT;
   static constexpr bool kUsesSeed = true;
+  static constexpr bool kForStraightFlight = false;
 
   static SearchResult<Scalar> search(const MovingPair<Scalar>& pair,
                                      const AdvancementOptions<Scalar>& options,
@@ -82,11 +89,36 @@ template <class ScalarT>
 struct Translation : Certified<ScalarT> {
   using Scalar = ScalarT;
   static constexpr bool kUsesSeed = false;
+  static constexpr bool kForStraightFlight = true;
 
   static SearchResult<Scalar> search(const MovingPair<Scalar>& pair,
                                      const AdvancementOptions<Scalar>& options,
                                      const Vec3<Scalar>& /*seed_AB*/) {
     return search_translation(pair, options);
+  }
+};
+
+/// Never misses; for spheres that fly straight, on bodies that do not turn. The smallest of them.
+template <class ScalarT>
+struct Spheres {
+  using Scalar = ScalarT;
+  struct Options {
+    Scalar slab = 0;  ///< m, >= 0: a gap that counts as contact; raised to what can be resolved
+  };
+  static constexpr bool kUsesSeed = false;
+  static constexpr bool kForStraightFlight = true;
+  static constexpr bool kForSpheres = true;
+  static constexpr bool kHasSlab = false;
+  static constexpr std::uint32_t kDefaultBudget = 1;
+
+  static constexpr Options options(std::uint32_t /*budget*/, Scalar slab) { return {slab}; }
+  static constexpr std::uint64_t most_evaluations(const Options& /*options*/) { return 1; }
+  static SphereAnswer<Scalar> search(const SphereFlight<Scalar>& flight, const Options& options) {
+    return search_spheres(flight, options.slab);
+  }
+  friend Status validate(const Options& options) {
+    const bool good = is_finite(options.slab) && options.slab >= Scalar(0);
+    return good ? Status::kOk : Status::kInvalidArgument;
   }
 };
 

@@ -92,7 +92,29 @@ class AnyDriver {
     for_current([&](auto& driver) { driver.on_step_end(body, dt); });
   }
 
+  /// Which driver it is, and that driver's state, for core/archive.hpp.
+  /// Bound: one comparison for each type.
+  template <class ArchiveT>
+  void archive(ArchiveT& ar) {
+    constexpr int kOthers = sizeof...(Others);
+    const int kind = ar.count(static_cast<int>(driver_.index()), kOthers);
+    if (ar.shaping()) return shape_of<First, Others...>(ar);
+    if (ar.reading()) become<First, Others...>(kind);
+    for_current([&ar](auto& driver) { ar(driver); });
+  }
+
  private:
+  template <class... Drivers, class ArchiveT>
+  static void shape_of(ArchiveT& ar) {
+    const auto shape = [&ar](auto driver) { ar(driver); };
+    (shape(Drivers{}), ...);
+  }
+  template <class... Drivers>
+  void become(int kind) {
+    int place = 0;
+    ((place++ == kind ? void(driver_ = Drivers{}) : void()), ...);
+  }
+
   template <class Driver, class... Rest>
   Course<Scalar> course_of(const Body<Scalar>& body, Scalar t, Scalar duration) const {
     if (const Driver* driver = std::get_if<Driver>(&driver_))
@@ -121,5 +143,17 @@ class AnyDriver {
                 "AnyDriver: a driver must be plain data");
   std::variant<First, Others...> driver_;
 };
+
+/// Whether a driver moves nothing but by its momentum: what has no mass to be pushed by then stands
+/// still, and no two such bodies are ever led into each other.
+template <class Driver>
+struct MovesByMomentumOnly : std::false_type {};
+template <class Scalar>
+struct MovesByMomentumOnly<FreeFlight<Scalar>> : std::true_type {};
+template <class Scalar>
+struct MovesByMomentumOnly<Fixed<Scalar>> : std::true_type {};
+template <class Scalar, class First, class... Others>
+struct MovesByMomentumOnly<AnyDriver<Scalar, First, Others...>>
+    : std::conjunction<MovesByMomentumOnly<First>, MovesByMomentumOnly<Others>...> {};
 
 }  // namespace batuta

@@ -16,16 +16,20 @@ struct Party {
   Scalar room = 0;               ///< how far it may be shifted without reaching a neighbour, m
 };
 
+/// What an impulse needs to know of a party.
+template <class Scalar>
+Collider<Scalar> collider_of(const Party<Scalar>& party);
+
 /// How contacts are answered.
 template <class Scalar>
 struct EncounterOptions {
-  Scalar restitution = 0;          ///< C of the pair [Kavan eq. 25], in [0, 1]
   Scalar rest_speed = 0;           ///< eps_r, m/s, > 0
   Scalar separation = 0;           ///< D, m, > 0
   Scalar min_separation_time = 0;  ///< least f(D), s, > 0
   /// Gap below which the next search might call parting bodies touching, m, > 0: by its slab or by
   /// rounding (src/world/encounter.md).
   Scalar margin = 0;
+  bool settles = false;  ///< resting contacts that approach get the impulse as well
 };
 
 template <class Scalar>
@@ -37,15 +41,18 @@ struct EncounterAnswer {
   Separation<Scalar> separation;  ///< shifts done; duration 0 if not separated
 };
 
-/// Colliding: both momenta get the impulse [Kavan §4.1]. Resting: both positions are separated to D
-/// [Kavan §4.2]. Receding: nothing. Overlapping by more than `margin`, of whatever kind: separated
-/// as well. Otherwise the gap is opened to `margin` at no charge, so that the next search does not
-/// take parting bodies for touching ones.
-/// @returns kOk | kInvalidArgument (options or contact out of range); then the bodies are unchanged
+/// Colliding (or resting, where that settles): both momenta get the impulse [Kavan §4.1]. Resting:
+/// both positions are separated to D [Kavan §4.2]. Receding: nothing. Overlapping by more than
+/// `margin`, of whatever kind: separated as well. Otherwise the gap is opened to `margin` at no
+/// charge, so that the next search does not take parting bodies for touching ones.
+/// @param impulse  of the pair's law at this contact: collision_impulse() or friction_impulse()
+/// @returns kOk | kInvalidArgument (options or contact out of range, no impulse); then the bodies
+/// are unchanged
 /// Bound: no loop.
 template <class Scalar>
 Result<EncounterAnswer<Scalar>> answer_contact(const Party<Scalar>& A, const Party<Scalar>& B,
                                                const Contact<Scalar>& contact,
+                                               const Result<Impulse<Scalar>>& impulse,
                                                const EncounterOptions<Scalar>& options);
 
 }  // namespace batuta

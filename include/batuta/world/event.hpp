@@ -21,10 +21,12 @@ struct ContactEvent {
   ContactKind contact_kind = ContactKind::kResting;
   std::uint16_t body_A = 0;
   std::uint16_t body_B = 0;  ///< body_A < body_B
-  Scalar time = 0;           ///< in the step, s
-  Contact<Scalar> contact;   ///< point, normal (out of B, towards A), gap
-  Scalar v_rel = 0;          ///< before, m/s; negative: approaching
-  Scalar impulse = 0;        ///< j, N s; 0 for resting contact
+  std::uint8_t part_A = 0;   ///< which capsule of the body; 0 where it has but one
+  std::uint8_t part_B = 0;
+  Scalar time = 0;          ///< in the step, s
+  Contact<Scalar> contact;  ///< point, normal (out of B, towards A), gap
+  Scalar v_rel = 0;         ///< before, m/s; negative: approaching
+  Scalar impulse = 0;       ///< j, N s; 0 for resting contact
   Scalar place_A = 0;  ///< on A's axis: 0 at axis.a ... 1 at axis.b (on a blade: guard ... tip)
   Scalar place_B = 0;
 };
@@ -44,6 +46,9 @@ struct StepReport {
   /// pass over none.
   std::uint32_t overlaps_at_start = 0;
   Scalar deepest_overlap = 0;  ///< of these, m
+  std::uint32_t asleep = 0;    ///< bodies that slept through the step
+  /// Pairs that used up their separations of a step, and were frozen for the rest of it.
+  std::uint32_t frozen = 0;
   // What did not fit; the bodies concerned were held where they were proven free. All zero in a
   // healthy scene.
   std::uint32_t pairs_dropped = 0;     ///< beyond kMaxPairs

@@ -6,27 +6,83 @@
 
 #include "batuta/detection/budget_law.hpp"
 #include "batuta/detection/search.hpp"
+#include "batuta/world/bound.hpp"
 #include "batuta/world/driver.hpp"
 
 namespace batuta {
 
+/// What a scene does about contacts in which nearly nothing approaches [Kavan §4.2].
+enum class RestingContact : std::uint8_t {
+  /// Nothing: every approaching contact is answered by an impulse, however slow.
+  kNone,
+  /// The paper's: the bodies are moved apart to D and stand still for f(D). For what a driver
+  /// holds.
+  kSeparation,
+  /// For bodies that lie on each other: what is left of the approach is taken out by an impulse
+  /// without restitution, the gap is restored to D, and nobody stands still. A pair that needs more
+  /// than kMaxSeparations in a step is frozen for the rest of it.
+  kSettling,
+};
+
 struct Scene {
   using Scalar = float;
-  /// Who moves a body; see driver.hpp.
+  /// Who moves a body; see driver.hpp. Not asked where kRotation is false: there, bodies fly by
+  /// their momenta.
   using Driver = FreeFlight<float>;
   /// How contacts are found: Advancement (never misses), Translation (the same where nothing turns)
   /// or Stepping (the paper's); see detection/search.hpp. The others are not linked.
   using Search = Advancement<float>;
+
+  // Capacities.
   /// Bodies at the same time, 2 ... 1024.
   static constexpr int kMaxBodies = 2;
-  /// Pairs whose swept volumes may meet at the same time. Where more do, the bodies of the surplus
-  /// pairs are held for the rest of the step, and counted.
+  /// Capsules of one body, 1 ... 255. One: Actor::capsule_B; more: Actor::capsules_B.
+  static constexpr int kCapsulesPerBody = 1;
+  /// Pairs of capsules whose swept volumes may meet at the same time. Where more do, the bodies of
+  /// the surplus pairs are held for the rest of the step, and counted.
   static constexpr int kMaxPairs = 1;
   /// Contacts answered in one step. Where more happen, the bodies concerned are held for the rest
   /// of it, and counted.
   static constexpr int kMaxContacts = 8;
-  /// Events kept for reading after a step; a surplus is counted.
+  /// Events kept for reading after a step; a surplus is counted. 0: none, and no pair is followed.
   static constexpr int kMaxEvents = 16;
+  /// Separations of one pair in one step (kSettling).
+  static constexpr int kMaxSeparations = 4;
+  /// Steps for which a body has to stay within 2 D of one place to be put to sleep (kSleep), 1 ...
+  /// 65535.
+  static constexpr int kSleepSteps = 250;
+
+  // Features. What is off is absent: no member, no code.
+  /// Bodies turn. Off: StraightBody, no quaternion, no inertia; Search is Translation or Spheres.
+  static constexpr bool kRotation = true;
+  /// Contacts change the bodies. Off: they are found and told, and everybody moves on.
+  static constexpr bool kResponse = true;
+  /// Actor::restitution. Off: C = 0.
+  static constexpr bool kRestitution = true;
+  /// Actor::friction: Coulomb's law, sticking or sliding (response/friction.hpp).
+  static constexpr bool kFriction = false;
+  /// Near-parallel capsules touch at two points (response/line_contact.hpp).
+  static constexpr bool kLineContact = false;
+  static constexpr RestingContact kResting = RestingContact::kSeparation;
+  /// WorldSettings::gravity_W, felt by what its own momentum moves.
+  static constexpr bool kGravity = false;
+  /// What has not left its place for a while is put to sleep until something happens to it.
+  static constexpr bool kSleep = false;
+  /// Actor::owner: bodies of one owner never meet.
+  static constexpr bool kOwners = true;
+  /// Actor::filter: who may meet whom.
+  static constexpr bool kFilters = false;
+  // Of the fencing application (fencing/duel.hpp), for a scene that a Duel runs.
+  /// Blades are held by a grip that a blow loosens [Kavan eq. 32].
+  static constexpr bool kGrip = false;
+  /// Fencers have bodies that can be touched, in a hierarchy of k-DOPs.
+  static constexpr bool kTargets = false;
+  /// Force feedback: reserved, there is none yet.
+  static constexpr bool kHaptics = false;
+
+  // Searching.
+  /// What holds a capsule over a step: SweptBox (exact) or CoarseBox; see bound.hpp.
+  using Bound = SweptBox;
   /// Distance evaluations of one search. Where they do not suffice, the bodies are held, and
   /// counted.
   static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
@@ -38,12 +94,6 @@ struct Scene {
   /// for, and no less than the search's own default.
   static constexpr float kSlab = 0;
 };
-
-/// Restitution of a pair from those of its bodies: the bouncier one decides, as a scene may.
-template <class Scalar>
-constexpr Scalar pair_restitution(Scalar a, Scalar b) {
-  return max_of(a, b);
-}
 
 /// What a scene asks of its searches.
 template <class SceneT>
@@ -79,26 +129,51 @@ struct SearchOf {
   }
 };
 
+/// Tolerances of contacts that rest, and of when a contact ends.
+template <class Scalar>
+struct RestSettings {
+  /// eps_r [Kavan §4], m/s, > 0. With gravity, what a body gains by falling for two steps or
+  /// through D counts as rest as well.
+  Scalar rest_speed = Scalar(0.01);
+  Scalar separation = Scalar(1e-4);  ///< D [Kavan §4.2], m, > 0; a contact ends beyond 2 D
+  Scalar min_separation_time = Scalar(1e-4);  ///< least f(D), s, > 0
+};
+template <class Scalar>
+struct GravitySettings {
+  Vec3<Scalar> gravity_W = {0, 0, Scalar(-9.81)};  ///< m/s^2, finite
+};
+/// What stands in the place of a feature that a scene leaves out; numbers keep the types apart, so
+/// that none takes room.
+template <int kNumber>
+struct Absent {};
+
+/// Scenes that tell resting contacts from others, or follow contacts to their end.
+template <class SceneT>
+inline constexpr bool kKnowsRest =
+    SceneT::kResting != RestingContact::kNone || SceneT::kMaxEvents > 0;
+
 /// The tolerances of a world, SI units, all relative to what the scene's user knows.
 template <class SceneT>
-struct WorldSettings {
+struct WorldSettings
+    : std::conditional_t<kKnowsRest<SceneT>, RestSettings<typename SceneT::Scalar>, Absent<0>>,
+      std::conditional_t<SceneT::kGravity, GravitySettings<typename SceneT::Scalar>, Absent<1>> {
   using Scalar = typename SceneT::Scalar;
 
   /// Those of the scene's search, within Scene::kBudget evaluations.
   typename SceneT::Search::Options search = SearchOf<SceneT>::options();
-  Scalar rest_speed = Scalar(0.01);  ///< eps_r [Kavan §4], m/s, > 0
-  Scalar separation = Scalar(1e-4);  ///< D [Kavan §4.2], m, > 0; a contact ends beyond 2 D
-  Scalar min_separation_time = Scalar(1e-4);  ///< least f(D), s, > 0
 };
 
 /// @returns kOk | kInvalidArgument: an option out of its range, or a search that may take more than
 /// Scene::kBudget evaluations
 template <class SceneT>
 Status validate(const WorldSettings<SceneT>& settings) {
-  const bool good = validate(settings.search) == Status::kOk &&
-                    SceneT::Search::most_evaluations(settings.search) <= SceneT::kBudget &&
-                    is_positive(settings.rest_speed) && is_positive(settings.separation) &&
-                    is_positive(settings.min_separation_time);
+  bool good = validate(settings.search) == Status::kOk &&
+              SceneT::Search::most_evaluations(settings.search) <= SceneT::kBudget;
+  if constexpr (kKnowsRest<SceneT>) {
+    good = good && is_positive(settings.rest_speed) && is_positive(settings.separation) &&
+           is_positive(settings.min_separation_time);
+  }
+  if constexpr (SceneT::kGravity) good = good && is_finite(settings.gravity_W);
   return good ? Status::kOk : Status::kInvalidArgument;
 }
 

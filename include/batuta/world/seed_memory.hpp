@@ -4,8 +4,8 @@
 // needs no other evaluation. Part of a world's saved state, because what a search costs and the
 // last bits of what it answers depend on it; what it proves does not.
 
-#include "batuta/core/types.hpp"
 #include "batuta/world/broadphase.hpp"
+#include "batuta/world/scene.hpp"
 
 namespace batuta {
 
@@ -30,6 +30,11 @@ class SeedMemory {
       if (entry.pair.first == slot || entry.pair.second == slot) entry = {};
     }
   }
+  void copy_seeds(const SeedMemory& other) { *this = other; }
+  template <class Archive>
+  void archive_seeds(Archive& ar) {
+    for (Entry& entry : entries_) ar(entry.pair, entry.normal);  // Bound: N
+  }
 
  private:
   struct Entry {
@@ -49,6 +54,13 @@ class SeedMemory {
 /// For searches that take no seed: nothing is kept.
 struct NoSeeds {
   void forget(std::uint16_t /*slot*/) {}
+  void copy_seeds(const NoSeeds& /*other*/) {}
+  template <class Archive>
+  void archive_seeds(Archive& /*ar*/) {}
 };
+
+template <class SceneT>
+using SeedsOf = std::conditional_t<SceneT::Search::kUsesSeed,
+                                   SeedMemory<typename SceneT::Scalar, SceneT::kMaxPairs>, NoSeeds>;
 
 }  // namespace batuta

@@ -1,58 +1,51 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // Many bodies, one step: everybody moves to the first contact, the contact is answered, and so on
-// to the end of the step [Kavan §2.1, §3, §4.2]. One object, placed by the caller; its size and the
-// longest step are constants. Frame W, SI units; times within a step run from 0 to dt.
+// to the end of the step [Kavan §2.1, §3, §4.2]. Only the bodies of a contact are planned, bounded
+// and searched anew; the others keep their course (src/world/world.md). One object, placed by the
+// caller; its size and the longest step are constants. Frame W, SI units; times within a step run
+// from 0 to dt.
 
 #include "batuta/core/arithmetic.hpp"
 #include "batuta/core/pool.hpp"
-#include "batuta/world/broadphase.hpp"
+#include "batuta/response/friction.hpp"
+#include "batuta/response/line_contact.hpp"
+#include "batuta/response/straight_impulse.hpp"
 #include "batuta/world/encounter.hpp"
-#include "batuta/world/event.hpp"
-#include "batuta/world/scene.hpp"
+#include "batuta/world/event_book.hpp"
+#include "batuta/world/scene_check.hpp"
 #include "batuta/world/seed_memory.hpp"
+#include "batuta/world/sleep_book.hpp"
+#include "batuta/world/straight_matter.hpp"
+#include "batuta/world/sweep.hpp"
+#include "batuta/world/turning.hpp"
+#include "batuta/world/watch.hpp"
 
 namespace batuta {
 
-/// A body in a world, as the caller describes it and may read or change it between steps. What
-/// becomes unusable (not finite) is left out of the steps, and counted in
-/// StepReport::courses_invalid.
 template <class SceneT>
-struct Actor {
-  using Scalar = typename SceneT::Scalar;
-
-  Body<Scalar> body;
-  Capsule<Scalar> capsule_B;         ///< its shape
-  typename SceneT::Driver driver{};  ///< who moves it
-  Scalar restitution = 0;            ///< C, in [0, 1]; a pair takes pair_restitution() of its two
-  std::uint16_t owner = 0;           ///< bodies of one owner other than 0 never meet
-};
-
-/// What a world keeps for its searches; empty where they take no seed.
+using Scalar_of = typename SceneT::Scalar;
 template <class SceneT>
-using SeedsOf = std::conditional_t<SceneT::Search::kUsesSeed,
-                                   SeedMemory<typename SceneT::Scalar, SceneT::kMaxPairs>, NoSeeds>;
+using MatterOf =
+    std::conditional_t<SceneT::kRotation, TurningMatter<SceneT>, StraightMatter<SceneT>>;
 
-/// A base, not a member: an empty one takes no room.
+/// Features are bases, not members: an empty one takes no room.
 template <class SceneT>
-class World : private SeedsOf<SceneT> {
+class World : private SeedsOf<SceneT>,
+              private EventsOf<SceneT>,
+              private RepeatsOf<SceneT>,
+              private SleepOf<SceneT> {
  public:
   using Scalar = typename SceneT::Scalar;
   using Search = typename SceneT::Search;
   using ActorType = Actor<SceneT>;
   using BodyId = Handle<ActorType>;
-  using EventList = FixedList<ContactEvent<Scalar>, SceneT::kMaxEvents>;
-
-  static_assert(kIsScalar<Scalar>, "Scene::Scalar: choose float or double");
-  static_assert(SceneT::kMaxBodies >= 2 && SceneT::kMaxBodies <= 1024,
-                "Scene::kMaxBodies: choose 2 ... 1024");
-  static_assert(SceneT::kMaxPairs >= 1, "Scene::kMaxPairs: at least 1");
-  static_assert(SceneT::kMaxContacts >= 1, "Scene::kMaxContacts: at least 1");
-  static_assert(SceneT::kMaxEvents >= 1, "Scene::kMaxEvents: at least 1");
 
   /// Rounds of one step: each ends with a contact (kMaxContacts), with the end of the hold that a
-  /// contact caused (kMaxContacts), with a body held for good (kMaxBodies), or with the step (1).
-  static constexpr int kMaxRounds = 2 * SceneT::kMaxContacts + SceneT::kMaxBodies + 1;
+  /// contact caused (kMaxContacts), with a body held for good (kMaxBodies; where nobody is held,
+  /// with a pair that is left: kMaxPairs), or with the step (1).
+  static constexpr int kMaxRounds =
+      2 * SceneT::kMaxContacts + max_of(SceneT::kMaxBodies, SceneT::kMaxPairs) + 1;
 
   /// @param number  tells this world's ids from those of another world of the same scene
   /// @pre the file that names the scene, and the thread, round every operation
@@ -67,26 +60,26 @@ class World : private SeedsOf<SceneT> {
     if (status == Status::kOk) settings_ = settings;
     return status;
   }
+  const WorldSettings<SceneT>& settings() const { return settings_; }
 
   /// Becomes a copy of `saved`, and goes on as that would, to the last bit; ids of one name the
   /// bodies of the other. By name, because a world is large. Bound: kMaxBodies.
   void restore(const World& saved);
 
-  /// @returns kOk with the id | kPoolFull | kInvalidArgument (not finite, negative radius, C
-  /// outside [0, 1])
-  Result<BodyId> add(const ActorType& actor) {
-    if (!is_usable(actor)) return failure<BodyId>(Status::kInvalidArgument);
-    ActorType added = actor;
-    added.body.X_WB.q_WB = renewed(actor.body.X_WB.q_WB);
-    added.body.spin_shows = !hides_spin(actor.body, actor.capsule_B);
-    return actors_.make(added);
-  }
+  /// @returns kOk with the id | kPoolFull | kInvalidArgument (not finite, negative radius, no part,
+  /// C outside [0, 1], mu negative)
+  Result<BodyId> add(const ActorType& actor);
 
   /// Takes a body out; its contacts end without an event. @returns kOk | kStaleHandle
   Status remove(BodyId id);
 
   /// The body, or null for a stale, foreign or null id.
-  ActorType* get(BodyId id) { return actors_.get(id); }
+  /// Who may be changed is looked at again: what only reads, reads a const world.
+  ActorType* get(BodyId id) {
+    const int slot = actors_.index_of(id);
+    if (slot != PoolBase::kNoIndex) tracks_[static_cast<std::size_t>(slot)].boxed = false;
+    return actors_.get(id);
+  }
   const ActorType* get(BodyId id) const { return actors_.get(id); }
   /// The id of the body in a slot, as events name it; null id if there is none.
   BodyId id_at(std::uint16_t slot) const { return actors_.handle_at(slot); }
@@ -100,83 +93,156 @@ class World : private SeedsOf<SceneT> {
   Status step(Scalar dt);
 
   const StepReport<Scalar>& report() const { return report_; }
-  const EventList& events() const { return events_; }
+  /// What happened in the step. Where Scene::kMaxEvents is 0, there are none to ask for.
+  const typename EventsOf<SceneT>::EventList& events() const {
+    static_assert(SceneT::kMaxEvents > 0, "Scene: events() takes kMaxEvents > 0");
+    return this->list();
+  }
+  /// Whether the body sleeps (Scene::kSleep); false for a stale id.
+  bool is_asleep(BodyId id) const {
+    const int slot = actors_.index_of(id);
+    return slot != PoolBase::kNoIndex && this->sleeps(static_cast<std::size_t>(slot));
+  }
+
+  /// Lists what is saved of a world (core/archive.hpp).
+  template <class Archive>
+  void archive(Archive& ar);
 
  private:
+  static_assert(SceneCheck<SceneT>::kIsPossible, "Scene: see scene_check.hpp");
+
+  using Matter = MatterOf<SceneT>;
+  using Motion = typename Matter::MotionType;
+  using Sight = typename Matter::Sight;
+  using Slot = std::uint16_t;
+  using WatchType = Watch<Scalar>;
   static constexpr std::size_t kSlots = static_cast<std::size_t>(SceneT::kMaxBodies);
+  static constexpr int kParts = SceneT::kCapsulesPerBody;
+  static constexpr int kProxies = SceneT::kMaxBodies * kParts;
+  static constexpr bool kSettles = SceneT::kResting == RestingContact::kSettling;
+  /// Bodies are held for a time that ends within the step.
+  static constexpr bool kReleases = SceneT::kResting == RestingContact::kSeparation;
+  /// What has no mass to be pushed by may be led into something (see MovesByMomentumOnly).
+  static constexpr bool kLeads =
+      SceneT::kRotation && !MovesByMomentumOnly<typename SceneT::Driver>::value;
 
   /// What the step knows of a body besides the actor.
   struct Track {
-    Course<Scalar> course;
+    typename Matter::CourseType course;
+    Scalar start = 0;       ///< in the step, s: the body's own pose is the one of this time
     Scalar held_until = 0;  ///< in the step, s; the body stays where it is until then
+    bool present = false;   ///< takes part in the step
+    bool changed = false;   ///< its course has to be planned
+    bool fresh = false;     ///< its course was planned, its pairs are not collected yet
+    bool stands = false;    ///< its course was to stand still for a whole step, and did
+    bool boxed = false;     ///< its boxes are those of its last course
   };
-  /// The first thing that ends the round early.
-  struct Hit {
-    bool any = false;
-    BodyPair pair;
-    SearchResult<Scalar> search;
-    Vec3<Scalar> origin_W = Vec3<Scalar>::Zero();
-    Scalar scale = 0;        ///< S of the pair, m
-    Scalar contact_gap = 0;  ///< the search may speak of contact up to this gap, m
-  };
-  static bool is_usable(const ActorType& actor);
+
+  // Plan: world_plan.hpp.
+  static bool is_usable(const ActorType& actor) {
+    return has_valid_features(actor) && Matter::is_usable(actor.body);
+  }
+  void begin_step(Scalar dt);
+  void begin_body(std::size_t slot);
+  void refresh();
+  void drop_watches();
+  void plan(std::size_t slot, bool is_begin);
+  bool plan_course(std::size_t slot, bool is_begin);
+  void leave_out(std::size_t slot);
+  void put_boxes(std::size_t slot, bool idle);
+  void collect_all();
+  void collect_fresh();
+  void collect(BodyPair pair);
+  bool may_pair(std::size_t a, std::size_t b) const;
+  void search_watches();
+  void search(WatchType& watch);
+  Sight search_pair(BodyPair pair, Scalar until);
+  SearchResult<Scalar> search_with_seed(BodyPair pair, const MovingPair<Scalar>& moving_pair);
+  SearchResult<Scalar> let_go(const MovingPair<Scalar>& moving_pair, const Sight& sight,
+                              BodyPair pair) const;
+
+  // Step: world_step.hpp.
+  void begin_life(std::size_t slot);
+  void run_round();
+  Scalar next_release() const;
+  void release(Scalar time);
+  void answer(const WatchType& watch, Scalar time);
+  void count_cut(const WatchType& watch);
+  void bring(std::size_t slot, Scalar elapsed);
+  void hold(std::size_t slot, Scalar until);
+  void hold_pair(BodyPair pair, Scalar until);
+  void end_step();
+
+  // Contact: world_contact.hpp.
+  Sight look(BodyPair pair) const;
+  void answer_turning(const WatchType& watch, const Sight& sight);
+  void answer_straight(const WatchType& watch);
+  void only_tell(const WatchType& watch);
+  bool is_immovable(BodyPair pair) const;
+  void block(const WatchType& watch, const Sight& sight, const Nearest<Scalar>& nearest);
+  Result<Impulse<Scalar>> impulse_for(BodyPair pair, const std::array<Party<Scalar>, 2>& parties,
+                                      const Contact<Scalar>& contact) const;
+  void charge(BodyPair pair, const EncounterAnswer<Scalar>& answer);
+  EncounterOptions<Scalar> options_for(Scalar margin) const;
+  Scalar margin_of(const Sight& sight, BodyPair pair) const;
+  Party<Scalar> party(std::size_t slot);
+  Contact<Scalar> pressed(BodyPair pair, const std::array<Party<Scalar>, 2>& parties,
+                          const Contact<Scalar>& contact, Scalar slack) const;
+  void make_room(BodyPair pair, const Contact<Scalar>& contact,
+                 const EncounterOptions<Scalar>& options,
+                 std::array<Party<Scalar>, 2>& parties) const;
+  Scalar room_of(std::size_t slot, std::size_t other, const Vec3<Scalar>& away_W,
+                 Scalar shift) const;
+  Capsule<Scalar> shape_W(int proxy) const;
+  void tell_driver(std::size_t slot, const EncounterAnswer<Scalar>& answer,
+                   const Vec3<Scalar>& shift_W);
+
+  // Events: world_events.hpp.
+  void record(const WatchType& watch, const Nearest<Scalar>& nearest,
+              const EncounterAnswer<Scalar>& answer);
+  ContactEvent<Scalar> event_of(BodyPair pair, const Nearest<Scalar>& nearest) const;
+  void end_touches();
+  void wake_both(BodyPair pair);
+  void put_to_sleep();
+  bool has_left(std::size_t slot) const;
+  bool is_supported(std::size_t slot) const;
+
   ActorType& actor_at(std::size_t slot) { return *actors_.at_index(slot); }
   const ActorType& actor_at(std::size_t slot) const { return *actors_.at_index(slot); }
   bool is_present(std::size_t slot) const { return actors_.at_index(slot) != nullptr; }
-  bool takes_part(std::size_t slot) const { return proxies_[slot].present; }
   bool is_held(std::size_t slot) const { return tracks_[slot].held_until > now_; }
-  MovingCapsule<Scalar> moving(std::size_t slot) {
-    return {actor_at(slot).capsule_B, tracks_[slot].course.motion};
+  Scalar end_of(std::size_t slot) const { return is_held(slot) ? tracks_[slot].held_until : dt_; }
+  static std::size_t body_of(int proxy) { return static_cast<std::size_t>(proxy / kParts); }
+  static int part_at(int proxy) { return proxy % kParts; }
+  static Slot proxy_of(std::size_t slot, int part) {
+    return static_cast<Slot>(static_cast<int>(slot) * kParts + part);
   }
-
-  void begin_step(Scalar dt);
-  void run_round();
-  Scalar end_of_round() const;
-  void plan(Scalar until);
-  void plan_course(std::size_t slot, Scalar duration);
-  void find_pairs();
-  Hit first_hit();
-  Hit search(BodyPair pair);
-  SearchResult<Scalar> search_with_seed(BodyPair pair, const MovingPair<Scalar>& moving_pair);
-  SearchResult<Scalar> let_go(const MovingPair<Scalar>& moving_pair, const Hit& hit) const;
-  void advance(Scalar duration);
-  void hold(std::size_t slot, Scalar until);
-  void hold_pair(BodyPair pair, Scalar until);
-  void answer(const Hit& hit);
-  void answer_contact_of(const Hit& hit);
-  bool is_immovable(BodyPair pair) const;
-  void block(const Hit& hit, const Contact<Scalar>& contact);
-  EncounterOptions<Scalar> options_for(const Hit& hit) const;
-  Scalar margin_of(const Hit& hit) const;
-  Party<Scalar> party(std::size_t slot, std::size_t other, const Vec3<Scalar>& away_W);
-  Scalar room_of(std::size_t slot, std::size_t other, const Vec3<Scalar>& away_W);
-  void tell_driver(std::size_t slot, const EncounterAnswer<Scalar>& answer,
-                   const Vec3<Scalar>& shift_W);
-  void record(const Hit& hit, const Contact<Scalar>& contact,
-              const EncounterAnswer<Scalar>& answer);
-  EventKind follow(const ContactEvent<Scalar>& event);
-  void push(const ContactEvent<Scalar>& event);
-  void end_step();
-  void end_touches();
-  bool has_opened(BodyPair pair, CapsuleGap<Scalar>& gap);
-  Capsule<Scalar> shape_W(std::size_t slot) {
-    return to_world(actor_at(slot).body.X_WB, actor_at(slot).capsule_B);
+  typename Matter::Mover mover(int proxy, Scalar until) const;
+  Nearest<Scalar> nearest(BodyPair pair) const {
+    return Matter::nearest(actor_at(body_of(pair.first)), part_at(pair.first),
+                           actor_at(body_of(pair.second)), part_at(pair.second));
   }
 
   WorldSettings<SceneT> settings_;
   Pool<ActorType, SceneT::kMaxBodies> actors_;
   std::array<Track, kSlots> tracks_{};
-  std::array<Proxy<Scalar>, kSlots> proxies_{};
-  FixedList<BodyPair, SceneT::kMaxPairs> pairs_;
-  FixedList<BodyPair, SceneT::kMaxPairs> touching_;  ///< between their begin and end events
-  EventList events_;
+  SweepList<Scalar, kProxies> sweep_;
+  FixedList<WatchType, SceneT::kMaxPairs> watches_;
+  Sight best_sight_;    ///< of the earliest of the watches, if that is still known
+  BodyPair best_pair_;  ///< first == second: unknown
+  Scalar best_until_ = 0;
   StepReport<Scalar> report_;
   Scalar now_ = 0;  ///< in the step, s
   Scalar dt_ = 0;   ///< length of the step, s
+  /// What counts as rest in this step, m/s.
+  Scalar rest_speed_ = 0;
   int contacts_answered_ = 0;
+  bool is_changed_ = false;  ///< somebody's course has to be planned
 };
 
 }  // namespace batuta
 
 #include "batuta/world/world_contact.hpp"
+#include "batuta/world/world_events.hpp"
+#include "batuta/world/world_plan.hpp"
 #include "batuta/world/world_step.hpp"

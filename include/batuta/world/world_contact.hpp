@@ -1,208 +1,255 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// World, second half: what happens at a contact, and the begin, persist and end of contacts.
-// Included by world.hpp.
+// World, third part: what happens at a contact. Included by world.hpp.
 
 #include "batuta/geometry/direction.hpp"
 #include "batuta/world/world.hpp"
 
 namespace batuta {
 
+/// A pair as it is now, without a search: for a contact whose search was not kept.
 template <class SceneT>
-Status World<SceneT>::remove(BodyId id) {
-  const auto slot = static_cast<std::uint16_t>(id.index1 - 1);
-  const Status status = actors_.remove(id);
-  if (status != Status::kOk) return status;
-  for (int i = touching_.size() - 1; i >= 0; --i) {  // Bound: kMaxPairs
-    if (touching_[i].first == slot || touching_[i].second == slot) touching_.remove_swapping(i);
-  }
-  this->forget(slot);
-  return Status::kOk;
+typename World<SceneT>::Sight World<SceneT>::look(BodyPair pair) const {
+  Sight sight;
+  const auto moving_pair = make_moving_pair(mover(pair.first, dt_), mover(pair.second, dt_));
+  if (!moving_pair.ok()) return sight;
+  sight.origin_W = moving_pair.value.origin_W;
+  sight.scale = moving_pair.value.scale;
+  sight.contact_gap = Search::contact_gap(moving_pair.value, settings_.search);
+  sight.search.outcome = Outcome::kContact;
+  sight.search.witness = gap_at(moving_pair.value, Scalar(0));
+  sight.search.gap_rate = gap_rate_at(moving_pair.value, sight.search.witness, Scalar(0));
+  return sight;
 }
 
 template <class SceneT>
-void World<SceneT>::answer(const Hit& hit) {
-  switch (hit.search.outcome) {
-    case Outcome::kContact:
-    case Outcome::kTouching:
-      if (contacts_answered_ < SceneT::kMaxContacts) return answer_contact_of(hit);
-      ++report_.contacts_dropped;
-      break;
-    case Outcome::kBudget:
-      ++report_.searches_cut;
-      break;
-    case Outcome::kFree:  // never a hit
-    case Outcome::kInvalid:
-      ++report_.searches_invalid;
-      break;
+void World<SceneT>::answer_turning(const WatchType& watch, const Sight& sight) {
+  const std::size_t a = body_of(watch.pair.first);
+  const std::size_t b = body_of(watch.pair.second);
+  const CapsuleGap<Scalar>& witness = sight.search.witness;
+  Nearest<Scalar> nearest = {contact_from(witness, sight.origin_W), witness.axes.s, witness.axes.u};
+  if constexpr (kLeads) {
+    if (is_immovable(watch.pair)) return block(watch, sight, nearest);
   }
-  hold_pair(hit.pair, dt_);
-}
-
-template <class SceneT>
-void World<SceneT>::answer_contact_of(const Hit& hit) {
-  ++contacts_answered_;
-  const std::size_t a = hit.pair.first;
-  const std::size_t b = hit.pair.second;
-  const Contact<Scalar> contact = contact_from(hit.search.witness, hit.origin_W);
-  if (is_immovable(hit.pair)) return block(hit, contact);
-
+  const Scalar margin = margin_of(sight, watch.pair);
   const std::array<Momentum<Scalar>, 2> before = {actor_at(a).body.momentum,
                                                   actor_at(b).body.momentum};
-  const auto answer = answer_contact(party(a, b, contact.normal_BA_W),
-                                     party(b, a, -contact.normal_BA_W), contact, options_for(hit));
+  std::array<Party<Scalar>, 2> parties = {party(a), party(b)};
+  if constexpr (SceneT::kLineContact) {
+    nearest.contact = pressed(watch.pair, parties, nearest.contact, margin);
+  }
+  const auto options = options_for(margin);
+  make_room(watch.pair, nearest.contact, options, parties);
+  const auto impulse = impulse_for(watch.pair, parties, nearest.contact);
+  const auto answer = answer_contact(parties[0], parties[1], nearest.contact, impulse, options);
   if (!answer.ok()) {
     actor_at(a).body.momentum = before[0];
     actor_at(b).body.momentum = before[1];
     ++report_.answers_invalid;
-    hold_pair(hit.pair, dt_);
+    hold_pair(watch.pair, dt_);
     return;
   }
-  if (answer.value.separated) hold_pair(hit.pair, now_ + answer.value.separation.duration);
+  if (answer.value.separated) charge(watch.pair, answer.value);
   tell_driver(a, answer.value, answer.value.separation.shift_A_W);
   tell_driver(b, answer.value, answer.value.separation.shift_B_W);
-  record(hit, contact, answer.value);
+  record(watch, nearest, answer.value);
+}
+
+/// The impulse that the pair's laws give; without restitution where the scene's bodies settle.
+template <class SceneT>
+Result<Impulse<Scalar_of<SceneT>>> World<SceneT>::impulse_for(
+    BodyPair pair, const std::array<Party<Scalar>, 2>& parties,
+    const Contact<Scalar>& contact) const {
+  const ActorType& P = actor_at(body_of(pair.first));
+  const ActorType& Q = actor_at(body_of(pair.second));
+  const Collider<Scalar> A = collider_of(parties[0]);
+  const Collider<Scalar> B = collider_of(parties[1]);
+  Scalar restitution = 0;
+  if constexpr (SceneT::kRestitution) {
+    restitution = pair_restitution(P.restitution, Q.restitution);
+    if constexpr (kSettles) {
+      const Scalar v_rel = relative_velocity(contact, A.X_WB, A.twist, B.X_WB, B.twist);
+      if (classify(v_rel, rest_speed_) != ContactKind::kColliding) restitution = 0;
+    }
+  }
+  if constexpr (SceneT::kFriction) {
+    FrictionLaw<Scalar> law;
+    law.restitution = restitution;
+    law.friction = pair_friction(P.friction, Q.friction);
+    return friction_impulse(A, B, contact, law);
+  } else {
+    return collision_impulse(A, B, contact, restitution);
+  }
+}
+
+/// Time for a separation: the paper's f(D), for which both stand still; or where bodies settle, a
+/// count, at the end of which the pair is frozen.
+template <class SceneT>
+void World<SceneT>::charge(BodyPair pair, const EncounterAnswer<Scalar>& answer) {
+  if constexpr (kReleases) hold_pair(pair, now_ + answer.separation.duration);
+  if constexpr (kSettles) {
+    if (this->repeat(pair) < SceneT::kMaxSeparations) return;
+    ++report_.frozen;
+    hold_pair(pair, dt_);
+  }
 }
 
 /// Neither body can be pushed: where one is moved into the other, both stop.
 template <class SceneT>
 bool World<SceneT>::is_immovable(BodyPair pair) const {
-  return is_fixed(actor_at(pair.first).body) && is_fixed(actor_at(pair.second).body);
+  return is_fixed(actor_at(body_of(pair.first)).body) &&
+         is_fixed(actor_at(body_of(pair.second)).body);
 }
 
 template <class SceneT>
-void World<SceneT>::block(const Hit& hit, const Contact<Scalar>& contact) {
+void World<SceneT>::block(const WatchType& watch, const Sight& sight,
+                          const Nearest<Scalar>& nearest) {
   EncounterAnswer<Scalar> answer;
-  answer.v_rel = hit.search.gap_rate;
-  answer.kind = classify(answer.v_rel, settings_.rest_speed);
+  answer.v_rel = sight.search.gap_rate;
+  answer.kind = classify(answer.v_rel, rest_speed_);
   ++report_.blocked;
-  hold_pair(hit.pair, dt_);
-  record(hit, contact, answer);
+  hold_pair(watch.pair, dt_);
+  record(watch, nearest, answer);
 }
 
 template <class SceneT>
-EncounterOptions<typename World<SceneT>::Scalar> World<SceneT>::options_for(const Hit& hit) const {
+EncounterOptions<Scalar_of<SceneT>> World<SceneT>::options_for(Scalar margin) const {
   EncounterOptions<Scalar> options;
-  options.restitution =
-      pair_restitution(actor_at(hit.pair.first).restitution, actor_at(hit.pair.second).restitution);
-  options.rest_speed = settings_.rest_speed;
-  options.separation = settings_.separation;
-  options.min_separation_time = settings_.min_separation_time;
-  options.margin = margin_of(hit);
+  options.margin = margin;
+  options.settles = kSettles;
+  if constexpr (SceneT::kResting != RestingContact::kNone) {
+    options.rest_speed = rest_speed_;
+    options.separation = settings_.separation;
+    options.min_separation_time = settings_.min_separation_time;
+  } else {  // all that approaches collides
+    options.rest_speed = std::numeric_limits<Scalar>::min();
+    options.separation = options.min_separation_time = options.rest_speed;
+  }
   return options;
 }
 
 /// The gap from which the next search lets parting bodies go (src/world/encounter.md).
 template <class SceneT>
-typename World<SceneT>::Scalar World<SceneT>::margin_of(const Hit& hit) const {
+typename World<SceneT>::Scalar World<SceneT>::margin_of(const Sight& sight, BodyPair pair) const {
   constexpr Scalar kContactGaps = 2;
   constexpr Scalar kUlps = 64;
-  const Scalar size = length(actor_at(hit.pair.first).body.X_WB.p_W) +
-                      length(actor_at(hit.pair.second).body.X_WB.p_W) + hit.scale;
-  return kContactGaps * hit.contact_gap + kUlps * kRoundOff<Scalar> * size;
+  const Scalar size = length(actor_at(body_of(pair.first)).body.X_WB.p_W) +
+                      length(actor_at(body_of(pair.second)).body.X_WB.p_W) + sight.scale;
+  return kContactGaps * sight.contact_gap + kUlps * kRoundOff<Scalar> * size;
 }
 
 /// A body at a contact. One that its driver moves gets the momentum that goes with the driver's
 /// twist, so that the impulse is added to what the body really has.
-/// @param away_W  unit, out of the other body: where a separation shifts this one
 template <class SceneT>
-Party<typename World<SceneT>::Scalar> World<SceneT>::party(std::size_t slot, std::size_t other,
-                                                           const Vec3<Scalar>& away_W) {
+Party<Scalar_of<SceneT>> World<SceneT>::party(std::size_t slot) {
   Body<Scalar>& body = actor_at(slot).body;
   const Course<Scalar>& course = tracks_[slot].course;
   if (!course.by_momentum) body.momentum = momentum_of(body, course.motion.twist);
-  return {&body, course.by_momentum ? twist_of(body) : course.motion.twist,
-          room_of(slot, other, away_W)};
+  return {&body, course.by_momentum ? twist_of(body) : course.motion.twist, Scalar(0)};
+}
+
+/// Near-parallel capsules press along a line: the contact at its centre of pressure.
+template <class SceneT>
+Contact<Scalar_of<SceneT>> World<SceneT>::pressed(BodyPair pair,
+                                                  const std::array<Party<Scalar>, 2>& parties,
+                                                  const Contact<Scalar>& contact,
+                                                  Scalar slack) const {
+  return pressure_contact(collider_of(parties[0]), collider_of(parties[1]), shape_W(pair.first),
+                          shape_W(pair.second), contact, slack);
+}
+
+/// How far each of the two may be shifted.
+template <class SceneT>
+void World<SceneT>::make_room(BodyPair pair, const Contact<Scalar>& contact,
+                              const EncounterOptions<Scalar>& options,
+                              std::array<Party<Scalar>, 2>& parties) const {
+  const std::size_t a = body_of(pair.first);
+  const std::size_t b = body_of(pair.second);
+  const Scalar shift = max_of(options.separation, options.margin) - min_of(contact.gap, Scalar(0));
+  parties[0].room = room_of(a, b, contact.normal_BA_W, shift);
+  parties[1].room = room_of(b, a, -contact.normal_BA_W, shift);
 }
 
 /// Half the way to the nearest neighbour: both may be pushed towards each other in the same round.
 /// A neighbour that the shift does not lead towards stays as far away as it is: the plane between
 /// the two goes on separating them.
 /// @param away_W  direction of the shift
+/// @param shift   the longest that may be asked for, m; what is further away is no neighbour
 template <class SceneT>
 typename World<SceneT>::Scalar World<SceneT>::room_of(std::size_t slot, std::size_t other,
-                                                      const Vec3<Scalar>& away_W) {
+                                                      const Vec3<Scalar>& away_W,
+                                                      Scalar shift) const {
   Scalar room = std::numeric_limits<Scalar>::max();
-  for (std::size_t k = 0; k < kSlots; ++k) {  // Bound: kMaxBodies
-    const bool same_owner =
-        actor_at(slot).owner != 0 && is_present(k) && actor_at(k).owner == actor_at(slot).owner;
-    if (k == slot || k == other || !is_present(k) || same_owner) continue;
-    const CapsuleGap<Scalar> gap = capsule_gap(shape_W(slot), shape_W(k));
-    const bool leads_away = gap.gap > Scalar(0) && !(gap.axes.normal_AB.dot(away_W) > Scalar(0));
-    if (!leads_away) room = min_of(room, gap.gap / Scalar(2));
+  for (int part = 0; part < parts_of(actor_at(slot)); ++part) {  // Bound: kCapsulesPerBody
+    const Capsule<Scalar> shape = shape_W(proxy_of(slot, part));
+    const Aabb<Scalar> near = kdop_of<Scalar, 6>(shape, shape, 2 * shift);
+    for (int k = 0; k < kProxies; ++k) {  // Bound: all capsules
+      const std::size_t neighbour = body_of(k);
+      const bool is_third = neighbour != slot && neighbour != other;
+      if (!is_third || !sweep_.contains(static_cast<Slot>(k)) ||
+          !overlaps<Scalar, 6>(near, sweep_.box(static_cast<Slot>(k))) ||
+          !may_meet(actor_at(slot), actor_at(neighbour))) {
+        continue;
+      }
+      const CapsuleGap<Scalar> gap = capsule_gap(shape, shape_W(k));
+      const bool leads_away = gap.gap > Scalar(0) && !(gap.axes.normal_AB.dot(away_W) > Scalar(0));
+      if (!leads_away) room = min_of(room, gap.gap / Scalar(2));
+    }
   }
   return max_of(room, Scalar(0));
+}
+
+/// A capsule where it is now.
+template <class SceneT>
+Capsule<Scalar_of<SceneT>> World<SceneT>::shape_W(int proxy) const {
+  const ActorType& actor = actor_at(body_of(proxy));
+  const Track& track = tracks_[body_of(proxy)];
+  const bool is_here = !(track.start < now_);
+  const Pose<Scalar> X_WB =
+      is_here ? actor.body.X_WB : pose_at(track.course.motion, now_ - track.start);
+  return to_world(X_WB, part_of(actor, part_at(proxy)));
 }
 
 template <class SceneT>
 void World<SceneT>::tell_driver(std::size_t slot, const EncounterAnswer<Scalar>& answer,
                                 const Vec3<Scalar>& shift_W) {
   ActorType& actor = actor_at(slot);
+  if constexpr (SceneT::kSleep) this->wake(slot);
   actor.driver.on_contact(actor.body, Feedback<Scalar>{now_, answer.impulse, shift_W});
 }
 
+/// Bodies that do not turn: an impulse, after which they part, and what parts is free for good.
 template <class SceneT>
-void World<SceneT>::record(const Hit& hit, const Contact<Scalar>& contact,
-                           const EncounterAnswer<Scalar>& answer) {
-  if (answer.impulse > Scalar(0)) ++report_.collisions;
-  if (answer.separated) ++report_.separations;
-  if (hit.search.outcome == Outcome::kTouching && !(contact.gap > Scalar(0))) {
-    ++report_.overlaps_at_start;
-    report_.deepest_overlap = max_of(report_.deepest_overlap, -contact.gap);
+void World<SceneT>::answer_straight(const WatchType& watch) {
+  ActorType& A = actor_at(body_of(watch.pair.first));
+  ActorType& B = actor_at(body_of(watch.pair.second));
+  Scalar restitution = 0;
+  if constexpr (SceneT::kRestitution) {
+    restitution = pair_restitution(A.restitution, B.restitution);
   }
-  ContactEvent<Scalar> event;
-  event.contact_kind = answer.kind;
-  event.body_A = hit.pair.first;
-  event.body_B = hit.pair.second;
-  event.time = now_;
-  event.contact = contact;
-  event.v_rel = answer.v_rel;
-  event.impulse = answer.impulse;
-  event.place_A = hit.search.witness.axes.s;
-  event.place_B = hit.search.witness.axes.u;
-  event.kind = follow(event);
-  push(event);
+  const Nearest<Scalar> at = nearest(watch.pair);
+  const auto hit = straight_impulse(A.body, B.body, at.contact.normal_BA_W, restitution);
+  EncounterAnswer<Scalar> answer;
+  answer.kind = ContactKind::kColliding;
+  answer.v_rel = hit.v_rel;
+  answer.impulse = hit.impulse;
+  record(watch, at, answer);
 }
 
-/// Notes that the pair is in contact; whether it was already.
+/// Without response: the contact is told once, and everybody moves on.
 template <class SceneT>
-EventKind World<SceneT>::follow(const ContactEvent<Scalar>& event) {
-  for (const BodyPair pair : touching_) {  // Bound: kMaxPairs
-    if (pair.first == event.body_A && pair.second == event.body_B) return EventKind::kPersist;
-  }
-  if (!touching_.push({event.body_A, event.body_B})) ++report_.contacts_untracked;
-  return EventKind::kBegin;
-}
-
-template <class SceneT>
-void World<SceneT>::push(const ContactEvent<Scalar>& event) {
-  if (!events_.push(event)) ++report_.events_dropped;
-}
-
-/// Whether the pair has parted by more than 2 D, and its gap.
-template <class SceneT>
-bool World<SceneT>::has_opened(BodyPair pair, CapsuleGap<Scalar>& gap) {
-  gap = capsule_gap(shape_W(pair.first), shape_W(pair.second));
-  return gap.gap > Scalar(2) * settings_.separation;
-}
-
-/// Contacts that have opened by the end of the step end with it, also those that began in it.
-template <class SceneT>
-void World<SceneT>::end_touches() {
-  CapsuleGap<Scalar> gap;
-  for (int i = touching_.size() - 1; i >= 0; --i) {  // Bound: kMaxPairs
-    if (!has_opened(touching_[i], gap)) continue;
-    ContactEvent<Scalar> event;
-    event.kind = EventKind::kEnd;
-    event.contact_kind = ContactKind::kReceding;
-    event.body_A = touching_[i].first;
-    event.body_B = touching_[i].second;
-    event.time = dt_;
-    event.contact = contact_from(gap, Vec3<Scalar>::Zero().eval());
-    event.place_A = gap.axes.s;
-    event.place_B = gap.axes.u;
-    push(event);
-    touching_.remove_swapping(i);
+void World<SceneT>::only_tell(const WatchType& watch) {
+  if (!watch.is_contact() || contacts_answered_ == SceneT::kMaxContacts) return count_cut(watch);
+  ++contacts_answered_;
+  if constexpr (SceneT::kRotation) {
+    const Sight sight = look(watch.pair);
+    EncounterAnswer<Scalar> answer;
+    answer.v_rel = sight.search.gap_rate;
+    answer.kind = classify(answer.v_rel, settings_.rest_speed);
+    const CapsuleGap<Scalar>& witness = sight.search.witness;
+    record(watch, {contact_from(witness, sight.origin_W), witness.axes.s, witness.axes.u}, answer);
+  } else {
+    record(watch, nearest(watch.pair), {});
   }
 }
 

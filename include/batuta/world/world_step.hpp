@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// World, first half: the rounds of a step, in the order in which they happen. Included by
+// World, second part: the rounds of a step, in the order in which they happen. Included by
 // world.hpp.
 
 #include "batuta/world/world.hpp"
@@ -8,29 +8,43 @@
 namespace batuta {
 
 template <class SceneT>
-bool World<SceneT>::is_usable(const ActorType& actor) {
-  return is_valid(actor.capsule_B) && is_finite(actor.body.X_WB.p_W) &&
-         is_finite(actor.body.X_WB.q_WB) && is_finite(actor.body.momentum.p_W) &&
-         is_finite(actor.body.momentum.b_W) && is_finite(actor.body.inverse_mass) &&
-         actor.body.inverse_mass >= Scalar(0) && is_finite(actor.body.inverse_moments) &&
-         actor.body.inverse_moments.minCoeff() >= Scalar(0) && actor.restitution >= Scalar(0) &&
-         actor.restitution <= Scalar(1);
+Result<typename World<SceneT>::BodyId> World<SceneT>::add(const ActorType& actor) {
+  if (!is_usable(actor)) return failure<BodyId>(Status::kInvalidArgument);
+  ActorType added = actor;
+  Matter::prepare(added);
+  const auto id = actors_.make(added);
+  if (id.ok()) begin_life(static_cast<std::size_t>(actors_.index_of(id.value)));
+  return id;
 }
 
-/// What a step sets up for itself is not part of what is saved.
+/// Nothing is left of who was in the slot before.
+template <class SceneT>
+void World<SceneT>::begin_life(std::size_t slot) {
+  tracks_[slot].stands = false;
+  tracks_[slot].boxed = false;
+  if constexpr (SceneT::kSleep) this->start_over(slot, actor_at(slot).body.X_WB);
+}
+
 template <class SceneT>
 void World<SceneT>::restore(const World& saved) {
-  static_cast<SeedsOf<SceneT>&>(*this) = saved;
+  if (&saved == this) return;
+  this->copy_seeds(saved);
+  this->copy_events(saved);
+  this->copy_sleep(saved);
   settings_ = saved.settings_;
   actors_.restore(saved.actors_);
-  touching_ = saved.touching_;
-  events_ = saved.events_;
   report_ = saved.report_;
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    Track& track = tracks_[slot];
+    track.course = saved.tracks_[slot].course;
+    track.stands = saved.tracks_[slot].stands;
+    track.boxed = false;
+  }
 }
 
 template <class SceneT>
 Status World<SceneT>::step(Scalar dt) {
-  if (!is_finite(dt) || !(dt > Scalar(0))) return Status::kInvalidArgument;
+  if (!is_positive(dt)) return Status::kInvalidArgument;
   begin_step(dt);
   for (int round = 0; round < kMaxRounds && now_ < dt_; ++round) run_round();  // Bound: kMaxRounds
   BATUTA_INVARIANT(!(now_ < dt_));
@@ -38,174 +52,123 @@ Status World<SceneT>::step(Scalar dt) {
   return Status::kOk;
 }
 
-template <class SceneT>
-void World<SceneT>::begin_step(Scalar dt) {
-  report_ = {};
-  events_.clear();
-  now_ = 0;
-  dt_ = dt;
-  contacts_answered_ = 0;
-  for (Track& track : tracks_) track.held_until = 0;  // Bound: kMaxBodies
-}
-
+/// To the next thing that happens: a contact, a search that ended without an answer, the end of a
+/// hold, or the end of the step.
 template <class SceneT>
 void World<SceneT>::run_round() {
-  const Scalar until = end_of_round();
-  plan(until);
-  find_pairs();
-  const Hit hit = first_hit();
-  if (!hit.any) {
-    advance(until - now_);
-    now_ = until;
-    return;
+  refresh();
+  const Scalar released = next_release();
+  const int earliest = WatchOrder::earliest(watches_);
+  if (earliest == WatchOrder::kNone || released < watches_[earliest].free_until()) {
+    return release(released);
   }
-  advance(hit.search.t_free);
-  now_ = min_of(now_ + hit.search.t_free, until);
-  answer(hit);
+  const Scalar time = min_of(watches_[earliest].free_until(), dt_);
+  const int chosen = WatchOrder::among_ties(watches_, earliest);
+  const WatchType watch = watches_[chosen];
+  watches_.remove_swapping(chosen);
+  answer(watch, time);
 }
 
-/// The end of the step, or the first time at which a held body is released.
+/// The first time at which a held body is released, or the end of the step.
 template <class SceneT>
-typename World<SceneT>::Scalar World<SceneT>::end_of_round() const {
-  Scalar until = dt_;
-  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    if (is_present(slot) && is_held(slot)) until = min_of(until, tracks_[slot].held_until);
-  }
-  return until;
-}
-
-template <class SceneT>
-void World<SceneT>::plan(Scalar until) {
-  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    Proxy<Scalar>& proxy = proxies_[slot];
-    proxy.present = is_present(slot) && is_usable(actor_at(slot));
-    if (!proxy.present) {
-      if (is_present(slot)) ++report_.courses_invalid;
-      continue;
+typename World<SceneT>::Scalar World<SceneT>::next_release() const {
+  Scalar time = dt_;
+  if constexpr (kReleases) {
+    for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+      if (is_present(slot) && is_held(slot)) time = min_of(time, tracks_[slot].held_until);
     }
-    plan_course(slot, until - now_);
-    const Twist<Scalar>& twist = tracks_[slot].course.motion.twist;
-    const bool still = twist.v_W == Vec3<Scalar>::Zero() && twist.w_W == Vec3<Scalar>::Zero();
-    proxy.swept_W = swept_aabb(moving(slot));
-    proxy.owner = actor_at(slot).owner;
-    proxy.is_wall = still && is_fixed(actor_at(slot).body);
   }
+  return time;
 }
 
 template <class SceneT>
-void World<SceneT>::plan_course(std::size_t slot, Scalar duration) {
-  const ActorType& actor = actor_at(slot);
-  Track& track = tracks_[slot];
-  if (!is_held(slot)) {
-    track.course = actor.driver.course(actor.body, now_, duration);
-    if (is_valid(track.course.motion)) return;
-    ++report_.courses_invalid;
-    hold(slot, dt_);
-  }
-  track.course.motion = still(actor.body.X_WB, duration);
-}
-
-/// Between two held bodies nothing changes before one of them is released: such a pair waits.
-template <class SceneT>
-void World<SceneT>::find_pairs() {
-  pairs_.clear();
-  for_each_pair(proxies_, [this](BodyPair pair) {
-    const bool both_held = is_held(pair.first) && is_held(pair.second);
-    if (both_held || pairs_.push(pair)) return;
-    ++report_.pairs_dropped;
-    hold_pair(pair, dt_);
-  });
-}
-
-/// The pair that is proven free for the shortest time; the first in order where several are.
-template <class SceneT>
-typename World<SceneT>::Hit World<SceneT>::first_hit() {
-  Hit first;
-  for (const BodyPair pair : pairs_) {  // Bound: kMaxPairs
-    const Hit hit = search(pair);
-    if (hit.any && (!first.any || hit.search.t_free < first.search.t_free)) first = hit;
-  }
-  return first;
-}
-
-template <class SceneT>
-typename World<SceneT>::Hit World<SceneT>::search(BodyPair pair) {
-  Hit hit;
-  hit.pair = pair;
-  ++report_.pairs;
-  const auto moving_pair = make_moving_pair(moving(pair.first), moving(pair.second));
-  if (moving_pair.ok()) {
-    hit.origin_W = moving_pair.value.origin_W;
-    hit.scale = moving_pair.value.scale;
-    hit.contact_gap = Search::contact_gap(moving_pair.value, settings_.search);
-    hit.search = search_with_seed(pair, moving_pair.value);
-    if (hit.search.outcome == Outcome::kTouching && is_immovable(pair) &&
-        hit.search.gap_rate > settings_.rest_speed) {
-      hit.search = let_go(moving_pair.value, hit);
+void World<SceneT>::release(Scalar time) {
+  now_ = time;
+  if constexpr (kReleases) {
+    if (!(now_ < dt_)) return;
+    for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+      const Track& track = tracks_[slot];
+      if (track.present && track.held_until == now_) bring(slot, now_ - track.start);
     }
-    report_.evaluations += hit.search.evaluations;
   }
-  hit.any = hit.search.outcome != Outcome::kFree;
-  return hit;
 }
 
-/// The seed is a direction in W, and as good a guess in the next round or step.
+/// @param time  not later than the watch's own: another one that ties with it may be earlier
 template <class SceneT>
-SearchResult<typename World<SceneT>::Scalar> World<SceneT>::search_with_seed(
-    BodyPair pair, const MovingPair<Scalar>& moving_pair) {
-  if constexpr (Search::kUsesSeed) {
-    auto result = Search::search(moving_pair, settings_.search, this->recall(pair));
-    if (result.outcome != Outcome::kInvalid) this->remember(pair, result.witness.axes.normal_AB);
-    return result;
+void World<SceneT>::answer(const WatchType& watch, Scalar time) {
+  const bool is_own_time = time == watch.free_until();
+  const bool is_known = is_own_time && is_same(watch.pair, best_pair_);
+  now_ = time;
+  if constexpr (!SceneT::kResponse) return only_tell(watch);
+  for (const Slot proxy : {watch.pair.first, watch.pair.second}) {  // Bound: 2
+    const std::size_t slot = body_of(proxy);
+    const bool is_of_search = is_own_time && tracks_[slot].start == watch.since;
+    bring(slot, is_of_search ? watch.free_for : now_ - tracks_[slot].start);
+  }
+  if (watch.is_contact() && contacts_answered_ < SceneT::kMaxContacts) {
+    ++contacts_answered_;
+    if constexpr (SceneT::kRotation) {
+      return answer_turning(watch, is_known ? best_sight_ : look(watch.pair));
+    } else {
+      return answer_straight(watch);
+    }
+  }
+  count_cut(watch);
+  hold_pair(watch.pair, dt_);
+}
+
+/// A watch that ends without an answer.
+template <class SceneT>
+void World<SceneT>::count_cut(const WatchType& watch) {
+  if (watch.is_contact()) {
+    ++report_.contacts_dropped;
+  } else if (watch.outcome == Outcome::kBudget) {
+    ++report_.searches_cut;
   } else {
-    return Search::search(moving_pair, settings_.search, Vec3<Scalar>::Zero());
+    ++report_.searches_invalid;
   }
 }
 
-/// What cannot be pushed cannot be opened to the margin either; where such a pair touches and
-/// parts, it is searched as if it were thinner by what is missing (src/world/encounter.md).
+/// Moves a body on its course, up to now; it has to be planned from there.
 template <class SceneT>
-SearchResult<typename World<SceneT>::Scalar> World<SceneT>::let_go(
-    const MovingPair<Scalar>& moving_pair, const Hit& hit) const {
-  const Scalar missing = margin_of(hit) - hit.search.witness.gap;
-  const Scalar radii = moving_pair.A.radius + moving_pair.B.radius;
-  if (!(missing < radii)) return hit.search;
-  MovingPair<Scalar> thinner = moving_pair;
-  thinner.A.radius *= Scalar(1) - missing / radii;
-  thinner.B.radius *= Scalar(1) - missing / radii;
-  SearchResult<Scalar> result =
-      Search::search(thinner, settings_.search, hit.search.witness.axes.normal_AB);
-  result.evaluations += hit.search.evaluations;
-  return result;
+void World<SceneT>::bring(std::size_t slot, Scalar elapsed) {
+  Track& track = tracks_[slot];
+  Matter::move(actor_at(slot).body, track.course.motion, elapsed);
+  track.start = now_;
+  track.changed = true;
+  is_changed_ = true;
 }
 
-template <class SceneT>
-void World<SceneT>::advance(Scalar duration) {
-  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    if (takes_part(slot)) actor_at(slot).body.X_WB = pose_at(tracks_[slot].course.motion, duration);
-  }
-}
-
+/// The body stays where it is now. What is held for longer already stays held.
 template <class SceneT>
 void World<SceneT>::hold(std::size_t slot, Scalar until) {
   Track& track = tracks_[slot];
+  if (track.start < now_) bring(slot, now_ - track.start);
   track.held_until = max_of(track.held_until, min_of(until, dt_));
-  track.course.motion = still(actor_at(slot).body.X_WB, track.course.motion.duration);
+  track.course.motion = Matter::standing(actor_at(slot).body, track.course.motion.duration);
+  track.changed = true;
+  is_changed_ = true;
   report_.time_held = max_of(report_.time_held, track.held_until - now_);
 }
 
 template <class SceneT>
 void World<SceneT>::hold_pair(BodyPair pair, Scalar until) {
-  hold(pair.first, until);
-  hold(pair.second, until);
+  if constexpr (!SceneT::kResponse) return;
+  hold(body_of(pair.first), until);
+  hold(body_of(pair.second), until);
 }
 
 template <class SceneT>
 void World<SceneT>::end_step() {
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    if (is_present(slot)) actor_at(slot).driver.on_step_end(actor_at(slot).body, dt_);
+    if (!tracks_[slot].present) continue;
+    ActorType& actor = actor_at(slot);
+    const Track& track = tracks_[slot];
+    if (!track.stands) Matter::move(actor.body, track.course.motion, dt_ - track.start);
+    if constexpr (SceneT::kRotation) actor.driver.on_step_end(actor.body, dt_);
   }
-  end_touches();
+  if constexpr (SceneT::kMaxEvents > 0) end_touches();
+  if constexpr (SceneT::kSleep) put_to_sleep();
 }
 
 }  // namespace batuta

@@ -12,13 +12,16 @@ struct Pair {
   Body<double> A = make_body<double>({}, 2.0, {1, 1, 1}).value;
   Body<double> B = make_body<double>({{-1, 0, 0}, Quat<double>::Identity()}, 3.0, {1, 1, 1}).value;
   Contact<double> contact{{-0.5, 0, 0}, {1, 0, 0}, 1e-6};  // A on the right of B
-  EncounterOptions<double> options{0.5, 0.01, 1e-3, 1e-4, 1e-9};
+  double restitution = 0.5;
+  EncounterOptions<double> options{0.01, 1e-3, 1e-4, 1e-9};
 
   Party<double> party_of(Body<double>& body) {
     return {&body, twist_of(body), std::numeric_limits<double>::max()};
   }
   Result<EncounterAnswer<double>> answer() {
-    return answer_contact(party_of(A), party_of(B), contact, options);
+    const auto impulse =
+        collision_impulse(collider_of(party_of(A)), collider_of(party_of(B)), contact, restitution);
+    return answer_contact(party_of(A), party_of(B), contact, impulse, options);
   }
 };
 
@@ -111,7 +114,7 @@ TEST(Encounter, BadOptions_ChangeNothing) {
   pair.options.separation = -1;
   EXPECT_FALSE(pair.answer().ok());
   pair = {};
-  pair.options.restitution = 2;
+  pair.restitution = 2;
   EXPECT_FALSE(pair.answer().ok());
   EXPECT_EQ(pair.A.X_WB.p_W.x(), 0);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "batuta/world/scene.hpp"
+#include "batuta/world/actor.hpp"
 
 #include <gtest/gtest.h>
 

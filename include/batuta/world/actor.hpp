@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A body in a world, as the caller describes it. Each feature of the scene is a base; one that the
+// scene leaves out is an empty base, which takes no room.
+
+#include "batuta/core/fixed_list.hpp"
+#include "batuta/mechanics/straight.hpp"
+#include "batuta/world/scene.hpp"
+
+namespace batuta {
+
+/// Who may meet whom: two bodies meet where each is in a group that the other one meets.
+struct Filter {
+  std::uint16_t groups = 1;
+  std::uint16_t meets = 0xFFFF;
+};
+
+template <class Scalar>
+struct BallShape {
+  Scalar radius = 0;  ///< m, >= 0; about the body's own point
+};
+template <class Scalar>
+struct CapsuleShape {
+  /// In the body's frame B; where nothing turns, in axes of W, about the body's own point.
+  Capsule<Scalar> capsule_B;
+};
+template <class Scalar, int N>
+struct CapsulesShape {
+  FixedList<Capsule<Scalar>, N>
+      capsules_B;  ///< its parts, at least one; they never meet each other
+};
+template <class Driver>
+struct Driven {
+  Driver driver{};  ///< who moves it
+};
+template <class Scalar>
+struct Bouncy {
+  Scalar restitution = 0;  ///< C, in [0, 1]; a pair takes pair_restitution() of its two
+};
+template <class Scalar>
+struct Rough {
+  Scalar friction = 0;  ///< mu, >= 0; a pair takes pair_friction() of its two
+};
+struct Owned {
+  std::uint16_t owner = 0;  ///< bodies of one owner other than 0 never meet
+};
+struct Filtered {
+  Filter filter;
+};
+
+template <class SceneT>
+using ShapeOf = std::conditional_t<
+    SceneT::Search::kForSpheres, BallShape<typename SceneT::Scalar>,
+    std::conditional_t<SceneT::kCapsulesPerBody == 1, CapsuleShape<typename SceneT::Scalar>,
+                       CapsulesShape<typename SceneT::Scalar, SceneT::kCapsulesPerBody>>>;
+template <class SceneT>
+using BodyOf = std::conditional_t<SceneT::kRotation, Body<typename SceneT::Scalar>,
+                                  StraightBody<typename SceneT::Scalar>>;
+template <bool kIsOn, class Feature, int kNumber>
+using FeatureIf = std::conditional_t<kIsOn, Feature, Absent<kNumber>>;
+
+/// The caller may read or change it between steps. What becomes unusable (not finite) is left out
+/// of the steps, and counted in StepReport::courses_invalid.
+template <class SceneT>
+struct Actor : ShapeOf<SceneT>,
+               FeatureIf<SceneT::kRotation, Driven<typename SceneT::Driver>, 0>,
+               FeatureIf<SceneT::kRestitution, Bouncy<typename SceneT::Scalar>, 1>,
+               FeatureIf<SceneT::kFriction, Rough<typename SceneT::Scalar>, 2>,
+               FeatureIf<SceneT::kOwners, Owned, 3>,
+               FeatureIf<SceneT::kFilters, Filtered, 4> {
+  using Scalar = typename SceneT::Scalar;
+
+  BodyOf<SceneT> body;
+};
+
+/// The parts of an actor: one, unless the scene says otherwise.
+template <class SceneT>
+int parts_of(const Actor<SceneT>& actor) {
+  if constexpr (SceneT::kCapsulesPerBody == 1) {
+    return 1;
+  } else {
+    return actor.capsules_B.size();
+  }
+}
+
+/// @pre 0 <= part < parts_of(actor)
+template <class SceneT>
+const Capsule<typename SceneT::Scalar>& part_of(const Actor<SceneT>& actor, int part) {
+  if constexpr (SceneT::kCapsulesPerBody == 1) {
+    return actor.capsule_B;
+  } else {
+    return actor.capsules_B[part];
+  }
+}
+
+/// Restitution of a pair from those of its bodies: the bouncier one decides, as a scene may.
+template <class Scalar>
+constexpr Scalar pair_restitution(Scalar a, Scalar b) {
+  return max_of(a, b);
+}
+
+/// Friction of a pair: the smoother one decides; oil on one of two is oil between them.
+template <class Scalar>
+constexpr Scalar pair_friction(Scalar a, Scalar b) {
+  return min_of(a, b);
+}
+
+/// Whether what the features add to an actor is in range. Bound: the parts.
+template <class SceneT>
+bool has_valid_features(const Actor<SceneT>& actor) {
+  using Scalar = typename SceneT::Scalar;
+  bool good = true;
+  if constexpr (SceneT::kRestitution) {
+    good = good && actor.restitution >= Scalar(0) && actor.restitution <= Scalar(1);
+  }
+  if constexpr (SceneT::kFriction) {
+    good = good && is_finite(actor.friction) && actor.friction >= Scalar(0);
+  }
+  if constexpr (SceneT::Search::kForSpheres) {
+    good = good && is_finite(actor.radius) && actor.radius >= Scalar(0);
+  } else {
+    good = good && parts_of(actor) > 0;
+    for (int i = 0; i < parts_of(actor); ++i) {  // Bound: kCapsulesPerBody
+      good = good && is_valid(part_of(actor, i));
+    }
+  }
+  return good;
+}
+
+/// Whether owners and filters let two actors meet.
+template <class SceneT>
+bool may_meet(const Actor<SceneT>& A, const Actor<SceneT>& B) {
+  bool may = true;
+  if constexpr (SceneT::kOwners) may = A.owner == 0 || A.owner != B.owner;
+  if constexpr (SceneT::kFilters) {
+    may = may && (A.filter.groups & B.filter.meets) != 0 && (B.filter.groups & A.filter.meets) != 0;
+  }
+  return may;
+}
+
+}  // namespace batuta

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Which volume holds a capsule over a step, for Scene::Bound. What a scene does not name is not
+// linked.
+
+#include "batuta/detection/swept_volume.hpp"
+
+namespace batuta {
+
+/// The smallest box, in closed form. The default: fewest pairs.
+struct SweptBox {
+  template <class Scalar>
+  static Aabb<Scalar> of(const MovingCapsule<Scalar>& moving) {
+    return swept_aabb(moving);
+  }
+};
+
+/// A larger box without an arc tangent: for bodies that turn by more than about half a radian a
+/// step, and for less flash.
+struct CoarseBox {
+  template <class Scalar>
+  static Aabb<Scalar> of(const MovingCapsule<Scalar>& moving) {
+    return coarse_swept_aabb(moving);
+  }
+};
+
+}  // namespace batuta

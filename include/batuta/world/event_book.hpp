@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The events of a step, and the pairs that are between their begin and their end. Empty where
+// Scene::kMaxEvents is 0.
+
+#include "batuta/core/fixed_list.hpp"
+#include "batuta/world/broadphase.hpp"
+#include "batuta/world/event.hpp"
+#include "batuta/world/watch.hpp"
+
+namespace batuta {
+
+template <class Scalar, int kMaxEvents, int kMaxPairs>
+class EventBook {
+ public:
+  using EventList = FixedList<ContactEvent<Scalar>, kMaxEvents>;
+
+ protected:
+  void clear_events() { events_.clear(); }
+  const EventList& list() const { return events_; }
+  /// False: no room.
+  bool push(const ContactEvent<Scalar>& event) { return events_.push(event); }
+
+  /// Pairs of proxies in contact.
+  int touches() const { return touching_.size(); }
+  BodyPair touch(int i) const { return touching_[i]; }
+  bool is_touching(BodyPair pair) const {
+    for (const BodyPair known : touching_) {  // Bound: kMaxPairs
+      if (is_same(known, pair)) return true;
+    }
+    return false;
+  }
+  /// False: no room.
+  bool begin_touch(BodyPair pair) { return touching_.push(pair); }
+  void end_touch(int i) { touching_.remove_swapping(i); }
+  void copy_events(const EventBook& other) { *this = other; }
+
+  template <class Archive>
+  void archive_events(Archive& ar) {
+    ar(events_, touching_);
+  }
+
+ private:
+  EventList events_;
+  FixedList<BodyPair, kMaxPairs> touching_;  ///< in the order in which they began to touch
+};
+
+struct NoEvents {
+  using EventList = void*;
+  void clear_events() {}
+  void copy_events(const NoEvents& /*other*/) {}
+  template <class Archive>
+  void archive_events(Archive& /*ar*/) {}
+};
+
+template <class SceneT>
+using EventsOf = std::conditional_t<
+    (SceneT::kMaxEvents > 0),
+    EventBook<typename SceneT::Scalar, max_of(SceneT::kMaxEvents, 1), SceneT::kMaxPairs>, NoEvents>;
+
+}  // namespace batuta

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Bodies that do not turn, as a World handles them (Scene::kRotation = false): the members of
+// TurningMatter, for balls or capsules that fly straight by their momenta.
+
+#include "batuta/detection/sphere_flight.hpp"
+#include "batuta/detection/straight_pair.hpp"
+#include "batuta/world/turning.hpp"
+
+namespace batuta {
+
+template <class SceneT>
+struct StraightMatter {
+  using Scalar = typename SceneT::Scalar;
+  using Search = typename SceneT::Search;
+  using BodyType = StraightBody<Scalar>;
+  using MotionType = StraightMotion<Scalar>;
+  using ActorType = Actor<SceneT>;
+  static constexpr bool kBalls = Search::kForSpheres;
+
+  struct CourseType {
+    MotionType motion;
+  };
+  struct Sight {
+    Outcome outcome_ = Outcome::kInvalid;
+    Scalar t_free_ = 0;
+    Scalar t_hit_ = 0;
+    std::uint32_t evaluations_ = 0;
+
+    Outcome outcome() const { return outcome_; }
+    Scalar t_free() const { return t_free_; }
+    Scalar t_hit() const { return t_hit_; }
+    std::uint32_t evaluations() const { return evaluations_; }
+  };
+  struct Mover {
+    const ActorType* actor = nullptr;
+    int part = 0;
+    MotionType motion;
+  };
+
+  static bool is_usable(const BodyType& body) {
+    return is_finite(body.p_W) && is_finite(body.momentum_W) && is_finite(body.inverse_mass) &&
+           body.inverse_mass >= Scalar(0);
+  }
+  static void prepare(ActorType& /*actor*/) {}
+  static CourseType ask(const ActorType& actor, Scalar /*t*/, Scalar duration) {
+    return {{actor.body.p_W, velocity_of(actor.body), duration}};
+  }
+  static MotionType standing(const BodyType& body, Scalar duration) {
+    return {body.p_W, Vec3<Scalar>::Zero(), duration};
+  }
+  static bool is_immovable(const BodyType& body) { return body.inverse_mass == Scalar(0); }
+  static bool is_still(const MotionType& motion) { return motion.v_W == Vec3<Scalar>::Zero(); }
+  static bool is_at_start(const BodyType& body, const MotionType& motion) {
+    return body.p_W == motion.p_W;
+  }
+  static void move(BodyType& body, const MotionType& motion, Scalar t) {
+    body.p_W = position_at(motion, t);
+  }
+  static MotionType rest_of(const MotionType& motion, Scalar t, Scalar duration) {
+    return {position_at(motion, t), motion.v_W, duration};
+  }
+  static void fall(BodyType& body, CourseType& course, const Vec3<Scalar>& gravity_W, Scalar dt) {
+    if (!(body.inverse_mass > Scalar(0))) return;
+    body.momentum_W += (dt / body.inverse_mass) * gravity_W;
+    course.motion.v_W = velocity_of(body);
+  }
+
+  static Mover mover(const ActorType& actor, int part, const MotionType& motion) {
+    return {&actor, part, motion};
+  }
+  static Aabb<Scalar> bound(const Mover& mover) {
+    if constexpr (kBalls) {
+      return sphere_aabb(mover.motion, mover.actor->radius);
+    } else {
+      return straight_aabb(part_of(*mover.actor, mover.part), mover.motion);
+    }
+  }
+
+  /// Convex bodies that do not turn and do not approach never meet, however near they are: their
+  /// distance is a convex function of time.
+  static Sight search(const Mover& A, const Mover& B, const typename Search::Options& options) {
+    if constexpr (kBalls) {
+      const SphereFlight<Scalar> flight = {B.motion.p_W - A.motion.p_W, B.motion.v_W - A.motion.v_W,
+                                           A.actor->radius + B.actor->radius, A.motion.duration};
+      const SphereAnswer<Scalar> answer = Search::search(flight, options);
+      const bool parts =
+          answer.outcome == Outcome::kTouching && !(flight.between.dot(flight.v) < Scalar(0));
+      return {parts ? Outcome::kFree : answer.outcome, answer.t_free, answer.t_hit, 1};
+    } else {
+      const auto pair = make_straight_pair(part_of(*A.actor, A.part), A.motion,
+                                           part_of(*B.actor, B.part), B.motion);
+      if (!pair.ok()) return {};
+      const SearchResult<Scalar> result =
+          Search::search(pair.value, options, Vec3<Scalar>::Zero().eval());
+      const bool parts = result.outcome == Outcome::kTouching && !(result.gap_rate < Scalar(0));
+      return {parts ? Outcome::kFree : result.outcome, result.t_free, result.t_hit,
+              result.evaluations};
+    }
+  }
+
+  static Nearest<Scalar> nearest(const ActorType& A, int part_A, const ActorType& B, int part_B) {
+    if constexpr (kBalls) {
+      const Vec3<Scalar> to_A = A.body.p_W - B.body.p_W;
+      const Scalar distance = to_A.norm();
+      Nearest<Scalar> nearest;
+      if (distance > Scalar(0)) nearest.contact.normal_BA_W = to_A / distance;
+      nearest.contact.gap = distance - (A.radius + B.radius);
+      nearest.contact.point_W =
+          B.body.p_W + (B.radius + nearest.contact.gap / 2) * nearest.contact.normal_BA_W;
+      return nearest;
+    } else {
+      const CapsuleGap<Scalar> gap = capsule_gap(shifted(part_of(A, part_A), A.body.p_W),
+                                                 shifted(part_of(B, part_B), B.body.p_W));
+      return {contact_from(gap, Vec3<Scalar>::Zero().eval()), gap.axes.s, gap.axes.u};
+    }
+  }
+
+ private:
+  static Capsule<Scalar> shifted(const Capsule<Scalar>& capsule_B, const Vec3<Scalar>& p_W) {
+    return {{p_W + capsule_B.axis.a, p_W + capsule_B.axis.b}, capsule_B.radius};
+  }
+};
+
+}  // namespace batuta

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Bodies that turn, as a World handles them (Scene::kRotation). StraightMatter
+// (straight_matter.hpp) has the same members for bodies that do not.
+
+#include "batuta/response/contact.hpp"
+#include "batuta/world/actor.hpp"
+
+namespace batuta {
+
+/// Where two parts are nearest to each other.
+template <class Scalar>
+struct Nearest {
+  Contact<Scalar> contact;
+  Scalar place_A = 0;  ///< on A's axis: 0 at axis.a ... 1 at axis.b
+  Scalar place_B = 0;
+};
+
+template <class SceneT>
+struct TurningMatter {
+  using Scalar = typename SceneT::Scalar;
+  using Search = typename SceneT::Search;
+  using BodyType = Body<Scalar>;
+  using MotionType = Motion<Scalar>;
+  using CourseType = Course<Scalar>;
+  using ActorType = Actor<SceneT>;
+
+  /// What a search saw of a pair.
+  struct Sight {
+    SearchResult<Scalar> search;
+    Vec3<Scalar> origin_W = Vec3<Scalar>::Zero();
+    Scalar scale = 0;        ///< S of the pair, m
+    Scalar contact_gap = 0;  ///< the search may speak of contact up to this gap, m
+
+    Outcome outcome() const { return search.outcome; }
+    Scalar t_free() const { return search.t_free; }
+    Scalar t_hit() const { return search.t_hit; }
+    std::uint32_t evaluations() const { return search.evaluations; }
+  };
+  /// One side of a pair: a part and how it moves from now on.
+  using Mover = MovingCapsule<Scalar>;
+
+  static bool is_usable(const BodyType& body) {
+    return is_finite(body.X_WB.p_W) && is_finite(body.X_WB.q_WB) && is_finite(body.momentum.p_W) &&
+           is_finite(body.momentum.b_W) && is_finite(body.inverse_mass) &&
+           body.inverse_mass >= Scalar(0) && is_finite(body.inverse_moments) &&
+           body.inverse_moments.minCoeff() >= Scalar(0);
+  }
+  /// A body as the caller gave it, made ready. Bound: the parts.
+  static void prepare(ActorType& actor) {
+    actor.body.X_WB.q_WB = renewed(actor.body.X_WB.q_WB);
+    actor.body.spin_shows = false;
+    for (int i = 0; i < parts_of(actor); ++i) {  // Bound: kCapsulesPerBody
+      actor.body.spin_shows = actor.body.spin_shows || !hides_spin(actor.body, part_of(actor, i));
+    }
+  }
+  static CourseType ask(const ActorType& actor, Scalar t, Scalar duration) {
+    return actor.driver.course(actor.body, t, duration);
+  }
+  static MotionType standing(const BodyType& body, Scalar duration) {
+    return still(body.X_WB, duration);
+  }
+  static bool is_immovable(const BodyType& body) { return is_fixed(body); }
+  static bool is_still(const MotionType& motion) {
+    return motion.twist.v_W == Vec3<Scalar>::Zero() && motion.twist.w_W == Vec3<Scalar>::Zero();
+  }
+  /// Whether the body is where the motion begins.
+  static bool is_at_start(const BodyType& body, const MotionType& motion) {
+    return body.X_WB.p_W == motion.X_WB.p_W && body.X_WB.q_WB.coeffs() == motion.X_WB.q_WB.coeffs();
+  }
+  static void move(BodyType& body, const MotionType& motion, Scalar t) {
+    body.X_WB = pose_at(motion, t);
+  }
+  /// What is left of a motion after t of it. @pre t <= duration
+  static MotionType rest_of(const MotionType& motion, Scalar t, Scalar duration) {
+    MotionType rest = motion;
+    if (t > Scalar(0)) rest.X_WB = pose_at(motion, t);
+    rest.duration = duration;
+    return rest;
+  }
+  /// The course of a body that falls for a whole step, from its momentum, which is changed.
+  static void fall(BodyType& body, CourseType& course, const Vec3<Scalar>& gravity_W, Scalar dt) {
+    if (!course.by_momentum || !(body.inverse_mass > Scalar(0))) return;
+    body.momentum.p_W += (dt / body.inverse_mass) * gravity_W;
+    course.motion.twist.v_W = body.inverse_mass * body.momentum.p_W;
+  }
+
+  static Mover mover(const ActorType& actor, int part, const MotionType& motion) {
+    return {part_of(actor, part), motion};
+  }
+  static Aabb<Scalar> bound(const Mover& mover) { return SceneT::Bound::of(mover); }
+
+  static Nearest<Scalar> nearest(const ActorType& A, int part_A, const ActorType& B, int part_B) {
+    const CapsuleGap<Scalar> gap = capsule_gap(to_world(A.body.X_WB, part_of(A, part_A)),
+                                               to_world(B.body.X_WB, part_of(B, part_B)));
+    return {contact_from(gap, Vec3<Scalar>::Zero().eval()), gap.axes.s, gap.axes.u};
+  }
+};
+
+}  // namespace batuta

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A pair of capsules that may meet in the rest of a step, and what its search answered.
+
+#include "batuta/core/fixed_list.hpp"
+#include "batuta/world/broadphase.hpp"
+#include "batuta/world/scene.hpp"
+
+namespace batuta {
+
+template <class Scalar>
+struct Watch {
+  BodyPair pair;  ///< proxies: body x kCapsulesPerBody + part
+  Outcome outcome = Outcome::kInvalid;
+  bool asked = false;    ///< the members below are known
+  Scalar since = 0;      ///< in the step, s: when the search began
+  Scalar free_for = 0;   ///< from then on, s
+  Scalar hit_after = 0;  ///< from then on, s
+
+  Scalar free_until() const { return since + free_for; }
+  Scalar hit_at() const { return since + hit_after; }
+  bool is_contact() const { return outcome == Outcome::kContact || outcome == Outcome::kTouching; }
+};
+
+/// Whether the pair P comes first: by its lower number, then by the other.
+constexpr bool precedes(BodyPair P, BodyPair Q) {
+  return P.first < Q.first || (P.first == Q.first && P.second < Q.second);
+}
+constexpr bool is_same(BodyPair P, BodyPair Q) {
+  return P.first == Q.first && P.second == Q.second;
+}
+
+/// Which watch ends a round (src/world/world.md, "Order").
+struct WatchOrder {
+  static constexpr int kNone = -1;
+
+  /// The index of the one proven free for the shortest time; kNone where there is none.
+  template <class Watches>
+  static int earliest(const Watches& watches) {
+    int first = kNone;
+    for (int i = 0; i < watches.size(); ++i) {  // Bound: kMaxPairs
+      if (first == kNone || is_earlier(watches[i], watches[first])) first = i;
+    }
+    return first;
+  }
+  /// Where contacts are so near to each other in time that their brackets overlap, their order is
+  /// not known, and the lowest pair of them is first: rounding does not decide.
+  template <class Watches>
+  static int among_ties(const Watches& watches, int earliest) {
+    int chosen = earliest;
+    if (!watches[earliest].is_contact()) return chosen;
+    const auto until = watches[earliest].hit_at();
+    for (int i = 0; i < watches.size(); ++i) {  // Bound: kMaxPairs
+      const auto& watch = watches[i];
+      const bool ties = watch.is_contact() && !(until < watch.free_until());
+      if (ties && precedes(watch.pair, watches[chosen].pair)) chosen = i;
+    }
+    return chosen;
+  }
+
+ private:
+  template <class WatchT>
+  static bool is_earlier(const WatchT& P, const WatchT& Q) {
+    return P.free_until() < Q.free_until() ||
+           (!(Q.free_until() < P.free_until()) && precedes(P.pair, Q.pair));
+  }
+};
+
+/// How often each pair was separated in this step; for scenes whose bodies settle on each other.
+template <int N>
+class RepeatBook {
+ protected:
+  void clear_repeats() { repeats_.clear(); }
+  /// Counts one more. @returns how many there were with it. Bound: N. Never full: N contacts are
+  /// answered in a step.
+  int repeat(BodyPair pair) {
+    for (int i = 0; i < repeats_.size(); ++i) {  // Bound: kMaxContacts
+      if (is_same(repeats_[i].pair, pair)) return ++repeats_[i].count;
+    }
+    repeats_.push({pair, 1});
+    return 1;
+  }
+
+ private:
+  struct Repeat {
+    BodyPair pair;
+    int count = 0;
+  };
+  FixedList<Repeat, N> repeats_;
+};
+struct NoRepeats {
+  void clear_repeats() {}
+};
+
+template <class SceneT>
+using RepeatsOf = std::conditional_t<SceneT::kResting == RestingContact::kSettling,
+                                     RepeatBook<SceneT::kMaxContacts>, NoRepeats>;
+
+}  // namespace batuta

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// World, fourth part: begin, persist and end of contacts, and who sleeps. Included by world.hpp.
+
+#include "batuta/world/world.hpp"
+
+namespace batuta {
+
+template <class SceneT>
+Status World<SceneT>::remove(BodyId id) {
+  const int index = actors_.index_of(id);
+  const Status status = actors_.remove(id);
+  if (status != Status::kOk) return status;
+  const auto slot = static_cast<std::size_t>(index);
+  if constexpr (SceneT::kMaxEvents > 0) {
+    for (int i = this->touches() - 1; i >= 0; --i) {  // Bound: kMaxPairs
+      const BodyPair pair = this->touch(i);
+      if (body_of(pair.first) != slot && body_of(pair.second) != slot) continue;
+      wake_both(pair);
+      this->end_touch(i);
+    }
+  }
+  for (int part = 0; part < kParts; ++part) {  // Bound: kCapsulesPerBody
+    this->forget(proxy_of(slot, part));
+  }
+  leave_out(slot);
+  return Status::kOk;
+}
+
+template <class SceneT>
+void World<SceneT>::record(const WatchType& watch, const Nearest<Scalar>& nearest,
+                           const EncounterAnswer<Scalar>& answer) {
+  if (answer.impulse > Scalar(0)) ++report_.collisions;
+  if (answer.separated) ++report_.separations;
+  if (watch.outcome == Outcome::kTouching && !(nearest.contact.gap > Scalar(0))) {
+    ++report_.overlaps_at_start;
+    report_.deepest_overlap = max_of(report_.deepest_overlap, -nearest.contact.gap);
+  }
+  if constexpr (SceneT::kMaxEvents > 0) {
+    ContactEvent<Scalar> event = event_of(watch.pair, nearest);
+    event.contact_kind = answer.kind;
+    event.time = now_;
+    event.v_rel = answer.v_rel;
+    event.impulse = answer.impulse;
+    event.kind = EventKind::kPersist;
+    if (!this->is_touching(watch.pair)) {
+      event.kind = EventKind::kBegin;
+      if (!this->begin_touch(watch.pair)) ++report_.contacts_untracked;
+    }
+    if (!this->push(event)) ++report_.events_dropped;
+  }
+}
+
+template <class SceneT>
+ContactEvent<Scalar_of<SceneT>> World<SceneT>::event_of(BodyPair pair,
+                                                        const Nearest<Scalar>& nearest) const {
+  ContactEvent<Scalar> event;
+  event.body_A = static_cast<Slot>(body_of(pair.first));
+  event.body_B = static_cast<Slot>(body_of(pair.second));
+  event.part_A = static_cast<std::uint8_t>(part_at(pair.first));
+  event.part_B = static_cast<std::uint8_t>(part_at(pair.second));
+  event.contact = nearest.contact;
+  event.place_A = nearest.place_A;
+  event.place_B = nearest.place_B;
+  return event;
+}
+
+/// Contacts that have opened by the end of the step end with it, also those that began in it.
+template <class SceneT>
+void World<SceneT>::end_touches() {
+  for (int i = this->touches() - 1; i >= 0; --i) {  // Bound: kMaxPairs
+    const BodyPair pair = this->touch(i);
+    if (tracks_[body_of(pair.first)].stands && tracks_[body_of(pair.second)].stands) continue;
+    const Nearest<Scalar> now = nearest(pair);
+    if (!(now.contact.gap > Scalar(2) * settings_.separation)) continue;
+    ContactEvent<Scalar> event = event_of(pair, now);
+    event.kind = EventKind::kEnd;
+    event.contact_kind = ContactKind::kReceding;
+    event.time = dt_;
+    if (!this->push(event)) ++report_.events_dropped;
+    wake_both(pair);
+    this->end_touch(i);
+  }
+}
+
+/// What lay on something lies on it no longer.
+template <class SceneT>
+void World<SceneT>::wake_both(BodyPair pair) {
+  this->wake(body_of(pair.first));
+  this->wake(body_of(pair.second));
+}
+
+/// Bodies in contact that have not left their place for a while. Where a contact could not be
+/// followed, nobody would be told of its end: then nobody is put to sleep.
+template <class SceneT>
+void World<SceneT>::put_to_sleep() {
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    if (!tracks_[slot].present || is_fixed(actor_at(slot).body)) continue;
+    if (this->sleeps(slot)) {
+      ++report_.asleep;
+      continue;
+    }
+    Body<Scalar>& body = actor_at(slot).body;
+    if (has_left(slot)) {
+      this->start_over(slot, body.X_WB);
+    } else if (this->is_quiet_for_long(slot) && is_supported(slot) &&
+               report_.contacts_untracked == 0 && tracks_[slot].course.by_momentum) {
+      this->fall_asleep(slot);
+      body.momentum = {};
+    }
+  }
+}
+
+/// Whether a part of the body is further than 2 D from where it was.
+template <class SceneT>
+bool World<SceneT>::has_left(std::size_t slot) const {
+  const ActorType& actor = actor_at(slot);
+  const Scalar limit = 2 * settings_.separation;
+  const auto is_far = [&](const Vec3<Scalar>& x_B) {
+    const Vec3<Scalar> way = to_world(actor.body.X_WB, x_B) - to_world(this->anchor(slot), x_B);
+    return way.squaredNorm() > limit * limit;
+  };
+  bool left = false;
+  for (int i = 0; i < parts_of(actor); ++i) {  // Bound: kCapsulesPerBody
+    const Segment<Scalar>& axis = part_of(actor, i).axis;
+    left = left || is_far(axis.a) || is_far(axis.b);
+  }
+  return left;
+}
+
+template <class SceneT>
+bool World<SceneT>::is_supported(std::size_t slot) const {
+  for (int i = 0; i < this->touches(); ++i) {  // Bound: kMaxPairs
+    const BodyPair pair = this->touch(i);
+    if (body_of(pair.first) == slot || body_of(pair.second) == slot) return true;
+  }
+  return false;
+}
+
+/// What a step sets up for itself is not part of what is saved, but for who stands where.
+template <class SceneT>
+template <class Archive>
+void World<SceneT>::archive(Archive& ar) {
+  this->archive_seeds(ar);
+  this->archive_events(ar);
+  this->archive_sleep(ar);
+  ar(settings_, actors_, report_);
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    Track& track = tracks_[slot];
+    bool stands = track.stands && is_present(slot) &&
+                  Matter::is_at_start(actor_at(slot).body, track.course.motion);
+    ar(stands);
+    track.stands = stands;
+    track.boxed = false;
+    if (stands && is_present(slot)) {
+      track.course.motion = Matter::standing(actor_at(slot).body, Scalar(0));
+    }
+  }
+}
+
+}  // namespace batuta

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// World, first part: who takes part in a step, where everybody goes, what volume that takes, and
+// which pairs may meet and when. Included by world.hpp.
+
+#include "batuta/world/world.hpp"
+
+namespace batuta {
+
+template <class SceneT>
+void World<SceneT>::begin_step(Scalar dt) {
+  report_ = {};
+  this->clear_events();
+  this->clear_repeats();
+  watches_.clear();
+  best_pair_ = {};
+  now_ = 0;
+  dt_ = dt;
+  contacts_answered_ = 0;
+  if constexpr (SceneT::kResting != RestingContact::kNone) rest_speed_ = settings_.rest_speed;
+  if constexpr (kSettles && SceneT::kGravity) {
+    constexpr Scalar kSteps = 2;  // one to gain it, one to be stopped
+    const Scalar g = settings_.gravity_W.norm();
+    using std::sqrt;
+    const Scalar through_gap = sqrt(2 * g * settings_.separation);
+    rest_speed_ = max_of(rest_speed_, max_of(kSteps * g * dt, through_gap));
+  }
+  for (std::size_t slot = 0; slot < kSlots; ++slot) begin_body(slot);  // Bound: kMaxBodies
+  is_changed_ = true;
+}
+
+template <class SceneT>
+void World<SceneT>::begin_body(std::size_t slot) {
+  Track& track = tracks_[slot];
+  track.held_until = 0;
+  track.changed = is_present(slot);
+  if (!track.changed && track.present) leave_out(slot);
+}
+
+/// Plans, bounds and searches what has changed. A pair that finds no room holds its bodies, which
+/// changes them in turn: each body at most once, because it is held for the rest of the step.
+/// Bound: kMaxBodies + 1 passes.
+template <class SceneT>
+void World<SceneT>::refresh() {
+  for (int pass = 0; is_changed_ && pass <= SceneT::kMaxBodies; ++pass) {  // Bound: kMaxBodies + 1
+    const bool is_begin = pass == 0 && !(now_ > Scalar(0)) && contacts_answered_ == 0;
+    is_changed_ = false;
+    drop_watches();
+    for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+      if (tracks_[slot].changed) plan(slot, is_begin);
+    }
+    sweep_.sort();
+    if (is_begin) {
+      collect_all();
+    } else {
+      collect_fresh();
+    }
+    for (Track& track : tracks_) track.fresh = false;  // Bound: kMaxBodies
+  }
+  search_watches();
+}
+
+/// What was known of a body whose course changes is no longer true.
+template <class SceneT>
+void World<SceneT>::drop_watches() {
+  const auto is_stale = [this](BodyPair pair) {
+    return tracks_[body_of(pair.first)].changed || tracks_[body_of(pair.second)].changed;
+  };
+  for (int i = watches_.size() - 1; i >= 0; --i) {  // Bound: kMaxPairs
+    if (is_stale(watches_[i].pair)) watches_.remove_swapping(i);
+  }
+  if (is_stale(best_pair_)) best_pair_ = {};
+}
+
+template <class SceneT>
+void World<SceneT>::plan(std::size_t slot, bool is_begin) {
+  Track& track = tracks_[slot];
+  track.changed = false;
+  const bool stayed =
+      is_begin && track.stands && Matter::is_at_start(actor_at(slot).body, track.course.motion);
+  track.start = now_;
+  if (!plan_course(slot, is_begin)) return leave_out(slot);
+  track.present = true;
+  track.fresh = true;
+  track.stands = is_begin && Matter::is_still(track.course.motion);
+  const bool idle = stayed && track.stands;
+  if (idle && track.boxed && sweep_.is_idle(proxy_of(slot, 0))) return;
+  put_boxes(slot, idle);
+}
+
+/// False: the body cannot take part.
+template <class SceneT>
+bool World<SceneT>::plan_course(std::size_t slot, bool is_begin) {
+  ActorType& actor = actor_at(slot);
+  Track& track = tracks_[slot];
+  const Scalar duration = end_of(slot) - now_;
+  if (!is_usable(actor)) {
+    ++report_.courses_invalid;
+    return false;
+  }
+  if (!is_held(slot) && !this->sleeps(slot)) {
+    track.course = Matter::ask(actor, now_, duration);
+    if constexpr (SceneT::kGravity) {
+      if (is_begin) Matter::fall(actor.body, track.course, settings_.gravity_W, dt_);
+    }
+    if (is_valid(track.course.motion)) return true;
+    ++report_.courses_invalid;
+    track.held_until = dt_;
+    report_.time_held = max_of(report_.time_held, dt_ - now_);
+  }
+  track.course.motion = Matter::standing(actor.body, duration);
+  return true;
+}
+
+template <class SceneT>
+void World<SceneT>::leave_out(std::size_t slot) {
+  tracks_[slot].present = false;
+  tracks_[slot].stands = false;
+  for (int part = 0; part < kParts; ++part) {  // Bound: kCapsulesPerBody
+    sweep_.remove(proxy_of(slot, part));
+  }
+}
+
+template <class SceneT>
+void World<SceneT>::put_boxes(std::size_t slot, bool idle) {
+  const ActorType& actor = actor_at(slot);
+  tracks_[slot].boxed = true;
+  for (int part = 0; part < kParts; ++part) {  // Bound: kCapsulesPerBody
+    const Slot proxy = proxy_of(slot, part);
+    if (part < parts_of(actor)) {
+      sweep_.set(proxy, Matter::bound(Matter::mover(actor, part, tracks_[slot].course.motion)),
+                 idle);
+    } else {
+      sweep_.remove(proxy);
+    }
+  }
+}
+
+template <class SceneT>
+void World<SceneT>::collect_all() {
+  sweep_.for_each_pair([this](BodyPair pair) { collect(pair); });
+}
+
+template <class SceneT>
+void World<SceneT>::collect_fresh() {
+  for (int i = 0; i < kProxies; ++i) {  // Bound: all capsules
+    const auto proxy = static_cast<Slot>(i);
+    if (!tracks_[body_of(i)].fresh || !sweep_.contains(proxy)) continue;
+    sweep_.for_each_partner(proxy, [this, proxy](Slot other) {
+      if (other < proxy && tracks_[body_of(other)].fresh) return;  // found from there already
+      collect({min_of(proxy, other), max_of(proxy, other)});
+    });
+  }
+}
+
+/// Between two held bodies nothing changes before one of them is released: such a pair waits.
+template <class SceneT>
+void World<SceneT>::collect(BodyPair pair) {
+  const std::size_t a = body_of(pair.first);
+  const std::size_t b = body_of(pair.second);
+  if (!may_pair(a, b) || (is_held(a) && is_held(b))) return;
+  WatchType watch;
+  watch.pair = pair;
+  if (watches_.push(watch)) return;
+  ++report_.pairs_dropped;
+  hold_pair(pair, dt_);
+}
+
+/// What is still and cannot be pushed may stand in other such bodies.
+template <class SceneT>
+bool World<SceneT>::may_pair(std::size_t a, std::size_t b) const {
+  const bool walls = Matter::is_still(tracks_[a].course.motion) &&
+                     Matter::is_still(tracks_[b].course.motion) && Matter::is_immovable(actor_at(a).body) &&
+                     Matter::is_immovable(actor_at(b).body);
+  return a != b && !walls && may_meet(actor_at(a), actor_at(b));
+}
+
+template <class SceneT>
+void World<SceneT>::search_watches() {
+  for (int i = 0; i < watches_.size(); ++i) {  // Bound: kMaxPairs
+    if (!watches_[i].asked) search(watches_[i]);
+  }
+  for (int i = watches_.size() - 1; i >= 0; --i) {  // Bound: kMaxPairs
+    if (watches_[i].outcome == Outcome::kFree) watches_.remove_swapping(i);
+  }
+}
+
+template <class SceneT>
+void World<SceneT>::search(WatchType& watch) {
+  ++report_.pairs;
+  const Scalar until =
+      min_of(end_of(body_of(watch.pair.first)), end_of(body_of(watch.pair.second)));
+  const Sight sight = search_pair(watch.pair, until);
+  report_.evaluations += sight.evaluations();
+  watch.asked = true;
+  watch.outcome = sight.outcome();
+  watch.since = now_;
+  watch.free_for = sight.t_free();
+  watch.hit_after = sight.t_hit();
+  const bool is_first = best_pair_.first == best_pair_.second || watch.free_until() < best_until_;
+  if (watch.outcome == Outcome::kFree || !is_first) return;
+  best_pair_ = watch.pair;
+  best_until_ = watch.free_until();
+  best_sight_ = sight;
+}
+
+template <class SceneT>
+typename MatterOf<SceneT>::Mover World<SceneT>::mover(int proxy, Scalar until) const {
+  const Track& track = tracks_[body_of(proxy)];
+  return Matter::mover(actor_at(body_of(proxy)), part_at(proxy),
+                       Matter::rest_of(track.course.motion, now_ - track.start, until - now_));
+}
+
+template <class SceneT>
+typename World<SceneT>::Sight World<SceneT>::search_pair(BodyPair pair, Scalar until) {
+  if constexpr (!SceneT::kRotation) {
+    return Matter::search(mover(pair.first, until), mover(pair.second, until), settings_.search);
+  } else {
+    Sight sight;
+    const auto moving_pair = make_moving_pair(mover(pair.first, until), mover(pair.second, until));
+    if (!moving_pair.ok()) return sight;
+    sight.origin_W = moving_pair.value.origin_W;
+    sight.scale = moving_pair.value.scale;
+    sight.contact_gap = Search::contact_gap(moving_pair.value, settings_.search);
+    sight.search = search_with_seed(pair, moving_pair.value);
+    if constexpr (kLeads) {
+      if (sight.outcome() == Outcome::kTouching && is_immovable(pair) &&
+          sight.search.gap_rate > rest_speed_) {
+        sight.search = let_go(moving_pair.value, sight, pair);
+      }
+    }
+    return sight;
+  }
+}
+
+/// The seed is a direction in W, and as good a guess in the next round or step.
+template <class SceneT>
+SearchResult<typename World<SceneT>::Scalar> World<SceneT>::search_with_seed(
+    BodyPair pair, const MovingPair<Scalar>& moving_pair) {
+  if constexpr (Search::kUsesSeed) {
+    auto result = Search::search(moving_pair, settings_.search, this->recall(pair));
+    if (result.outcome != Outcome::kInvalid) this->remember(pair, result.witness.axes.normal_AB);
+    return result;
+  } else {
+    return Search::search(moving_pair, settings_.search, Vec3<Scalar>::Zero());
+  }
+}
+
+/// What cannot be pushed cannot be opened to the margin either; where such a pair touches and
+/// parts, it is searched as if it were thinner by what is missing (src/world/encounter.md).
+template <class SceneT>
+SearchResult<typename World<SceneT>::Scalar> World<SceneT>::let_go(
+    const MovingPair<Scalar>& moving_pair, const Sight& sight, BodyPair pair) const {
+  const Scalar missing = margin_of(sight, pair) - sight.search.witness.gap;
+  const Scalar radii = moving_pair.A.radius + moving_pair.B.radius;
+  if (!(missing < radii)) return sight.search;
+  MovingPair<Scalar> thinner = moving_pair;
+  thinner.A.radius *= Scalar(1) - missing / radii;
+  thinner.B.radius *= Scalar(1) - missing / radii;
+  SearchResult<Scalar> result =
+      Search::search(thinner, settings_.search, sight.search.witness.axes.normal_AB);
+  result.evaluations += sight.search.evaluations;
+  return result;
+}
+
+}  // namespace batuta
