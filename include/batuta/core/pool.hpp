@@ -65,6 +65,17 @@ class PoolBase {
   int acquire();
   /// @pre the slot is live
   void release(std::size_t index);
+  /// Which slots live, and in which generation, and the number. What was read is brought in order,
+  /// so that what is found to be no book-keeping of a pool does no harm.
+  /// Bound: N slots.
+  template <class ArchiveT>
+  void archive_slots(ArchiveT& ar) {
+    ar(number_);
+    for (std::size_t i = 0; i < capacity_; ++i) ar(generations_[i]);  // Bound: N
+    for (std::size_t word = 0; word < words_for(capacity_); ++word)
+      ar(live_[word]);  // Bound: N / 32
+    if (ar.reading()) ar.require(settle());
+  }
   /// Takes over which slots of `other` live, and in which generation, and its number.
   /// @pre the same capacity. Bound: N slots.
   void copy_slots(const PoolBase& other);
@@ -80,6 +91,9 @@ class PoolBase {
   }
   /// @pre size() < usable_capacity()
   std::size_t lowest_free() const;
+  /// Ends what cannot live: beyond the slots, or without a generation; counts the others.
+  /// @returns whether there was nothing to end. Bound: N slots.
+  bool settle();
 
   std::uint32_t* generations_;  ///< of the last object made in the slot; 0: none yet
   std::uint32_t* live_;         ///< bit i % 32 of word i / 32: slot i holds an object
@@ -180,6 +194,25 @@ class Pool : public PoolBase {
     copy_slots(saved);
   }
 
+  /// Live objects, known by the same handles where they are read. Stack: one T.
+  /// @pre T{} is good, and is written over where it is read
+  /// Bound: N slots.
+  template <class ArchiveT>
+  void archive(ArchiveT& ar) {
+    if (ar.shaping()) {
+      constexpr std::uint32_t kPool = 0x4C4F4F50U;  // "POOL": no array
+      T blank{};
+      ar.constant(kPool);
+      ar.constant(static_cast<std::uint32_t>(N));
+      return ar(blank);
+    }
+    archive_slots(ar);
+    for (std::size_t i = next_live(0); i < kSlots; i = next_live(i + 1)) {  // Bound: N
+      if (ar.reading()) ::new (storage_ + i * sizeof(T)) T{};  // deviation: placement-new
+      ar(*slot(i));
+    }
+  }
+
   /// The object, or null for a null, foreign or stale handle.
   T* get(Handle<T> handle) {
     const int index = index_of(handle);
@@ -197,6 +230,15 @@ class Pool : public PoolBase {
   /// The handle of the object in a slot; null where there is none.
   Handle<T> handle_at(std::size_t index) const {
     return is_live(index) ? handle_of(index) : Handle<T>{};
+  }
+  /// The object in a slot. @pre the slot is live, which only slow checks look after
+  T& at(std::size_t index) {
+    BATUTA_SLOW_CHECK(is_live(index));
+    return *std::launder(reinterpret_cast<T*>(storage_ + index * sizeof(T)));
+  }
+  const T& at(std::size_t index) const {
+    BATUTA_SLOW_CHECK(is_live(index));
+    return *std::launder(reinterpret_cast<const T*>(storage_ + index * sizeof(T)));
   }
   /// The object in a slot; null where there is none.
   T* at_index(std::size_t index) { return is_live(index) ? slot(index) : nullptr; }

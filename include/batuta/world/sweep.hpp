@@ -19,6 +19,9 @@ class BoxSlots {
   static_assert(N >= 1 && N <= 65535, "BoxSlots: slots are counted in 16 bits");
 
  public:
+  /// Not a constant expression: a list that is a global is made by code, not copied from flash.
+  BoxSlots() { states_.fill(State::kEmpty); }
+
   bool contains(std::uint16_t slot) const { return states_[slot] != State::kEmpty; }
   /// @pre contains(slot)
   const Aabb<Scalar>& box(std::uint16_t slot) const { return boxes_[slot]; }
@@ -44,7 +47,7 @@ class BoxSlots {
   enum class State : std::uint8_t { kEmpty, kIdle, kBusy };
 
   std::array<Aabb<Scalar>, static_cast<std::size_t>(N)> boxes_;
-  std::array<State, static_cast<std::size_t>(N)> states_{};
+  std::array<State, static_cast<std::size_t>(N)> states_;
 };
 
 /// Few boxes: each with each, in ascending order of (first, second), and nothing to sort. The
@@ -135,6 +138,12 @@ class ManyBoxes : public BoxSlots<Scalar, N> {
     const Scalar low_b = low(b);
     return low_a < low_b || (low_a == low_b && a < b);
   }
+  /// What settles most of the boxes that overlap along the axis, without a call.
+  bool are_apart_across(Slot a, Slot b) const {
+    const Aabb<Scalar>& P = this->box(a);
+    const Aabb<Scalar>& Q = this->box(b);
+    return P.high[kAcross] < Q.low[kAcross] || Q.high[kAcross] < P.low[kAcross];
+  }
   bool is_sorted() const;
   static std::size_t end_of(std::size_t block) { return min_of((block + 1) * kBlock, kSlots); }
 
@@ -142,7 +151,9 @@ class ManyBoxes : public BoxSlots<Scalar, N> {
   template <class Found>
   void idle_before(std::size_t place, const Found& found) const;
   template <class Found>
-  void report(Slot a, Slot b, const Found& found) const;
+  void report(Slot a, Slot b, const Found& found) const {
+    if (this->do_overlap(a, b)) found(BodyPair{min_of(a, b), max_of(a, b)});
+  }
 
   std::array<Block, kBlocks> blocks_;
   std::array<Slot, kSlots> order_;   ///< all slots; after sort() ascending, empty ones last
@@ -203,13 +214,17 @@ template <class Scalar, int N, int kAxis>
 template <class Found>
 void ManyBoxes<Scalar, N, kAxis>::for_each_pair(const Found& found) const {
   BATUTA_SLOW_CHECK(is_sorted());
-  for (std::size_t i = 0; i < kSlots; ++i) {  // Bound: N
+  Scalar idle_high = std::numeric_limits<Scalar>::lowest();  // of the idle boxes passed
+  for (std::size_t i = 0; i < kSlots; ++i) {                 // Bound: N
     const Slot slot = order_[i];
-    if (this->is_idle(slot)) continue;
-    idle_before(i, found);
+    if (this->is_idle(slot)) {
+      idle_high = max_of(idle_high, high(slot));
+      continue;
+    }
+    if (!(idle_high < low(slot))) idle_before(i, found);
     const Scalar end = high(slot);
     for (std::size_t k = i + 1; k < kSlots && !(end < low(order_[k])); ++k) {  // Bound: N
-      report(slot, order_[k], found);
+      if (!are_apart_across(slot, order_[k])) report(slot, order_[k], found);
     }
   }
 }
@@ -226,16 +241,6 @@ void ManyBoxes<Scalar, N, kAxis>::idle_before(std::size_t place, const Found& fo
       if (this->is_idle(order_[k])) report(slot, order_[k], found);
     }
   }
-}
-
-/// Most that are tested overlap along the axis: another one is asked first, on the spot.
-template <class Scalar, int N, int kAxis>
-template <class Found>
-void ManyBoxes<Scalar, N, kAxis>::report(Slot a, Slot b, const Found& found) const {
-  const Aabb<Scalar>& P = this->box(a);
-  const Aabb<Scalar>& Q = this->box(b);
-  if (P.high[kAcross] < Q.low[kAcross] || Q.high[kAcross] < P.low[kAcross]) return;
-  if (this->do_overlap(a, b)) found(BodyPair{min_of(a, b), max_of(a, b)});
 }
 
 template <class Scalar, int N, int kAxis>

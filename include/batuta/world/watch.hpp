@@ -66,6 +66,33 @@ struct WatchOrder {
   }
 };
 
+/// What the search of the earliest watch saw, as long as that watch stands. Two places, so that a
+/// search writes into one while the other is kept, and nothing is copied; one where there is but
+/// one pair.
+template <class Sight, class Scalar, bool kMany>
+class EarliestSight {
+ public:
+  /// first == second: unknown.
+  BodyPair pair() const { return pair_; }
+  Sight& earliest() { return sights_[kept_]; }
+  /// Where the next search may write.
+  Sight& spare() { return sights_[kMany ? 1 - kept_ : 0]; }
+  /// The spare one is kept instead if its pair is free for a shorter time.
+  void offer(BodyPair pair, Scalar until) {
+    if (pair_.first != pair_.second && !(until < until_)) return;
+    pair_ = pair;
+    until_ = until;
+    if constexpr (kMany) kept_ = 1 - kept_;
+  }
+  void forget() { pair_ = {}; }
+
+ private:
+  std::array<Sight, kMany ? 2 : 1> sights_{};
+  std::size_t kept_ = 0;
+  BodyPair pair_;
+  Scalar until_ = 0;
+};
+
 /// How often each pair was separated in this step; for scenes whose bodies settle on each other.
 template <int N>
 class RepeatBook {

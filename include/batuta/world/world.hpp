@@ -156,7 +156,7 @@ class World : private SeedsOf<SceneT>,
   bool may_pair(std::size_t a, std::size_t b) const;
   void search_watches();
   void search(WatchType& watch);
-  Sight search_pair(BodyPair pair, Scalar until);
+  void search_pair(BodyPair pair, Scalar until, Sight& sight);
   SearchResult<Scalar> search_with_seed(BodyPair pair, const MovingPair<Scalar>& moving_pair);
   SearchResult<Scalar> let_go(const MovingPair<Scalar>& moving_pair, const Sight& sight,
                               BodyPair pair) const;
@@ -174,7 +174,7 @@ class World : private SeedsOf<SceneT>,
   void end_step();
 
   // Contact: world_contact.hpp.
-  Sight look(BodyPair pair) const;
+  void look(BodyPair pair, Sight& sight);
   void answer_turning(const WatchType& watch, const Sight& sight);
   void answer_straight(const WatchType& watch);
   void only_tell(const WatchType& watch);
@@ -207,8 +207,8 @@ class World : private SeedsOf<SceneT>,
   bool has_left(std::size_t slot) const;
   bool is_supported(std::size_t slot) const;
 
-  ActorType& actor_at(std::size_t slot) { return *actors_.at_index(slot); }
-  const ActorType& actor_at(std::size_t slot) const { return *actors_.at_index(slot); }
+  ActorType& actor_at(std::size_t slot) { return actors_.at(slot); }
+  const ActorType& actor_at(std::size_t slot) const { return actors_.at(slot); }
   bool is_present(std::size_t slot) const { return actors_.at_index(slot) != nullptr; }
   bool is_held(std::size_t slot) const { return tracks_[slot].held_until > now_; }
   Scalar end_of(std::size_t slot) const { return is_held(slot) ? tracks_[slot].held_until : dt_; }
@@ -228,9 +228,7 @@ class World : private SeedsOf<SceneT>,
   std::array<Track, kSlots> tracks_{};
   SweepList<Scalar, kProxies> sweep_;
   FixedList<WatchType, SceneT::kMaxPairs> watches_;
-  Sight best_sight_;    ///< of the earliest of the watches, if that is still known
-  BodyPair best_pair_;  ///< first == second: unknown
-  Scalar best_until_ = 0;
+  EarliestSight<Sight, Scalar, (SceneT::kMaxPairs > 1)> sights_;
   StepReport<Scalar> report_;
   Scalar now_ = 0;  ///< in the step, s
   Scalar dt_ = 0;   ///< length of the step, s

@@ -9,17 +9,17 @@ namespace batuta {
 
 /// A pair as it is now, without a search: for a contact whose search was not kept.
 template <class SceneT>
-typename World<SceneT>::Sight World<SceneT>::look(BodyPair pair) const {
-  Sight sight;
+void World<SceneT>::look(BodyPair pair, Sight& sight) {
   const auto moving_pair = make_moving_pair(mover(pair.first, dt_), mover(pair.second, dt_));
-  if (!moving_pair.ok()) return sight;
+  sight = {};
+  if (!moving_pair.ok()) return;
   sight.origin_W = moving_pair.value.origin_W;
   sight.scale = moving_pair.value.scale;
   sight.contact_gap = Search::contact_gap(moving_pair.value, settings_.search);
   sight.search.outcome = Outcome::kContact;
   sight.search.witness = gap_at(moving_pair.value, Scalar(0));
   sight.search.gap_rate = gap_rate_at(moving_pair.value, sight.search.witness, Scalar(0));
-  return sight;
+  sights_.forget();
 }
 
 template <class SceneT>
@@ -39,7 +39,9 @@ void World<SceneT>::answer_turning(const WatchType& watch, const Sight& sight) {
     nearest.contact = pressed(watch.pair, parties, nearest.contact, margin);
   }
   const auto options = options_for(margin);
-  make_room(watch.pair, nearest.contact, options, parties);
+  if constexpr (SceneT::kMaxBodies > 2) {
+    make_room(watch.pair, nearest.contact, options, parties);
+  }
   const auto impulse = impulse_for(watch.pair, parties, nearest.contact);
   const auto answer = answer_contact(parties[0], parties[1], nearest.contact, impulse, options);
   if (!answer.ok()) {
@@ -145,7 +147,8 @@ Party<Scalar_of<SceneT>> World<SceneT>::party(std::size_t slot) {
   Body<Scalar>& body = actor_at(slot).body;
   const Course<Scalar>& course = tracks_[slot].course;
   if (!course.by_momentum) body.momentum = momentum_of(body, course.motion.twist);
-  return {&body, course.by_momentum ? twist_of(body) : course.motion.twist, Scalar(0)};
+  return {&body, course.by_momentum ? twist_of(body) : course.motion.twist,
+          std::numeric_limits<Scalar>::max()};
 }
 
 /// Near-parallel capsules press along a line: the contact at its centre of pressure.
@@ -242,7 +245,8 @@ void World<SceneT>::only_tell(const WatchType& watch) {
   if (!watch.is_contact() || contacts_answered_ == SceneT::kMaxContacts) return count_cut(watch);
   ++contacts_answered_;
   if constexpr (SceneT::kRotation) {
-    const Sight sight = look(watch.pair);
+    Sight& sight = sights_.earliest();
+    look(watch.pair, sight);
     EncounterAnswer<Scalar> answer;
     answer.v_rel = sight.search.gap_rate;
     answer.kind = classify(answer.v_rel, settings_.rest_speed);

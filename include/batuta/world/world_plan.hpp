@@ -13,7 +13,7 @@ void World<SceneT>::begin_step(Scalar dt) {
   this->clear_events();
   this->clear_repeats();
   watches_.clear();
-  best_pair_ = {};
+  sights_.forget();
   now_ = 0;
   dt_ = dt;
   contacts_answered_ = 0;
@@ -69,7 +69,7 @@ void World<SceneT>::drop_watches() {
   for (int i = watches_.size() - 1; i >= 0; --i) {  // Bound: kMaxPairs
     if (is_stale(watches_[i].pair)) watches_.remove_swapping(i);
   }
-  if (is_stale(best_pair_)) best_pair_ = {};
+  if (is_stale(sights_.pair())) sights_.forget();
 }
 
 template <class SceneT>
@@ -169,9 +169,9 @@ void World<SceneT>::collect(BodyPair pair) {
 /// What is still and cannot be pushed may stand in other such bodies.
 template <class SceneT>
 bool World<SceneT>::may_pair(std::size_t a, std::size_t b) const {
-  const bool walls = Matter::is_still(tracks_[a].course.motion) &&
-                     Matter::is_still(tracks_[b].course.motion) && Matter::is_immovable(actor_at(a).body) &&
-                     Matter::is_immovable(actor_at(b).body);
+  const bool walls =
+      Matter::is_still(tracks_[a].course.motion) && Matter::is_still(tracks_[b].course.motion) &&
+      Matter::is_immovable(actor_at(a).body) && Matter::is_immovable(actor_at(b).body);
   return a != b && !walls && may_meet(actor_at(a), actor_at(b));
 }
 
@@ -185,23 +185,21 @@ void World<SceneT>::search_watches() {
   }
 }
 
+/// What was seen of the earliest watch is kept: its contact then needs no other evaluation.
 template <class SceneT>
 void World<SceneT>::search(WatchType& watch) {
   ++report_.pairs;
   const Scalar until =
       min_of(end_of(body_of(watch.pair.first)), end_of(body_of(watch.pair.second)));
-  const Sight sight = search_pair(watch.pair, until);
+  Sight& sight = sights_.spare();
+  search_pair(watch.pair, until, sight);
   report_.evaluations += sight.evaluations();
   watch.asked = true;
   watch.outcome = sight.outcome();
   watch.since = now_;
   watch.free_for = sight.t_free();
   watch.hit_after = sight.t_hit();
-  const bool is_first = best_pair_.first == best_pair_.second || watch.free_until() < best_until_;
-  if (watch.outcome == Outcome::kFree || !is_first) return;
-  best_pair_ = watch.pair;
-  best_until_ = watch.free_until();
-  best_sight_ = sight;
+  if (watch.outcome != Outcome::kFree) sights_.offer(watch.pair, watch.free_until());
 }
 
 template <class SceneT>
@@ -212,13 +210,15 @@ typename MatterOf<SceneT>::Mover World<SceneT>::mover(int proxy, Scalar until) c
 }
 
 template <class SceneT>
-typename World<SceneT>::Sight World<SceneT>::search_pair(BodyPair pair, Scalar until) {
+void World<SceneT>::search_pair(BodyPair pair, Scalar until, Sight& sight) {
   if constexpr (!SceneT::kRotation) {
-    return Matter::search(mover(pair.first, until), mover(pair.second, until), settings_.search);
+    sight = Matter::search(mover(pair.first, until), mover(pair.second, until), settings_.search);
   } else {
-    Sight sight;
     const auto moving_pair = make_moving_pair(mover(pair.first, until), mover(pair.second, until));
-    if (!moving_pair.ok()) return sight;
+    sight.search.outcome = Outcome::kInvalid;
+    sight.search.t_free = sight.search.t_hit = 0;
+    sight.search.evaluations = 0;
+    if (!moving_pair.ok()) return;
     sight.origin_W = moving_pair.value.origin_W;
     sight.scale = moving_pair.value.scale;
     sight.contact_gap = Search::contact_gap(moving_pair.value, settings_.search);
@@ -229,7 +229,6 @@ typename World<SceneT>::Sight World<SceneT>::search_pair(BodyPair pair, Scalar u
         sight.search = let_go(moving_pair.value, sight, pair);
       }
     }
-    return sight;
   }
 }
 

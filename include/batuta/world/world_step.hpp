@@ -63,7 +63,7 @@ void World<SceneT>::run_round() {
     return release(released);
   }
   const Scalar time = min_of(watches_[earliest].free_until(), dt_);
-  const int chosen = WatchOrder::among_ties(watches_, earliest);
+  const int chosen = SceneT::kMaxPairs > 1 ? WatchOrder::among_ties(watches_, earliest) : earliest;
   const WatchType watch = watches_[chosen];
   watches_.remove_swapping(chosen);
   answer(watch, time);
@@ -97,7 +97,7 @@ void World<SceneT>::release(Scalar time) {
 template <class SceneT>
 void World<SceneT>::answer(const WatchType& watch, Scalar time) {
   const bool is_own_time = time == watch.free_until();
-  const bool is_known = is_own_time && is_same(watch.pair, best_pair_);
+  const bool is_known = is_own_time && is_same(watch.pair, sights_.pair());
   now_ = time;
   if constexpr (!SceneT::kResponse) return only_tell(watch);
   for (const Slot proxy : {watch.pair.first, watch.pair.second}) {  // Bound: 2
@@ -108,7 +108,10 @@ void World<SceneT>::answer(const WatchType& watch, Scalar time) {
   if (watch.is_contact() && contacts_answered_ < SceneT::kMaxContacts) {
     ++contacts_answered_;
     if constexpr (SceneT::kRotation) {
-      return answer_turning(watch, is_known ? best_sight_ : look(watch.pair));
+      if constexpr (SceneT::kMaxPairs > 1) {  // the only pair's is always known
+        if (!is_known) look(watch.pair, sights_.earliest());
+      }
+      return answer_turning(watch, sights_.earliest());
     } else {
       return answer_straight(watch);
     }

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// What a scene costs in RAM, and the most that a step of it can take: constants, for a
+// static_assert beside the scene. Flash, stack and instructions are measured in linked images
+// (tests/target/price).
+
+#include "batuta/world/world.hpp"
+
+namespace batuta {
+
+struct SceneCost {
+  std::size_t world = 0;     ///< bytes of World<Scene>, all that the scene needs
+  std::size_t body = 0;      ///< of these, for one more body: actor, course, boxes
+  std::size_t pair = 0;      ///< for one more of kMaxPairs
+  std::size_t event = 0;     ///< for one more of kMaxEvents
+  std::uint64_t rounds = 0;  ///< most rounds of a step
+  /// Most distance evaluations of a step.
+  std::uint64_t evaluations = 0;
+};
+
+/// The scene with one more body, pair or event.
+template <class SceneT, int kBodies, int kPairs, int kEvents>
+struct Enlarged : SceneT {
+  static constexpr int kMaxBodies = SceneT::kMaxBodies + kBodies;
+  static constexpr int kMaxPairs = SceneT::kMaxPairs + kPairs;
+  static constexpr int kMaxEvents = SceneT::kMaxEvents > 0 ? SceneT::kMaxEvents + kEvents : 0;
+};
+
+/// The world of an enlarged scene, less that of the scene, a body over 32 bodies at a time: what a
+/// world keeps per 16 or 32 bodies is shared out.
+template <class SceneT>
+constexpr SceneCost cost_of() {
+  constexpr int kMany = 32;
+  using Now = World<SceneT>;
+  SceneCost cost;
+  cost.world = sizeof(Now);
+  cost.body = (sizeof(World<Enlarged<SceneT, kMany, 0, 0>>) - sizeof(Now)) / kMany;
+  cost.pair = (sizeof(World<Enlarged<SceneT, 0, kMany, 0>>) - sizeof(Now)) / kMany;
+  cost.event = (sizeof(World<Enlarged<SceneT, 0, 0, kMany>>) - sizeof(Now)) / kMany;
+  cost.rounds = static_cast<std::uint64_t>(Now::kMaxRounds);
+  cost.evaluations = cost.rounds * static_cast<std::uint64_t>(SceneT::kMaxPairs) * SceneT::kBudget;
+  return cost;
+}
+
+/// `static_assert(scene_cost<MyScene>.world <= 4096, "...");`
+template <class SceneT>
+inline constexpr SceneCost scene_cost = cost_of<SceneT>();
+
+}  // namespace batuta
