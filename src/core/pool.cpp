@@ -60,6 +60,26 @@ void PoolBase::copy_slots(const PoolBase& other) {
   number_ = other.number_;
 }
 
+bool PoolBase::settle() {
+  const std::size_t words = words_for(capacity_);
+  bool good = true;
+  size_ = 0;
+  retired_ = 0;
+  for (std::size_t i = 0; i < words * kBitsPerWord; ++i) {  // Bound: N, up to the end of its word
+    std::uint32_t& word = live_[i / kBitsPerWord];
+    const bool used = (word & bit_of(i)) != 0;
+    if (used && (i >= capacity_ || generations_[i] == 0)) {
+      word &= ~bit_of(i);
+      good = false;
+    } else if (used) {
+      ++size_;
+    } else if (i < capacity_ && generations_[i] == kLastGeneration) {
+      ++retired_;
+    }
+  }
+  return good;
+}
+
 std::size_t PoolBase::next_live(std::size_t index) const {
   if (index >= capacity_) return capacity_;
   std::size_t word = index / kBitsPerWord;

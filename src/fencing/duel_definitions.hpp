@@ -25,6 +25,11 @@ Status validate(const DuelSettings<Scalar, SearchT>& settings) {
   return good ? Status::kOk : Status::kInvalidArgument;
 }
 
+constexpr int touches_in(BoutState state) {
+  if (state == BoutState::kFencing) return 0;
+  return state == BoutState::kDouble ? 2 : 1;
+}
+
 /// One piece of a blade's way in a step.
 template <class Scalar>
 struct Piece {
@@ -245,6 +250,25 @@ std::uint64_t Duel<Scalar, SearchT>::time_us(const Moment<Scalar>& moment) const
   const auto in_step =
       static_cast<std::uint32_t>(moment.in_step / kSecondsPerUs<Scalar> + Scalar(0.5F));
   return std::uint64_t{moment.step} * static_cast<std::uint64_t>(settings_.step_us) + in_step;
+}
+
+/// What was read is a state that steps can go on from: as far as an index, a conversion or a
+/// precondition depends on it.
+template <class Scalar, class SearchT>
+bool Duel<Scalar, SearchT>::is_sound() const {
+  bool good = validate(settings_) == Status::kOk &&
+              dt_ == static_cast<Scalar>(settings_.step_us) * kSecondsPerUs<Scalar>;
+  for (const Place& place : places_) {  // Bound: 2
+    const auto* blade = world_.get(place.blade);
+    good = good && blade != nullptr && is_valid(blade->capsule_B) &&
+           validate(place.build) == Status::kOk &&
+           place.stick.position().cwiseAbs().maxCoeff() <= Scalar(1);
+  }
+  for (const Touch<Scalar>& touch : bout_.touches) {  // Bound: 2
+    good = good && touch.when.in_step >= Scalar(0) && touch.when.in_step <= dt_;
+  }
+  const bool both = at(Side::kLeft).blade != at(Side::kRight).blade;
+  return good && both && world_.size() == 2 && bout_.touches.size() == touches_in(bout_.state);
 }
 
 template <class Scalar, class SearchT>

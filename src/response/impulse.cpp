@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "batuta/response/impulse.hpp"
 
+#include "lever.hpp"
+
 namespace batuta {
 
 namespace {
@@ -24,11 +26,6 @@ Yield<Scalar> yield_of(const Collider<Scalar>& body, const Contact<Scalar>& cont
   const Vec3<Scalar> moment_B = R_WB.transpose() * lever_W.cross(n);
   const Vec3<Scalar> turn_B = body.inverse_moments.cwiseProduct(moment_B);
   return {lever_W, body.inverse_mass * n, R_WB * turn_B, body.inverse_mass + turn_B.dot(moment_B)};
-}
-
-template <class Scalar>
-Momentum<Scalar> impulse_on(const Yield<Scalar>& yield, const Vec3<Scalar>& J_W) {
-  return {J_W, yield.lever_W.cross(J_W)};
 }
 
 template <class Scalar>
@@ -77,8 +74,8 @@ Result<Impulse<Scalar>> collision_impulse(const Collider<Scalar>& A, const Colli
   impulse.v_rel = v_rel;
   if (collides) {
     const Vec3<Scalar> J_W = j * contact.normal_BA_W;
-    impulse.on_A = impulse_on<Scalar>(yield_A, J_W);
-    impulse.on_B = impulse_on<Scalar>(yield_B, -J_W);
+    impulse.on_A = impulse_on<Scalar>(yield_A.lever_W, J_W);
+    impulse.on_B = impulse_on<Scalar>(yield_B.lever_W, -J_W);
   }
   impulse.twist_A = collides ? pushed(A.twist, yield_A, j) : A.twist;
   impulse.twist_B = collides ? pushed(B.twist, yield_B, -j) : B.twist;

@@ -9,7 +9,7 @@ import sys
 
 import rows
 
-SECTIONS = ["search", "peers", "misses", "climb", "swept", "response"]
+SECTIONS = ["search", "peers", "misses", "climb", "swept", "response", "friction"]
 
 HEAD = """# batuta: error against run time
 

@@ -45,6 +45,13 @@ class FixedList {
     BATUTA_ASSERT(i >= 0 && i < size_);
     return items_[static_cast<std::size_t>(i)];
   }
+  /// What is in use. Bound: N items.
+  template <class ArchiveT>
+  void archive(ArchiveT& ar) {
+    size_ = ar.count(size_, N);
+    const int shown = ar.shaping() ? 1 : size_;
+    for (int i = 0; i < shown; ++i) ar(items_[static_cast<std::size_t>(i)]);  // Bound: N
+  }
   const T* begin() const { return items_.data(); }
   const T* end() const { return items_.data() + size_; }
 

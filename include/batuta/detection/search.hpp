@@ -9,6 +9,7 @@
 //   kHasSlab                         a gap within a slab counts as contact; else a gap <= 0 does
 //   contact_gap(pair, options)       the largest gap, m, at which it may speak of contact
 //   kUsesSeed                        a normal from an earlier search of the same pair helps
+//   kNumber                          tells it from the others in what is saved
 //   kForStraightFlight               serves scenes in which nothing turns
 //   kForSpheres                      of these, one whose only shape is the sphere
 //   search(pair, options, seed_AB)   first contact in [0, duration]; seed_AB zero: none
@@ -24,6 +25,7 @@ template <class ScalarT>
 struct Stepping {
   using Scalar = ScalarT;
   using Options = SteppingOptions<Scalar>;
+  static constexpr std::uint32_t kNumber = 1;
   static constexpr bool kUsesSeed = false;
   static constexpr bool kForStraightFlight = false;
   static constexpr bool kForSpheres = false;
@@ -74,6 +76,7 @@ struct Certified {
 template <class ScalarT>
 struct Advancement : Certified<ScalarT> {
   using Scalar = ScalarT;
+  static constexpr std::uint32_t kNumber = 2;
   static constexpr bool kUsesSeed = true;
   static constexpr bool kForStraightFlight = false;
 
@@ -88,6 +91,7 @@ struct Advancement : Certified<ScalarT> {
 template <class ScalarT>
 struct Translation : Certified<ScalarT> {
   using Scalar = ScalarT;
+  static constexpr std::uint32_t kNumber = 3;
   static constexpr bool kUsesSeed = false;
   static constexpr bool kForStraightFlight = true;
 
@@ -105,6 +109,7 @@ struct Spheres {
   struct Options {
     Scalar slab = 0;  ///< m, >= 0: a gap that counts as contact; raised to what can be resolved
   };
+  static constexpr std::uint32_t kNumber = 4;
   static constexpr bool kUsesSeed = false;
   static constexpr bool kForStraightFlight = true;
   static constexpr bool kForSpheres = true;

@@ -160,6 +160,19 @@ class Duel {
   Capsule<Scalar> blade_W(Side side) const;
   const BodyShape<Scalar>& body_W(Side side) const { return at(side).target.shape(); }
 
+  /// Everything that the next step depends on, for save() and restore() (core/snapshot.hpp), a
+  /// Recorder, or hash_of(); include fencing/archive.hpp. What is read must be settings that
+  /// configure() takes, two blades, sticks within their square, and numbers that are sane; else
+  /// the duel is one that was not configured. Bound: its members.
+  template <class ArchiveT>
+  void archive(ArchiveT& ar) {
+    auto& [settings, world, places, bout, report, steps, dt] = *this;
+    ar(settings, world, places, bout, report, steps, dt);
+    if (!ar.reading()) return;
+    ar.require(dt_ == Scalar(0) || (ar.all_sane() && is_sound()));
+    if (!ar.ok()) dt_ = 0;
+  }
+
  private:
   using BodyId = typename WorldType::BodyId;
 
@@ -173,6 +186,12 @@ class Duel {
     Target<Scalar> target;
     Pose<Scalar> start_WB;  ///< the blade's body at the start of the step
     BodyId blade;
+
+    template <class ArchiveT>
+    void archive(ArchiveT& ar) {
+      auto& [tracker, keys, limbs, arm, origin, hand_W, body, start, id] = *this;
+      ar(tracker, keys, limbs, arm, origin, hand_W, body, start, id);
+    }
   };
 
   /// What a fencer's data come to, before anything is changed.
@@ -197,6 +216,7 @@ class Duel {
   bool within_window(const Moment<Scalar>& first, const Moment<Scalar>& second) const;
   void close_window();
   void add_up();
+  bool is_sound() const;
 
   Settings settings_;
   WorldType world_;

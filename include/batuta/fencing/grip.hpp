@@ -73,6 +73,13 @@ class Grip {
   /// The hand at the end of the last commanded step.
   const Pose<Scalar>& hand() const { return target_; }
 
+  /// Its state, for core/archive.hpp.
+  template <class ArchiveT>
+  void archive(ArchiveT& ar) {
+    auto& [settings, hand, target, step, flight, flight_start, regain, phase] = *this;
+    ar(settings, hand, target, step, flight, flight_start, regain, phase);
+  }
+
  private:
   Pose<Scalar> hand_at(Scalar t) const;
   Pose<Scalar> planned_at(Scalar t) const;

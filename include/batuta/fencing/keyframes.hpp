@@ -90,6 +90,13 @@ class KeyframeGrid {
     return pose_on(KeyGridView<Scalar>{points_.data(), M, N, q_ref_}, stick);
   }
 
+  /// Its state, for core/archive.hpp.
+  template <class ArchiveT>
+  void archive(ArchiveT& ar) {
+    auto& [points, q_ref] = *this;
+    ar(points, q_ref);
+  }
+
  private:
   static constexpr std::size_t kCentre =
       static_cast<std::size_t>((M - 1) / 2) +

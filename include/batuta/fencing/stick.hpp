@@ -73,6 +73,14 @@ class StickTracker {
   std::uint32_t buttons() const { return last_.buttons; }
   const StickReport& report() const { return report_; }
 
+  /// Its state, for core/archive.hpp.
+  template <class ArchiveT>
+  void archive(ArchiveT& ar) {
+    auto& [settings, report, last, position, goal, velocity, remaining, silence, stale, started] =
+        *this;
+    ar(settings, report, last, position, goal, velocity, remaining, silence, stale, started);
+  }
+
  private:
   SampleUse judge(const InputSample& sample) const;
   void follow(const InputSample& sample);

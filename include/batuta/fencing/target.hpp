@@ -90,6 +90,13 @@ class Target {
     return hulls_[static_cast<std::size_t>(part)];
   }
 
+  /// Its state, for core/archive.hpp.
+  template <class ArchiveT>
+  void archive(ArchiveT& ar) {
+    auto& [start_W, shape_W, dt, hulls] = *this;
+    ar(start_W, shape_W, dt, hulls);
+  }
+
  private:
   static constexpr auto kParts = static_cast<std::size_t>(kBodyParts);
   using Hull = Kdop<Scalar, kTargetK>;

@@ -83,6 +83,8 @@ struct Scene {
   // Searching.
   /// What holds a capsule over a step: SweptBox (exact) or CoarseBox; see bound.hpp.
   using Bound = SweptBox;
+  /// The axis along which a scene is longest, 0 ... 2: boxes are kept in order along it.
+  static constexpr int kSweepAxis = 0;
   /// Distance evaluations of one search. Where they do not suffice, the bodies are held, and
   /// counted.
   static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
@@ -94,6 +96,20 @@ struct Scene {
   /// for, and no less than the search's own default.
   static constexpr float kSlab = 0;
 };
+
+/// What the members of a world do not show of its scene, for the fingerprint of what is saved.
+template <class SceneT, class Archive>
+void archive_scene(Archive& ar) {
+  ar.constant(static_cast<std::uint32_t>(SceneT::kMaxContacts));
+  ar.constant(static_cast<std::uint32_t>(SceneT::kMaxSeparations));
+  ar.constant(static_cast<std::uint32_t>(SceneT::kSleepSteps));
+  ar.constant(static_cast<std::uint32_t>(SceneT::kBudget));
+  ar.constant(static_cast<std::uint32_t>(SceneT::kResting));
+  ar.constant(SceneT::Search::kNumber);
+  constexpr std::uint32_t kFlags = (SceneT::kRotation ? 1U : 0U) | (SceneT::kResponse ? 2U : 0U) |
+                                   (SceneT::kLineContact ? 4U : 0U) | (SceneT::kGravity ? 8U : 0U);
+  ar.constant(kFlags);
+}
 
 /// What a scene asks of its searches.
 template <class SceneT>

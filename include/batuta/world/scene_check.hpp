@@ -23,6 +23,8 @@ struct SceneCheck {
   static_assert(SceneT::kMaxContacts >= 1, "Scene::kMaxContacts: at least 1");
   static_assert(SceneT::kMaxEvents >= 0, "Scene::kMaxEvents: at least 0");
   static_assert(SceneT::kMaxSeparations >= 1, "Scene::kMaxSeparations: at least 1");
+  static_assert(SceneT::kSweepAxis >= 0 && SceneT::kSweepAxis <= 2,
+                "Scene::kSweepAxis: choose 0, 1 or 2");
   static_assert(SceneT::kSleepSteps >= 1 && SceneT::kSleepSteps <= 65535,
                 "Scene::kSleepSteps: choose 1 ... 65535");
 

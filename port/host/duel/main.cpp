@@ -18,6 +18,8 @@
 #include "host/duel/json_log.hpp"
 #include "host/duel/options.hpp"
 #include "host/duel/progress_bar.hpp"
+#include "host/duel/replay.hpp"
+#include "host/duel/run_record.hpp"
 #include "host/duel/svg_picture.hpp"
 
 namespace batuta::host {
@@ -33,7 +35,13 @@ int complain(int exit_code, const std::string& what) {
 /// Below this, a replay is over before a bar could be read.
 constexpr double kLongReplay = 600;  // s
 
-Observers make_observers(const Options& options, double limit, std::ostream& svg) {
+/// Where a bout is drawn and recorded, if it is to be.
+struct Outputs {
+  std::ofstream svg;
+  FileSink record;
+};
+
+Observers make_observers(const Options& options, double limit, Outputs& outputs) {
   Observers observers;
   if (limit >= kLongReplay && !options.realtime && isatty(STDERR_FILENO) != 0) {
     observers.push_back(std::make_unique<ProgressBar>(stderr));
@@ -43,7 +51,8 @@ Observers make_observers(const Options& options, double limit, std::ostream& svg
   } else {
     observers.push_back(std::make_unique<BoutLog>(stdout));
   }
-  if (!options.svg.empty()) observers.push_back(std::make_unique<SvgPicture>(svg));
+  if (!options.svg.empty()) observers.push_back(std::make_unique<SvgPicture>(outputs.svg));
+  if (!options.record.empty()) observers.push_back(std::make_unique<RunRecord>(outputs.record));
   return observers;
 }
 
@@ -104,13 +113,18 @@ BoutEnd fail(const std::string& what) {
   return BoutEnd::kFailed;
 }
 
-BoutEnd play_bout(const Options& options, DeviceSetup& setup, std::ostream& svg) {
+/// A recording holds one bout: each begins the file anew.
+BoutEnd play_bout(const Options& options, DeviceSetup& setup, Outputs& outputs) {
+  if (!options.record.empty()) {
+    const std::string error = outputs.record.open(options.record);
+    if (!error.empty()) return fail(error);
+  }
   DevicePartner* device = setup.partner();
   if (device != nullptr && !device->open()) return fail(device->problem());
   const auto runner = std::make_unique<DuelRunner>(setup.source(Side::kLeft),
                                                    setup.source(Side::kRight), options.seconds);
   if (runner->start() != Status::kOk) return fail("the fencers are not valid");
-  const Observers observers = make_observers(options, runner->limit(), svg);
+  const Observers observers = make_observers(options, runner->limit(), outputs);
   const bool ended = run(*runner, observers, options.realtime, device);
   if (runner->status() != Status::kOk) {
     return fail("step " + std::to_string(runner->bout().steps() + 1) +
@@ -122,10 +136,10 @@ BoutEnd play_bout(const Options& options, DeviceSetup& setup, std::ostream& svg)
 }
 
 /// One bout; with a device that was lost on the way, another one.
-int play_bouts(const Options& options, DeviceSetup& setup, std::ostream& svg) {
+int play_bouts(const Options& options, DeviceSetup& setup, Outputs& outputs) {
   BoutEnd end = BoutEnd::kDeviceLost;
   while (end == BoutEnd::kDeviceLost) {  // Bound: kMostLost + 1 sessions
-    end = play_bout(options, setup, svg);
+    end = play_bout(options, setup, outputs);
   }
   return end == BoutEnd::kOver ? kExitOk : kExitFailure;
 }
@@ -138,6 +152,17 @@ OpenedSource open(const std::string& words) {
   return opened;
 }
 
+/// Whether all that was to be written is.
+int finish(const Options& options, Outputs& outputs) {
+  outputs.svg.flush();
+  if (!options.svg.empty() && !outputs.svg)
+    return complain(kExitFailure, options.svg + ": cannot be written");
+  if (!options.record.empty() && !outputs.record.close())
+    return complain(kExitFailure, options.record + ": cannot be written");
+  const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  return written ? kExitOk : complain(kExitFailure, "the output cannot be written");
+}
+
 int play(const Options& options) {
   const OpenedSource left = open(options.left);
   if (!left.source) return kExitUsage;
@@ -146,29 +171,35 @@ int play(const Options& options) {
   DeviceSetup setup;
   const std::string error = setup.open(left, right);
   if (!error.empty()) return complain(kExitUsage, error);
-  std::ofstream svg;
+  Outputs outputs;
   if (!options.svg.empty()) {
-    svg.open(options.svg);
-    if (!svg)
+    outputs.svg.open(options.svg);
+    if (!outputs.svg)
       return complain(kExitFailure, options.svg + ": cannot be written: " + std::strerror(errno));
   }
-  const int exit_code = play_bouts(options, setup, svg);
-  if (exit_code != kExitOk) return exit_code;
-  svg.flush();
-  if (!options.svg.empty() && !svg)
-    return complain(kExitFailure, options.svg + ": cannot be written");
-  const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
-  return written ? kExitOk : complain(kExitFailure, "the output cannot be written");
+  const int exit_code = play_bouts(options, setup, outputs);
+  return exit_code == kExitOk ? finish(options, outputs) : exit_code;
+}
+
+/// A recorded bout instead of one of two sources.
+int play_again(const Options& options) {
+  const Replay result = replay(options.replay);
+  const int exit_code = exit_code_for(result);
+  if (exit_code != kExitOk) return complain(exit_code, words_for(result));
+  std::printf("%s\n", words_for(result).c_str());
+  return kExitOk;
 }
 
 }  // namespace
 }  // namespace batuta::host
 
 int main(int count, char** words) {
+  using namespace batuta::host;
   try {
-    const auto line = batuta::host::read_command_line(count, words);
-    return line.run ? batuta::host::play(line.options) : line.exit_code;
+    const auto line = read_command_line(count, words);
+    if (!line.run) return line.exit_code;
+    return line.options.replay.empty() ? play(line.options) : play_again(line.options);
   } catch (const std::exception& problem) {
-    return batuta::host::complain(batuta::host::kExitFailure, problem.what());
+    return complain(kExitFailure, problem.what());
   }
 }

@@ -36,9 +36,12 @@ line, summary. SI units. Contacts that only persist are counted in the summary, 
 
 With a device, a line of the type "link" before the summary tells what the cable did.
 
+With --replay no source is opened: the samples come from the file, and after every step the state
+of the duel is compared with the recorded one. A recording made on another machine must agree.
+
 Exit codes: 0 the bout ran; 1 something failed on the way, such as writing the picture, a device
-            that does not answer, or one that computes other bits; 2 wrong usage, or a source that
-            cannot be read)";
+            that does not answer, or one that computes other bits, or a replay that parts from
+            its recording; 2 wrong usage, or a source or recording that cannot be read)";
 
 std::string positive_number(const std::string& words) {
   double value = 0;
@@ -47,18 +50,28 @@ std::string positive_number(const std::string& words) {
 }
 
 void declare(CLI::App& app, Options& options) {
-  app.add_option("--left", options.left, "who fences on the left")
-      ->type_name("SOURCE")
-      ->capture_default_str();
-  app.add_option("--right", options.right, "who fences on the right")
-      ->type_name("SOURCE")
-      ->capture_default_str();
-  app.add_flag("--json", options.json, "print one JSON object a line instead of the log");
-  app.add_option("--svg", options.svg, "draw the bout into this file")->type_name("FILE");
-  app.add_flag("--realtime", options.realtime, "as fast as it happens, not as fast as possible");
-  app.add_option("--seconds", options.seconds, "end the bout after so many seconds")
-      ->type_name("LIMIT")
-      ->check(positive_number);
+  CLI::Option* const left = app.add_option("--left", options.left, "who fences on the left");
+  left->type_name("SOURCE")->capture_default_str();
+  CLI::Option* const right = app.add_option("--right", options.right, "who fences on the right");
+  right->type_name("SOURCE")->capture_default_str();
+  CLI::Option* const json =
+      app.add_flag("--json", options.json, "print one JSON object a line instead of the log");
+  CLI::Option* const svg = app.add_option("--svg", options.svg, "draw the bout into this file");
+  svg->type_name("FILE");
+  CLI::Option* const realtime = app.add_flag("--realtime", options.realtime,
+                                             "as fast as it happens, not as fast as possible");
+  CLI::Option* const seconds =
+      app.add_option("--seconds", options.seconds, "end the bout after so many seconds");
+  seconds->type_name("LIMIT")->check(positive_number);
+  CLI::Option* const record =
+      app.add_option("--record", options.record, "record the bout into this file");
+  record->type_name("FILE");
+  CLI::Option* const replay = app.add_option(
+      "--replay", options.replay, "go through a recorded bout again and compare every step");
+  replay->type_name("FILE");
+  for (CLI::Option* other : {left, right, json, svg, realtime, seconds, record}) {
+    replay->excludes(other);
+  }
   app.set_version_flag("--version", "batuta-duel " BATUTA_VERSION);
   app.footer(kFooter);
 }

@@ -15,7 +15,9 @@ inline constexpr int kExitUsage = 2;    ///< wrong usage, or a source that canno
 struct Options {
   std::string left = "default";
   std::string right = "script:parry";
-  std::string svg;  ///< empty: no picture
+  std::string svg;     ///< empty: no picture
+  std::string record;  ///< file for the whole bout; empty: none
+  std::string replay;  ///< recorded bout to go through instead of one of two sources; empty: none
   double seconds = std::numeric_limits<double>::infinity();
   bool json = false;
   bool realtime = false;

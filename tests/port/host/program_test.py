@@ -142,6 +142,38 @@ def picture(folder):
     xml.etree.ElementTree.parse(path)
 
 
+def replay(folder):
+    """A recorded bout is the same when it is gone through again; what is not, is told from it."""
+    path = os.path.join(folder, "bout.batuta")
+    bout = run("--left", "script:attack", "--right", "script:parry", "--json", "--record", path)
+    steps = objects(bout)[-1]["steps"]
+    again = run("--replay", path)
+    check(again.returncode == 0, again.stderr)
+    check("%d steps, %d hashes agreed" % (steps, steps + 1) in again.stdout, again.stdout)
+
+    with open(path, "rb") as file:
+        whole = file.read()
+
+    def altered(name, content):
+        other = os.path.join(folder, name)
+        with open(other, "wb") as file:
+            file.write(content)
+        return other
+
+    refuses(["--replay", altered("cut", whole[:-1])], 1, "%d steps" % steps, "end mark")
+    middle = len(whole) // 2
+    spoilt = whole[:middle] + bytes([whole[middle] ^ 1]) + whole[middle + 1:]
+    refuses(["--replay", altered("damaged", spoilt)], 1, "damaged")
+    refuses(["--replay", altered("foreign", b"x" * 1000)], 2, "not a recording")
+    scene = bytes([whole[8] ^ 1])
+    refuses(["--replay", altered("other", whole[:8] + scene + whole[9:])], 2, "another scene")
+    refuses(["--replay", os.path.join(folder, "absent")], 2, "absent")
+    refuses(["--replay", path, "--left", "default"], 2, "--left")
+    refuses(["--replay", path, "--record", path], 2, "--record")
+    failed = run("--record", os.path.join(folder, "no", "such", "folder"))
+    check(failed.returncode == 1, failed.returncode)
+
+
 def real(_):
     folder = os.path.join(SHARED, "recordings")
     if not os.path.isdir(folder):
@@ -158,6 +190,7 @@ def real(_):
             check(summary["left_samples_rejected"] == 0, summary)
 
 
-GROUPS = {"Usage": usage, "Recordings": recordings, "Json": json_lines, "Picture": picture, "RealDevices": real}
+GROUPS = {"Usage": usage, "Recordings": recordings, "Json": json_lines, "Picture": picture, "Replay": replay,
+          "RealDevices": real}
 with tempfile.TemporaryDirectory() as scratch:
     GROUPS[GROUP](scratch)

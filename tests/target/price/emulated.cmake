@@ -35,4 +35,10 @@ target_compile_options(price_plant_throw PRIVATE -fexceptions)
 target_link_options(price_plant_throw PRIVATE "LINKER:--defsym=__exidx_start=0,--defsym=__exidx_end=0")
 target_compile_options(price_plant_guard PRIVATE -fthreadsafe-statics)
 
-set(measured "\"sizes\": \"$<TARGET_OBJECTS:price_sizes>\", \"bench\": \"$<TARGET_FILE:price_bench>\",")
+include(scenes.cmake)
+list(JOIN scenes ",\n    " scenes)
+
+set(measured "\"sizes\": \"$<TARGET_OBJECTS:price_sizes>\", \"bench\": \"$<TARGET_FILE:price_bench>\",
+  \"scenes\": {
+    ${scenes}
+  },")

@@ -10,8 +10,9 @@ import json
 import pathlib
 import sys
 
-from tools import budgets, forbidden, instructions, rooms, stack, stack_graph
+from tools import budgets, forbidden, instructions, rooms, scenes, stack, stack_graph
 from tools.image import Image
+from tools.scene_collector import SceneCollector
 
 HERE = pathlib.Path(__file__).resolve().parent
 BUDGETS = HERE / "budgets.csv"
@@ -120,6 +121,14 @@ def parse():
     return parser.parse_args()
 
 
+def take_scenes(collector, options, folder):
+    of_scenes = SceneCollector(collector)
+    of_scenes.take_images()
+    if not options.without_instructions:
+        of_scenes.take_runs(folder)
+    collector.findings += [f"scenes: {text}" for text in scenes.savings(collector.figures)]
+
+
 def collect(options, manifest, folder):
     collector = Collector(manifest)
     for name, path in manifest["images"].items():
@@ -134,6 +143,8 @@ def collect(options, manifest, folder):
         is_complete = queries is not None
         if is_complete:
             collector.take_bench(queries)
+    if "scenes" in manifest:
+        take_scenes(collector, options, folder)
     collector.write(folder)
     return collector, is_complete
 
@@ -153,6 +164,9 @@ def main():
     print_rooms(collector.rooms)
     if options.verbose:
         print_details(collector)
+    if "scenes" in manifest:
+        print(scenes.table(collector.figures))
+        rows = [row for row in rows if any(row.limits) or row.figure.split(".")[0] not in manifest["scenes"]]
     print(budgets.table(rows))
     print("\n".join(f"GATE {text}" for text in collector.findings) or "the gates found nothing")
     if collector.findings or any(row.is_over for row in rows):

@@ -170,16 +170,20 @@ TEST(Sweep, AnyArrangement_FindsWhatEachWithEachFinds) {
 }
 
 TEST(Sweep, Order_DependsOnTheBoxesAlone) {
-  Checked<40> upwards;
-  Checked<40> downwards;
-  for (int i = 0; i < 40; ++i) {
-    upwards.set(i, box_of(static_cast<float>(i % 4), 0, 1), i % 3 == 0);
-    downwards.set(39 - i, box_of(static_cast<float>((39 - i) % 4), 0, 1), (39 - i) % 3 == 0);
+  constexpr int kN = 40;
+  const auto x = [](int i) { return static_cast<float>(i % 4); };
+  Checked<kN> fresh;
+  Checked<kN> with_a_past;
+  for (int i = 0; i < kN; ++i) {
+    fresh.set(i, box_of(x(i), 0, 1), i % 3 == 0);
+    with_a_past.set(i, box_of(static_cast<float>(-i), 0, 1), true);
   }
-  upwards.sort();
-  downwards.sort();
-  EXPECT_EQ(upwards.pairs(), downwards.pairs());
-  EXPECT_FALSE(upwards.pairs().empty());
+  with_a_past.sort();
+  for (int i = 0; i < kN; ++i) with_a_past.set(i, box_of(x(i), 0, 1), i % 3 == 0);
+  fresh.sort();
+  with_a_past.sort();
+  EXPECT_EQ(fresh.pairs(), with_a_past.pairs());
+  EXPECT_FALSE(fresh.pairs().empty());
 }
 
 TEST(Sweep, EmptyList_HasNoPairs) {

@@ -18,6 +18,8 @@ enum class Kind : std::uint32_t {
   kStep = 7,         ///< step; ticks, evaluations, contacts
   kConfigure = 8,    ///< step; ticks
   kStack = 9,        ///< chunk; deepest stack below the function of that chunk, B
+  kSceneStep = 10,   ///< step; ticks, contacts, status
+  kSceneState = 11,  ///< hash of the bodies at the end of a run
 };
 
 struct Sample {

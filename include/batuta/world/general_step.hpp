@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// World, second part: the rounds of a step, in the order in which they happen. Included by
-// world.hpp.
+// GeneralWorld, second part: the rounds of a step, in the order in which they happen. Included by
+// general_world.hpp.
 
-#include "batuta/world/world.hpp"
+#include "batuta/world/general_world.hpp"
 
 namespace batuta {
 
 template <class SceneT>
-Result<typename World<SceneT>::BodyId> World<SceneT>::add(const ActorType& actor) {
+Result<typename GeneralWorld<SceneT>::BodyId> GeneralWorld<SceneT>::add(const ActorType& actor) {
   if (!is_usable(actor)) return failure<BodyId>(Status::kInvalidArgument);
   ActorType added = actor;
   Matter::prepare(added);
@@ -19,14 +19,14 @@ Result<typename World<SceneT>::BodyId> World<SceneT>::add(const ActorType& actor
 
 /// Nothing is left of who was in the slot before.
 template <class SceneT>
-void World<SceneT>::begin_life(std::size_t slot) {
+void GeneralWorld<SceneT>::begin_life(std::size_t slot) {
   tracks_[slot].stands = false;
   tracks_[slot].boxed = false;
   if constexpr (SceneT::kSleep) this->start_over(slot, actor_at(slot).body.X_WB);
 }
 
 template <class SceneT>
-void World<SceneT>::restore(const World& saved) {
+void GeneralWorld<SceneT>::restore(const GeneralWorld& saved) {
   if (&saved == this) return;
   this->copy_seeds(saved);
   this->copy_events(saved);
@@ -43,7 +43,7 @@ void World<SceneT>::restore(const World& saved) {
 }
 
 template <class SceneT>
-Status World<SceneT>::step(Scalar dt) {
+Status GeneralWorld<SceneT>::step(Scalar dt) {
   if (!is_positive(dt)) return Status::kInvalidArgument;
   begin_step(dt);
   for (int round = 0; round < kMaxRounds && now_ < dt_; ++round) run_round();  // Bound: kMaxRounds
@@ -55,7 +55,7 @@ Status World<SceneT>::step(Scalar dt) {
 /// To the next thing that happens: a contact, a search that ended without an answer, the end of a
 /// hold, or the end of the step.
 template <class SceneT>
-void World<SceneT>::run_round() {
+void GeneralWorld<SceneT>::run_round() {
   refresh();
   const Scalar released = next_release();
   const int earliest = WatchOrder::earliest(watches_);
@@ -71,7 +71,7 @@ void World<SceneT>::run_round() {
 
 /// The first time at which a held body is released, or the end of the step.
 template <class SceneT>
-typename World<SceneT>::Scalar World<SceneT>::next_release() const {
+typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::next_release() const {
   Scalar time = dt_;
   if constexpr (kReleases) {
     for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
@@ -82,7 +82,7 @@ typename World<SceneT>::Scalar World<SceneT>::next_release() const {
 }
 
 template <class SceneT>
-void World<SceneT>::release(Scalar time) {
+void GeneralWorld<SceneT>::release(Scalar time) {
   now_ = time;
   if constexpr (kReleases) {
     if (!(now_ < dt_)) return;
@@ -95,7 +95,7 @@ void World<SceneT>::release(Scalar time) {
 
 /// @param time  not later than the watch's own: another one that ties with it may be earlier
 template <class SceneT>
-void World<SceneT>::answer(const WatchType& watch, Scalar time) {
+void GeneralWorld<SceneT>::answer(const WatchType& watch, Scalar time) {
   const bool is_own_time = time == watch.free_until();
   const bool is_known = is_own_time && is_same(watch.pair, sights_.pair());
   now_ = time;
@@ -122,7 +122,7 @@ void World<SceneT>::answer(const WatchType& watch, Scalar time) {
 
 /// A watch that ends without an answer.
 template <class SceneT>
-void World<SceneT>::count_cut(const WatchType& watch) {
+void GeneralWorld<SceneT>::count_cut(const WatchType& watch) {
   if (watch.is_contact()) {
     ++report_.contacts_dropped;
   } else if (watch.outcome == Outcome::kBudget) {
@@ -134,9 +134,12 @@ void World<SceneT>::count_cut(const WatchType& watch) {
 
 /// Moves a body on its course, up to now; it has to be planned from there.
 template <class SceneT>
-void World<SceneT>::bring(std::size_t slot, Scalar elapsed) {
+void GeneralWorld<SceneT>::bring(std::size_t slot, Scalar elapsed) {
   Track& track = tracks_[slot];
   Matter::move(actor_at(slot).body, track.course.motion, elapsed);
+  if constexpr (SceneT::kRotation && SceneT::kMaxPairs > 1) {  // look() asks where it is
+    track.course.motion.X_WB = actor_at(slot).body.X_WB;
+  }
   track.start = now_;
   track.changed = true;
   is_changed_ = true;
@@ -144,7 +147,7 @@ void World<SceneT>::bring(std::size_t slot, Scalar elapsed) {
 
 /// The body stays where it is now. What is held for longer already stays held.
 template <class SceneT>
-void World<SceneT>::hold(std::size_t slot, Scalar until) {
+void GeneralWorld<SceneT>::hold(std::size_t slot, Scalar until) {
   Track& track = tracks_[slot];
   if (track.start < now_) bring(slot, now_ - track.start);
   track.held_until = max_of(track.held_until, min_of(until, dt_));
@@ -155,14 +158,14 @@ void World<SceneT>::hold(std::size_t slot, Scalar until) {
 }
 
 template <class SceneT>
-void World<SceneT>::hold_pair(BodyPair pair, Scalar until) {
+void GeneralWorld<SceneT>::hold_pair(BodyPair pair, Scalar until) {
   if constexpr (!SceneT::kResponse) return;
   hold(body_of(pair.first), until);
   hold(body_of(pair.second), until);
 }
 
 template <class SceneT>
-void World<SceneT>::end_step() {
+void GeneralWorld<SceneT>::end_step() {
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
     if (!tracks_[slot].present) continue;
     ActorType& actor = actor_at(slot);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// World, third part: what happens at a contact. Included by world.hpp.
+// GeneralWorld, third part: what happens at a contact. Included by general_world.hpp.
 
 #include "batuta/geometry/direction.hpp"
-#include "batuta/world/world.hpp"
+#include "batuta/world/general_world.hpp"
 
 namespace batuta {
 
 /// A pair as it is now, without a search: for a contact whose search was not kept.
 template <class SceneT>
-void World<SceneT>::look(BodyPair pair, Sight& sight) {
+void GeneralWorld<SceneT>::look(BodyPair pair, Sight& sight) {
   const auto moving_pair = make_moving_pair(mover(pair.first, dt_), mover(pair.second, dt_));
   sight = {};
   if (!moving_pair.ok()) return;
@@ -23,7 +23,7 @@ void World<SceneT>::look(BodyPair pair, Sight& sight) {
 }
 
 template <class SceneT>
-void World<SceneT>::answer_turning(const WatchType& watch, const Sight& sight) {
+void GeneralWorld<SceneT>::answer_turning(const WatchType& watch, const Sight& sight) {
   const std::size_t a = body_of(watch.pair.first);
   const std::size_t b = body_of(watch.pair.second);
   const CapsuleGap<Scalar>& witness = sight.search.witness;
@@ -59,7 +59,7 @@ void World<SceneT>::answer_turning(const WatchType& watch, const Sight& sight) {
 
 /// The impulse that the pair's laws give; without restitution where the scene's bodies settle.
 template <class SceneT>
-Result<Impulse<Scalar_of<SceneT>>> World<SceneT>::impulse_for(
+Result<Impulse<Scalar_of<SceneT>>> GeneralWorld<SceneT>::impulse_for(
     BodyPair pair, const std::array<Party<Scalar>, 2>& parties,
     const Contact<Scalar>& contact) const {
   const ActorType& P = actor_at(body_of(pair.first));
@@ -87,7 +87,7 @@ Result<Impulse<Scalar_of<SceneT>>> World<SceneT>::impulse_for(
 /// Time for a separation: the paper's f(D), for which both stand still; or where bodies settle, a
 /// count, at the end of which the pair is frozen.
 template <class SceneT>
-void World<SceneT>::charge(BodyPair pair, const EncounterAnswer<Scalar>& answer) {
+void GeneralWorld<SceneT>::charge(BodyPair pair, const EncounterAnswer<Scalar>& answer) {
   if constexpr (kReleases) hold_pair(pair, now_ + answer.separation.duration);
   if constexpr (kSettles) {
     if (this->repeat(pair) < SceneT::kMaxSeparations) return;
@@ -98,14 +98,14 @@ void World<SceneT>::charge(BodyPair pair, const EncounterAnswer<Scalar>& answer)
 
 /// Neither body can be pushed: where one is moved into the other, both stop.
 template <class SceneT>
-bool World<SceneT>::is_immovable(BodyPair pair) const {
+bool GeneralWorld<SceneT>::is_immovable(BodyPair pair) const {
   return is_fixed(actor_at(body_of(pair.first)).body) &&
          is_fixed(actor_at(body_of(pair.second)).body);
 }
 
 template <class SceneT>
-void World<SceneT>::block(const WatchType& watch, const Sight& sight,
-                          const Nearest<Scalar>& nearest) {
+void GeneralWorld<SceneT>::block(const WatchType& watch, const Sight& sight,
+                                 const Nearest<Scalar>& nearest) {
   EncounterAnswer<Scalar> answer;
   answer.v_rel = sight.search.gap_rate;
   answer.kind = classify(answer.v_rel, rest_speed_);
@@ -115,7 +115,7 @@ void World<SceneT>::block(const WatchType& watch, const Sight& sight,
 }
 
 template <class SceneT>
-EncounterOptions<Scalar_of<SceneT>> World<SceneT>::options_for(Scalar margin) const {
+EncounterOptions<Scalar_of<SceneT>> GeneralWorld<SceneT>::options_for(Scalar margin) const {
   EncounterOptions<Scalar> options;
   options.margin = margin;
   options.settles = kSettles;
@@ -132,7 +132,8 @@ EncounterOptions<Scalar_of<SceneT>> World<SceneT>::options_for(Scalar margin) co
 
 /// The gap from which the next search lets parting bodies go (src/world/encounter.md).
 template <class SceneT>
-typename World<SceneT>::Scalar World<SceneT>::margin_of(const Sight& sight, BodyPair pair) const {
+typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::margin_of(const Sight& sight,
+                                                                      BodyPair pair) const {
   constexpr Scalar kContactGaps = 2;
   constexpr Scalar kUlps = 64;
   const Scalar size = length(actor_at(body_of(pair.first)).body.X_WB.p_W) +
@@ -143,7 +144,7 @@ typename World<SceneT>::Scalar World<SceneT>::margin_of(const Sight& sight, Body
 /// A body at a contact. One that its driver moves gets the momentum that goes with the driver's
 /// twist, so that the impulse is added to what the body really has.
 template <class SceneT>
-Party<Scalar_of<SceneT>> World<SceneT>::party(std::size_t slot) {
+Party<Scalar_of<SceneT>> GeneralWorld<SceneT>::party(std::size_t slot) {
   Body<Scalar>& body = actor_at(slot).body;
   const Course<Scalar>& course = tracks_[slot].course;
   if (!course.by_momentum) body.momentum = momentum_of(body, course.motion.twist);
@@ -153,19 +154,18 @@ Party<Scalar_of<SceneT>> World<SceneT>::party(std::size_t slot) {
 
 /// Near-parallel capsules press along a line: the contact at its centre of pressure.
 template <class SceneT>
-Contact<Scalar_of<SceneT>> World<SceneT>::pressed(BodyPair pair,
-                                                  const std::array<Party<Scalar>, 2>& parties,
-                                                  const Contact<Scalar>& contact,
-                                                  Scalar slack) const {
+Contact<Scalar_of<SceneT>> GeneralWorld<SceneT>::pressed(
+    BodyPair pair, const std::array<Party<Scalar>, 2>& parties, const Contact<Scalar>& contact,
+    Scalar slack) const {
   return pressure_contact(collider_of(parties[0]), collider_of(parties[1]), shape_W(pair.first),
                           shape_W(pair.second), contact, slack);
 }
 
 /// How far each of the two may be shifted.
 template <class SceneT>
-void World<SceneT>::make_room(BodyPair pair, const Contact<Scalar>& contact,
-                              const EncounterOptions<Scalar>& options,
-                              std::array<Party<Scalar>, 2>& parties) const {
+void GeneralWorld<SceneT>::make_room(BodyPair pair, const Contact<Scalar>& contact,
+                                     const EncounterOptions<Scalar>& options,
+                                     std::array<Party<Scalar>, 2>& parties) const {
   const std::size_t a = body_of(pair.first);
   const std::size_t b = body_of(pair.second);
   const Scalar shift = max_of(options.separation, options.margin) - min_of(contact.gap, Scalar(0));
@@ -179,9 +179,10 @@ void World<SceneT>::make_room(BodyPair pair, const Contact<Scalar>& contact,
 /// @param away_W  direction of the shift
 /// @param shift   the longest that may be asked for, m; what is further away is no neighbour
 template <class SceneT>
-typename World<SceneT>::Scalar World<SceneT>::room_of(std::size_t slot, std::size_t other,
-                                                      const Vec3<Scalar>& away_W,
-                                                      Scalar shift) const {
+typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::room_of(std::size_t slot,
+                                                                    std::size_t other,
+                                                                    const Vec3<Scalar>& away_W,
+                                                                    Scalar shift) const {
   Scalar room = std::numeric_limits<Scalar>::max();
   for (int part = 0; part < parts_of(actor_at(slot)); ++part) {  // Bound: kCapsulesPerBody
     const Capsule<Scalar> shape = shape_W(proxy_of(slot, part));
@@ -204,7 +205,7 @@ typename World<SceneT>::Scalar World<SceneT>::room_of(std::size_t slot, std::siz
 
 /// A capsule where it is now.
 template <class SceneT>
-Capsule<Scalar_of<SceneT>> World<SceneT>::shape_W(int proxy) const {
+Capsule<Scalar_of<SceneT>> GeneralWorld<SceneT>::shape_W(int proxy) const {
   const ActorType& actor = actor_at(body_of(proxy));
   const Track& track = tracks_[body_of(proxy)];
   const bool is_here = !(track.start < now_);
@@ -214,8 +215,8 @@ Capsule<Scalar_of<SceneT>> World<SceneT>::shape_W(int proxy) const {
 }
 
 template <class SceneT>
-void World<SceneT>::tell_driver(std::size_t slot, const EncounterAnswer<Scalar>& answer,
-                                const Vec3<Scalar>& shift_W) {
+void GeneralWorld<SceneT>::tell_driver(std::size_t slot, const EncounterAnswer<Scalar>& answer,
+                                       const Vec3<Scalar>& shift_W) {
   ActorType& actor = actor_at(slot);
   if constexpr (SceneT::kSleep) this->wake(slot);
   actor.driver.on_contact(actor.body, Feedback<Scalar>{now_, answer.impulse, shift_W});
@@ -223,7 +224,7 @@ void World<SceneT>::tell_driver(std::size_t slot, const EncounterAnswer<Scalar>&
 
 /// Bodies that do not turn: an impulse, after which they part, and what parts is free for good.
 template <class SceneT>
-void World<SceneT>::answer_straight(const WatchType& watch) {
+void GeneralWorld<SceneT>::answer_straight(const WatchType& watch) {
   ActorType& A = actor_at(body_of(watch.pair.first));
   ActorType& B = actor_at(body_of(watch.pair.second));
   Scalar restitution = 0;
@@ -241,7 +242,7 @@ void World<SceneT>::answer_straight(const WatchType& watch) {
 
 /// Without response: the contact is told once, and everybody moves on.
 template <class SceneT>
-void World<SceneT>::only_tell(const WatchType& watch) {
+void GeneralWorld<SceneT>::only_tell(const WatchType& watch) {
   if (!watch.is_contact() || contacts_answered_ == SceneT::kMaxContacts) return count_cut(watch);
   ++contacts_answered_;
   if constexpr (SceneT::kRotation) {

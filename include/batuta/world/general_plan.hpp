@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// World, first part: who takes part in a step, where everybody goes, what volume that takes, and
-// which pairs may meet and when. Included by world.hpp.
+// GeneralWorld, first part: who takes part in a step, where everybody goes, what volume that takes,
+// and which pairs may meet and when. Included by general_world.hpp.
 
-#include "batuta/world/world.hpp"
+#include "batuta/world/general_world.hpp"
 
 namespace batuta {
 
 template <class SceneT>
-void World<SceneT>::begin_step(Scalar dt) {
+void GeneralWorld<SceneT>::begin_step(Scalar dt) {
   report_ = {};
   this->clear_events();
   this->clear_repeats();
@@ -30,18 +30,31 @@ void World<SceneT>::begin_step(Scalar dt) {
 }
 
 template <class SceneT>
-void World<SceneT>::begin_body(std::size_t slot) {
+void GeneralWorld<SceneT>::begin_body(std::size_t slot) {
   Track& track = tracks_[slot];
   track.held_until = 0;
   track.changed = is_present(slot);
   if (!track.changed && track.present) leave_out(slot);
+  if constexpr (SceneT::kSleep) {
+    if (track.changed && this->sleeps(slot) && is_disturbed(slot)) {
+      this->start_over(slot, actor_at(slot).body.X_WB);
+    }
+  }
+}
+
+/// Whether somebody else has moved a sleeper, or given it a momentum.
+template <class SceneT>
+bool GeneralWorld<SceneT>::is_disturbed(std::size_t slot) const {
+  const BodyOf<SceneT>& body = actor_at(slot).body;
+  return !Matter::is_at_start(body, tracks_[slot].course.motion) ||
+         body.momentum.p_W != Vec3<Scalar>::Zero() || body.momentum.b_W != Vec3<Scalar>::Zero();
 }
 
 /// Plans, bounds and searches what has changed. A pair that finds no room holds its bodies, which
 /// changes them in turn: each body at most once, because it is held for the rest of the step.
 /// Bound: kMaxBodies + 1 passes.
 template <class SceneT>
-void World<SceneT>::refresh() {
+void GeneralWorld<SceneT>::refresh() {
   for (int pass = 0; is_changed_ && pass <= SceneT::kMaxBodies; ++pass) {  // Bound: kMaxBodies + 1
     const bool is_begin = pass == 0 && !(now_ > Scalar(0)) && contacts_answered_ == 0;
     is_changed_ = false;
@@ -62,7 +75,7 @@ void World<SceneT>::refresh() {
 
 /// What was known of a body whose course changes is no longer true.
 template <class SceneT>
-void World<SceneT>::drop_watches() {
+void GeneralWorld<SceneT>::drop_watches() {
   const auto is_stale = [this](BodyPair pair) {
     return tracks_[body_of(pair.first)].changed || tracks_[body_of(pair.second)].changed;
   };
@@ -73,7 +86,7 @@ void World<SceneT>::drop_watches() {
 }
 
 template <class SceneT>
-void World<SceneT>::plan(std::size_t slot, bool is_begin) {
+void GeneralWorld<SceneT>::plan(std::size_t slot, bool is_begin) {
   Track& track = tracks_[slot];
   track.changed = false;
   const bool stayed =
@@ -90,7 +103,7 @@ void World<SceneT>::plan(std::size_t slot, bool is_begin) {
 
 /// False: the body cannot take part.
 template <class SceneT>
-bool World<SceneT>::plan_course(std::size_t slot, bool is_begin) {
+bool GeneralWorld<SceneT>::plan_course(std::size_t slot, bool is_begin) {
   ActorType& actor = actor_at(slot);
   Track& track = tracks_[slot];
   const Scalar duration = end_of(slot) - now_;
@@ -113,7 +126,7 @@ bool World<SceneT>::plan_course(std::size_t slot, bool is_begin) {
 }
 
 template <class SceneT>
-void World<SceneT>::leave_out(std::size_t slot) {
+void GeneralWorld<SceneT>::leave_out(std::size_t slot) {
   tracks_[slot].present = false;
   tracks_[slot].stands = false;
   for (int part = 0; part < kParts; ++part) {  // Bound: kCapsulesPerBody
@@ -122,7 +135,7 @@ void World<SceneT>::leave_out(std::size_t slot) {
 }
 
 template <class SceneT>
-void World<SceneT>::put_boxes(std::size_t slot, bool idle) {
+void GeneralWorld<SceneT>::put_boxes(std::size_t slot, bool idle) {
   const ActorType& actor = actor_at(slot);
   tracks_[slot].boxed = true;
   for (int part = 0; part < kParts; ++part) {  // Bound: kCapsulesPerBody
@@ -137,12 +150,12 @@ void World<SceneT>::put_boxes(std::size_t slot, bool idle) {
 }
 
 template <class SceneT>
-void World<SceneT>::collect_all() {
+void GeneralWorld<SceneT>::collect_all() {
   sweep_.for_each_pair([this](BodyPair pair) { collect(pair); });
 }
 
 template <class SceneT>
-void World<SceneT>::collect_fresh() {
+void GeneralWorld<SceneT>::collect_fresh() {
   for (int i = 0; i < kProxies; ++i) {  // Bound: all capsules
     const auto proxy = static_cast<Slot>(i);
     if (!tracks_[body_of(i)].fresh || !sweep_.contains(proxy)) continue;
@@ -155,7 +168,7 @@ void World<SceneT>::collect_fresh() {
 
 /// Between two held bodies nothing changes before one of them is released: such a pair waits.
 template <class SceneT>
-void World<SceneT>::collect(BodyPair pair) {
+void GeneralWorld<SceneT>::collect(BodyPair pair) {
   const std::size_t a = body_of(pair.first);
   const std::size_t b = body_of(pair.second);
   if (!may_pair(a, b) || (is_held(a) && is_held(b))) return;
@@ -168,7 +181,7 @@ void World<SceneT>::collect(BodyPair pair) {
 
 /// What is still and cannot be pushed may stand in other such bodies.
 template <class SceneT>
-bool World<SceneT>::may_pair(std::size_t a, std::size_t b) const {
+bool GeneralWorld<SceneT>::may_pair(std::size_t a, std::size_t b) const {
   const bool walls =
       Matter::is_still(tracks_[a].course.motion) && Matter::is_still(tracks_[b].course.motion) &&
       Matter::is_immovable(actor_at(a).body) && Matter::is_immovable(actor_at(b).body);
@@ -176,7 +189,7 @@ bool World<SceneT>::may_pair(std::size_t a, std::size_t b) const {
 }
 
 template <class SceneT>
-void World<SceneT>::search_watches() {
+void GeneralWorld<SceneT>::search_watches() {
   for (int i = 0; i < watches_.size(); ++i) {  // Bound: kMaxPairs
     if (!watches_[i].asked) search(watches_[i]);
   }
@@ -187,7 +200,7 @@ void World<SceneT>::search_watches() {
 
 /// What was seen of the earliest watch is kept: its contact then needs no other evaluation.
 template <class SceneT>
-void World<SceneT>::search(WatchType& watch) {
+void GeneralWorld<SceneT>::search(WatchType& watch) {
   ++report_.pairs;
   const Scalar until =
       min_of(end_of(body_of(watch.pair.first)), end_of(body_of(watch.pair.second)));
@@ -203,14 +216,14 @@ void World<SceneT>::search(WatchType& watch) {
 }
 
 template <class SceneT>
-typename MatterOf<SceneT>::Mover World<SceneT>::mover(int proxy, Scalar until) const {
+typename MatterOf<SceneT>::Mover GeneralWorld<SceneT>::mover(int proxy, Scalar until) const {
   const Track& track = tracks_[body_of(proxy)];
   return Matter::mover(actor_at(body_of(proxy)), part_at(proxy),
                        Matter::rest_of(track.course.motion, now_ - track.start, until - now_));
 }
 
 template <class SceneT>
-void World<SceneT>::search_pair(BodyPair pair, Scalar until, Sight& sight) {
+void GeneralWorld<SceneT>::search_pair(BodyPair pair, Scalar until, Sight& sight) {
   if constexpr (!SceneT::kRotation) {
     sight = Matter::search(mover(pair.first, until), mover(pair.second, until), settings_.search);
   } else {
@@ -234,7 +247,7 @@ void World<SceneT>::search_pair(BodyPair pair, Scalar until, Sight& sight) {
 
 /// The seed is a direction in W, and as good a guess in the next round or step.
 template <class SceneT>
-SearchResult<typename World<SceneT>::Scalar> World<SceneT>::search_with_seed(
+SearchResult<typename GeneralWorld<SceneT>::Scalar> GeneralWorld<SceneT>::search_with_seed(
     BodyPair pair, const MovingPair<Scalar>& moving_pair) {
   if constexpr (Search::kUsesSeed) {
     auto result = Search::search(moving_pair, settings_.search, this->recall(pair));
@@ -248,7 +261,7 @@ SearchResult<typename World<SceneT>::Scalar> World<SceneT>::search_with_seed(
 /// What cannot be pushed cannot be opened to the margin either; where such a pair touches and
 /// parts, it is searched as if it were thinner by what is missing (src/world/encounter.md).
 template <class SceneT>
-SearchResult<typename World<SceneT>::Scalar> World<SceneT>::let_go(
+SearchResult<typename GeneralWorld<SceneT>::Scalar> GeneralWorld<SceneT>::let_go(
     const MovingPair<Scalar>& moving_pair, const Sight& sight, BodyPair pair) const {
   const Scalar missing = margin_of(sight, pair) - sight.search.witness.gap;
   const Scalar radii = moving_pair.A.radius + moving_pair.B.radius;

@@ -2,11 +2,11 @@
 // Half a byte at a time: 64 bytes of table where a whole byte at a time needs 1 kB, and a fifth of
 // the time of one bit at a time.
 
-#include "link/crc32.hpp"
+#include "batuta/core/crc32.hpp"
 
 #include <array>
 
-namespace batuta::link {
+namespace batuta {
 namespace {
 
 constexpr std::uint32_t kReflectedPolynomial = 0xEDB88320U;
@@ -39,4 +39,4 @@ std::uint32_t crc32(const std::uint8_t* bytes, int count) {
   return ~crc;
 }
 
-}  // namespace batuta::link
+}  // namespace batuta

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// World, fourth part: begin, persist and end of contacts, and who sleeps. Included by world.hpp.
+// GeneralWorld, fourth part: begin, persist and end of contacts, and who sleeps. Included by
+// general_world.hpp.
 
-#include "batuta/world/world.hpp"
+#include "batuta/world/general_world.hpp"
 
 namespace batuta {
 
 template <class SceneT>
-Status World<SceneT>::remove(BodyId id) {
+Status GeneralWorld<SceneT>::remove(BodyId id) {
   const int index = actors_.index_of(id);
   const Status status = actors_.remove(id);
   if (status != Status::kOk) return status;
@@ -28,8 +29,8 @@ Status World<SceneT>::remove(BodyId id) {
 }
 
 template <class SceneT>
-void World<SceneT>::record(const WatchType& watch, const Nearest<Scalar>& nearest,
-                           const EncounterAnswer<Scalar>& answer) {
+void GeneralWorld<SceneT>::record(const WatchType& watch, const Nearest<Scalar>& nearest,
+                                  const EncounterAnswer<Scalar>& answer) {
   if (answer.impulse > Scalar(0)) ++report_.collisions;
   if (answer.separated) ++report_.separations;
   if (watch.outcome == Outcome::kTouching && !(nearest.contact.gap > Scalar(0))) {
@@ -52,8 +53,8 @@ void World<SceneT>::record(const WatchType& watch, const Nearest<Scalar>& neares
 }
 
 template <class SceneT>
-ContactEvent<Scalar_of<SceneT>> World<SceneT>::event_of(BodyPair pair,
-                                                        const Nearest<Scalar>& nearest) const {
+ContactEvent<Scalar_of<SceneT>> GeneralWorld<SceneT>::event_of(
+    BodyPair pair, const Nearest<Scalar>& nearest) const {
   ContactEvent<Scalar> event;
   event.body_A = static_cast<Slot>(body_of(pair.first));
   event.body_B = static_cast<Slot>(body_of(pair.second));
@@ -67,7 +68,7 @@ ContactEvent<Scalar_of<SceneT>> World<SceneT>::event_of(BodyPair pair,
 
 /// Contacts that have opened by the end of the step end with it, also those that began in it.
 template <class SceneT>
-void World<SceneT>::end_touches() {
+void GeneralWorld<SceneT>::end_touches() {
   for (int i = this->touches() - 1; i >= 0; --i) {  // Bound: kMaxPairs
     const BodyPair pair = this->touch(i);
     if (tracks_[body_of(pair.first)].stands && tracks_[body_of(pair.second)].stands) continue;
@@ -85,7 +86,7 @@ void World<SceneT>::end_touches() {
 
 /// What lay on something lies on it no longer.
 template <class SceneT>
-void World<SceneT>::wake_both(BodyPair pair) {
+void GeneralWorld<SceneT>::wake_both(BodyPair pair) {
   this->wake(body_of(pair.first));
   this->wake(body_of(pair.second));
 }
@@ -93,7 +94,7 @@ void World<SceneT>::wake_both(BodyPair pair) {
 /// Bodies in contact that have not left their place for a while. Where a contact could not be
 /// followed, nobody would be told of its end: then nobody is put to sleep.
 template <class SceneT>
-void World<SceneT>::put_to_sleep() {
+void GeneralWorld<SceneT>::put_to_sleep() {
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
     if (!tracks_[slot].present || is_fixed(actor_at(slot).body)) continue;
     if (this->sleeps(slot)) {
@@ -107,13 +108,16 @@ void World<SceneT>::put_to_sleep() {
                report_.contacts_untracked == 0 && tracks_[slot].course.by_momentum) {
       this->fall_asleep(slot);
       body.momentum = {};
+      // Where it is found if nobody disturbs it.
+      tracks_[slot].course.motion = Matter::standing(body, Scalar(0));
+      tracks_[slot].stands = true;
     }
   }
 }
 
 /// Whether a part of the body is further than 2 D from where it was.
 template <class SceneT>
-bool World<SceneT>::has_left(std::size_t slot) const {
+bool GeneralWorld<SceneT>::has_left(std::size_t slot) const {
   const ActorType& actor = actor_at(slot);
   const Scalar limit = 2 * settings_.separation;
   const auto is_far = [&](const Vec3<Scalar>& x_B) {
@@ -129,7 +133,7 @@ bool World<SceneT>::has_left(std::size_t slot) const {
 }
 
 template <class SceneT>
-bool World<SceneT>::is_supported(std::size_t slot) const {
+bool GeneralWorld<SceneT>::is_supported(std::size_t slot) const {
   for (int i = 0; i < this->touches(); ++i) {  // Bound: kMaxPairs
     const BodyPair pair = this->touch(i);
     if (body_of(pair.first) == slot || body_of(pair.second) == slot) return true;
@@ -140,7 +144,8 @@ bool World<SceneT>::is_supported(std::size_t slot) const {
 /// What a step sets up for itself is not part of what is saved, but for who stands where.
 template <class SceneT>
 template <class Archive>
-void World<SceneT>::archive(Archive& ar) {
+void GeneralWorld<SceneT>::archive(Archive& ar) {
+  archive_scene<SceneT>(ar);
   this->archive_seeds(ar);
   this->archive_events(ar);
   this->archive_sleep(ar);
@@ -155,6 +160,22 @@ void World<SceneT>::archive(Archive& ar) {
     if (stands && is_present(slot)) {
       track.course.motion = Matter::standing(actor_at(slot).body, Scalar(0));
     }
+  }
+  if constexpr (SceneT::kMaxEvents > 0) {
+    if (ar.reading()) check_touches(ar);
+  }
+}
+
+/// What was read may name bodies that are not there.
+template <class SceneT>
+template <class Archive>
+void GeneralWorld<SceneT>::check_touches(Archive& ar) {
+  for (int i = this->touches() - 1; i >= 0; --i) {  // Bound: kMaxPairs
+    const BodyPair pair = this->touch(i);
+    const bool named = pair.first < kProxies && pair.second < kProxies;
+    const bool good = named && has_part(pair.first) && has_part(pair.second);
+    ar.require(good);
+    if (!good) this->end_touch(i);
   }
 }
 

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A state saved in a buffer of the caller's, and restored on this machine or another, to go on with
+// the same bits. Format, byte by byte: src/core/archive.md.
+
+#include "batuta/core/archive.hpp"
+
+namespace batuta {
+
+/// Why bytes are not taken for a state.
+enum class [[nodiscard]] Restored : std::uint8_t{
+    kOk,
+    kForeign,       ///< not a saved state
+    kOtherVersion,  ///< of the format
+    kOtherScalar,   ///< float here and double there
+    kOtherScene,    ///< other members, capacities or constants
+    kDamaged,       ///< too short, too long, or the check sum is another
+    /// A value out of its range under a good check sum: no accident. The only answer after which
+    /// the state is not what it was: each member has a value that it may have, but they need not
+    /// fit together.
+    kOutOfRange,
+};
+
+inline constexpr std::uint16_t kSnapshotVersion = 1;
+inline constexpr int kSnapshotHead = 20;  ///< bytes in front of the state
+inline constexpr int kCheckSum = 4;       ///< bytes behind it
+
+/// Bytes with room for a saved T.
+template <class T>
+inline constexpr int kSnapshotRoom = kSnapshotHead + static_cast<int>(sizeof(T)) + kCheckSum;
+
+/// What stands in front of a state.
+struct SnapshotHead {
+  std::uint16_t version = kSnapshotVersion;
+  std::uint8_t scalar = 0;        ///< bytes of a number: 4, 8; 0 where there are none
+  std::uint64_t fingerprint = 0;  ///< of the state's type
+  std::uint32_t length = 0;       ///< bytes of the state
+};
+
+/// @param shape  has gone over the state
+SnapshotHead head_of(const ArchiveShape& shape, int length);
+/// @pre room for kSnapshotHead bytes
+void write_head(const SnapshotHead& head, std::uint8_t* bytes);
+/// Whether `bytes` begin with a head, and whether it is that of `wanted`, length apart. The length
+/// found is put into `wanted`. @returns kOk | kForeign | kOtherVersion | kOtherScalar |
+/// kOtherScene | kDamaged (too short)
+Restored read_head(const std::uint8_t* bytes, int size, SnapshotHead& wanted);
+/// Puts the check sum behind the `size` bytes. @pre room for kCheckSum more
+void seal(std::uint8_t* bytes, int size);
+/// Whether the last kCheckSum of `size` bytes are the check sum of those before.
+bool is_sealed(const std::uint8_t* bytes, int size);
+
+template <class T>
+SnapshotHead head_for(const T& state) {
+  ArchiveShape shape;
+  shape.look_at(state);
+  return head_of(shape, 0);
+}
+
+/// @param[out] bytes  room for `capacity`; kSnapshotRoom<T> are enough
+/// @returns kOk with the bytes used | kPoolFull | kInvalidArgument (a member out of its range)
+/// Bound: the members of the state. Allocates: never.
+template <class T>
+Result<int> save(const T& state, std::uint8_t* bytes, int capacity) {
+  const int room = capacity - kSnapshotHead - kCheckSum;
+  if (room < 0) return failure<int>(Status::kPoolFull);
+  ArchiveWriter writer(bytes + kSnapshotHead, room);
+  writer.look_at(state);
+  if (!writer.ok()) return failure<int>(writer.status());
+  SnapshotHead head = head_for(state);
+  head.length = static_cast<std::uint32_t>(writer.position());
+  write_head(head, bytes);
+  const int size = kSnapshotHead + writer.position();
+  seal(bytes, size);
+  return success(size + kCheckSum);
+}
+
+/// Nothing is changed before scene and check sum are found to be good.
+/// Bound: the members of the state. Allocates: never.
+template <class T>
+Restored restore(T& state, const std::uint8_t* bytes, int size) {
+  SnapshotHead head = head_for(state);
+  const Restored answer = read_head(bytes, size, head);
+  if (answer != Restored::kOk) return answer;
+  const auto length = static_cast<std::uint32_t>(size - kSnapshotHead);
+  if (length < kCheckSum || head.length != length - kCheckSum || !is_sealed(bytes, size)) {
+    return Restored::kDamaged;
+  }
+  ArchiveReader reader(bytes + kSnapshotHead, static_cast<int>(head.length));
+  reader(state);
+  return reader.is_done(static_cast<int>(head.length)) ? Restored::kOk : Restored::kOutOfRange;
+}
+
+}  // namespace batuta

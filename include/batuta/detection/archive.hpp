@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The members of this room's options, for core/archive.hpp.
+
+#include "batuta/detection/advancement.hpp"
+#include "batuta/detection/stepping.hpp"
+#include "batuta/mechanics/archive.hpp"
+
+namespace batuta {
+
+constexpr EpsilonIn last_of(EpsilonIn) {
+  return EpsilonIn::kMetres;
+}
+
+template <class Scalar>
+void archive(Archive& ar, AdvancementOptions<Scalar>& options) {
+  auto& [slab, budget] = options;
+  ar(slab, budget);
+}
+
+template <class Scalar>
+void archive(Archive& ar, SteppingOptions<Scalar>& options) {
+  auto& [epsilon, unit, max_steps, halvings] = options;
+  ar(epsilon, unit, max_steps, halvings);
+}
+
+}  // namespace batuta

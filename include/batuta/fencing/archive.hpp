@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The members of a duel's parts, for core/archive.hpp: include it to save, restore, record or hash
+// a Duel.
+
+#include "batuta/fencing/duel.hpp"
+#include "batuta/port/archive.hpp"
+#include "batuta/world/archive.hpp"
+
+namespace batuta {
+
+constexpr Side last_of(Side) {
+  return Side::kRight;
+}
+constexpr BodyPart last_of(BodyPart) {
+  return BodyPart::kRearShin;
+}
+constexpr GripPhase last_of(GripPhase) {
+  return GripPhase::kRegaining;
+}
+constexpr BoutState last_of(BoutState) {
+  return BoutState::kDouble;
+}
+
+inline void archive(Archive& ar, StickSettings& settings) {
+  auto& [min_interval_us, max_interval_us, stale_after_us, max_speed] = settings;
+  ar(min_interval_us, max_interval_us, stale_after_us, max_speed);
+}
+
+inline void archive(Archive& ar, StickReport& report) {
+  auto& [used, restarts, repeated, backward, invalid, lost, clamped, slowed, stale_steps] = report;
+  ar(used, restarts, repeated, backward, invalid, lost, clamped, slowed, stale_steps);
+}
+
+template <class Scalar>
+void archive(Archive& ar, GripSettings<Scalar>& settings) {
+  auto& [strength, min_regain, max_regain, recover_time, lever] = settings;
+  ar(strength, min_regain, max_regain, recover_time, lever);
+}
+
+template <class Scalar>
+void archive(Archive& ar, KeyedPose<Scalar>& pose) {
+  auto& [X_WH, jacobian] = pose;
+  ar(X_WH, jacobian);
+}
+
+template <class Scalar>
+void archive(Archive& ar, Bone<Scalar>& bone) {
+  auto& [start_P, capsule_J] = bone;
+  ar(start_P, capsule_J);
+}
+
+template <class Scalar>
+void archive(Archive& ar, Limb<Scalar>& limb) {
+  auto& [goal_F, bend_F] = limb;
+  ar(goal_F, bend_F);
+}
+
+template <class Scalar>
+void archive(Archive& ar, FencerBuild<Scalar>& build) {
+  auto& [bones, weapon_arm, other_arm, front_leg, rear_leg, guard_hand_x, lunge_hand_x,
+         lunge_shift_F, stride_F, lunge_lean] = build;
+  ar(bones, weapon_arm, other_arm, front_leg, rear_leg, guard_hand_x, lunge_hand_x, lunge_shift_F,
+     stride_F, lunge_lean);
+}
+
+template <class Scalar>
+void archive(Archive& ar, WeaponBody<Scalar>& weapon) {
+  auto& [mass, moments, X_HB, blade_B] = weapon;
+  ar(mass, moments, X_HB, blade_B);
+}
+
+template <class Scalar>
+void archive(Archive& ar, Salle<Scalar>& salle) {
+  auto& [distance] = salle;
+  ar(distance);
+}
+
+template <class Scalar>
+void archive(Archive& ar, Moment<Scalar>& moment) {
+  auto& [step, in_step] = moment;
+  ar(step, in_step);
+}
+
+template <class Scalar>
+void archive(Archive& ar, Waypoint<Scalar>& waypoint) {
+  auto& [time, X_WB] = waypoint;
+  ar(time, X_WB);
+}
+
+template <class Scalar, int N>
+void archive(Archive& ar, BladeDriver<Scalar, N>& driver) {
+  auto& [grip, corners] = driver;
+  ar(grip, corners);
+}
+
+template <class Scalar, class SearchT>
+void archive(Archive& ar, DuelSettings<Scalar, SearchT>& settings) {
+  auto& [step_us, double_window_us, stick, world, touch, target, salle] = settings;
+  ar(step_us, double_window_us, stick, world, touch, target, salle);
+}
+
+template <class Scalar>
+void archive(Archive& ar, Touch<Scalar>& touch) {
+  auto& [by, part, when, contact, place, certain] = touch;
+  ar(by, part, when, contact, place, certain);
+}
+
+template <class Scalar>
+void archive(Archive& ar, Bout<Scalar>& bout) {
+  auto& [state, touches] = bout;
+  ar(state, touches);
+}
+
+inline void archive(Archive& ar, DuelReport& report) {
+  auto& [blows, rests, evaluations, touch_searches, incomplete_steps, budget_outs,
+         searches_invalid] = report;
+  ar(blows, rests, evaluations, touch_searches, incomplete_steps, budget_outs, searches_invalid);
+}
+
+/// What the sticks bring to one step of a duel, as step() takes it: the input of a recording.
+struct DuelInput {
+  std::array<InputSample, 2> samples{};
+  std::array<bool, 2> fresh{};  ///< a sample came
+
+  void set(Side side, const InputSample* sample) {
+    fresh[index_of(side)] = sample != nullptr;
+    if (sample != nullptr) samples[index_of(side)] = *sample;
+  }
+  /// Null where none came.
+  const InputSample* at(Side side) const {
+    return fresh[index_of(side)] ? &samples[index_of(side)] : nullptr;
+  }
+};
+
+/// Samples that did not come take no bytes.
+inline void archive(Archive& ar, DuelInput& input) {
+  auto& [samples, fresh] = input;
+  ar(fresh);
+  for (const Side side : {Side::kLeft, Side::kRight}) {  // Bound: 2
+    if (ar.shaping() || fresh[index_of(side)]) ar(samples[index_of(side)]);
+  }
+}
+
+}  // namespace batuta

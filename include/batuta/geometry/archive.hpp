@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The members of this room's state, for core/archive.hpp. In a header of their own, so that who
+// saves nothing compiles nothing of it.
+
+#include "batuta/core/archive.hpp"
+#include "batuta/geometry/capsule.hpp"
+#include "batuta/geometry/kdop.hpp"
+
+namespace batuta {
+
+template <class Scalar>
+void archive(Archive& ar, Segment<Scalar>& segment) {
+  auto& [a, b] = segment;
+  ar(a, b);
+}
+
+template <class Scalar>
+void archive(Archive& ar, Capsule<Scalar>& capsule) {
+  auto& [axis, radius] = capsule;
+  ar(axis, radius);
+}
+
+template <class Scalar, int K>
+void archive(Archive& ar, Kdop<Scalar, K>& kdop) {
+  auto& [low, high] = kdop;
+  ar(low, high);
+}
+
+}  // namespace batuta

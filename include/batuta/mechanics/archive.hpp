@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The members of this room's state, for core/archive.hpp.
+
+#include "batuta/geometry/archive.hpp"
+#include "batuta/mechanics/motion.hpp"
+
+namespace batuta {
+
+template <class Scalar>
+void archive(Archive& ar, Pose<Scalar>& pose) {
+  auto& [p_W, q_WB] = pose;
+  ar(p_W, q_WB);
+}
+
+template <class Scalar>
+void archive(Archive& ar, Twist<Scalar>& twist) {
+  auto& [v_W, w_W] = twist;
+  ar(v_W, w_W);
+}
+
+template <class Scalar>
+void archive(Archive& ar, Momentum<Scalar>& momentum) {
+  auto& [p_W, b_W] = momentum;
+  ar(p_W, b_W);
+}
+
+template <class Scalar>
+void archive(Archive& ar, Body<Scalar>& body) {
+  auto& [X_WB, momentum, inverse_mass, inverse_moments, spin_shows] = body;
+  ar(X_WB, momentum, inverse_mass, inverse_moments, spin_shows);
+}
+
+template <class Scalar>
+void archive(Archive& ar, Motion<Scalar>& motion) {
+  auto& [X_WB, twist, duration] = motion;
+  ar(X_WB, twist, duration);
+}
+
+}  // namespace batuta

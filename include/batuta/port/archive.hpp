@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The members of an input, for core/archive.hpp.
+
+#include "batuta/core/archive.hpp"
+#include "batuta/port/input.hpp"
+
+namespace batuta {
+
+inline void archive(Archive& ar, InputSample& sample) {
+  auto& [time, x, y, buttons, sequence] = sample;
+  ar(time, x, y, buttons, sequence);
+}
+
+}  // namespace batuta

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The members of a contact, for core/archive.hpp.
+
+#include "batuta/detection/archive.hpp"
+#include "batuta/response/contact.hpp"
+
+namespace batuta {
+
+constexpr ContactKind last_of(ContactKind) {
+  return ContactKind::kReceding;
+}
+
+template <class Scalar>
+void archive(Archive& ar, Contact<Scalar>& contact) {
+  auto& [point_W, normal_BA_W, gap] = contact;
+  ar(point_W, normal_BA_W, gap);
+}
+
+}  // namespace batuta

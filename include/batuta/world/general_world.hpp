@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Many bodies, one step: everybody moves to the first contact, the contact is answered, and so on
+// to the end of the step [Kavan §2.1, §3, §4.2]. Only the bodies of a contact are planned, bounded
+// and searched anew; the others keep their course (src/world/world.md). One object, placed by the
+// caller; its size and the longest step are constants. Frame W, SI units; times within a step run
+// from 0 to dt.
+
+#include "batuta/core/arithmetic.hpp"
+#include "batuta/core/pool.hpp"
+#include "batuta/response/friction.hpp"
+#include "batuta/response/line_contact.hpp"
+#include "batuta/response/straight_impulse.hpp"
+#include "batuta/world/encounter.hpp"
+#include "batuta/world/event_book.hpp"
+#include "batuta/world/scene_check.hpp"
+#include "batuta/world/seed_memory.hpp"
+#include "batuta/world/sleep_book.hpp"
+#include "batuta/world/straight_matter.hpp"
+#include "batuta/world/sweep.hpp"
+#include "batuta/world/turning.hpp"
+#include "batuta/world/watch.hpp"
+
+namespace batuta {
+
+template <class SceneT>
+using Scalar_of = typename SceneT::Scalar;
+template <class SceneT>
+using MatterOf =
+    std::conditional_t<SceneT::kRotation, TurningMatter<SceneT>, StraightMatter<SceneT>>;
+
+/// Features are bases, not members: an empty one takes no room.
+template <class SceneT>
+class GeneralWorld : private SeedsOf<SceneT>,
+                     private EventsOf<SceneT>,
+                     private RepeatsOf<SceneT>,
+                     private SleepOf<SceneT> {
+ public:
+  using Scalar = typename SceneT::Scalar;
+  using Search = typename SceneT::Search;
+  using ActorType = Actor<SceneT>;
+  using BodyId = Handle<ActorType>;
+  using EventList = typename EventsOf<SceneT>::EventList;
+
+  /// Rounds of one step: each ends with a contact (kMaxContacts), with the end of the hold that a
+  /// contact caused (kMaxContacts), with a body held for good (kMaxBodies; where nobody is held,
+  /// with a pair that is left: kMaxPairs), or with the step (1).
+  static constexpr int kMaxRounds =
+      2 * SceneT::kMaxContacts + max_of(SceneT::kMaxBodies, SceneT::kMaxPairs) + 1;
+
+  /// @param number  tells this world's ids from those of another world of the same scene
+  /// @pre the file that names the scene, and the thread, round every operation
+  ///   (core/arithmetic.hpp): contracted or flushed arithmetic voids what the searches prove
+  explicit GeneralWorld(std::uint16_t number = 0) : actors_(number) {
+    BATUTA_ASSERT(rounds_each_operation<Scalar>());
+  }
+
+  /// @returns kOk | kInvalidArgument (an option out of range; the settings stay as they were)
+  Status configure(const WorldSettings<SceneT>& settings) {
+    const Status status = validate(settings);
+    if (status == Status::kOk) settings_ = settings;
+    return status;
+  }
+  const WorldSettings<SceneT>& settings() const { return settings_; }
+
+  /// Becomes a copy of `saved`, and goes on as that would, to the last bit; ids of one name the
+  /// bodies of the other. By name, because a world is large. Bound: kMaxBodies.
+  void restore(const GeneralWorld& saved);
+
+  /// @returns kOk with the id | kPoolFull | kInvalidArgument (not finite, negative radius, no part,
+  /// C outside [0, 1], mu negative)
+  Result<BodyId> add(const ActorType& actor);
+
+  /// Takes a body out; its contacts end without an event. @returns kOk | kStaleHandle
+  Status remove(BodyId id);
+
+  /// The body, or null for a stale, foreign or null id.
+  /// Who may be changed is looked at again: what only reads, reads a const world.
+  ActorType* get(BodyId id) {
+    const int slot = actors_.index_of(id);
+    if (slot != PoolBase::kNoIndex) tracks_[static_cast<std::size_t>(slot)].boxed = false;
+    return actors_.get(id);
+  }
+  const ActorType* get(BodyId id) const { return actors_.get(id); }
+  /// The id of the body in a slot, as events name it; null id if there is none.
+  BodyId id_at(std::uint16_t slot) const { return actors_.handle_at(slot); }
+  int size() const { return actors_.size(); }
+
+  /// Moves everything by dt. After it, report() and events() tell what happened.
+  /// @pre dt > 0 and finite
+  /// @returns kOk (also where report().complete() is false: nothing was missed, bodies were held) |
+  ///   kInvalidArgument (dt); then nothing has changed
+  /// Bound: kMaxRounds rounds of at most kMaxPairs searches of at most kBudget evaluations.
+  Status step(Scalar dt);
+
+  const StepReport<Scalar>& report() const { return report_; }
+  /// What happened in the step. Where Scene::kMaxEvents is 0, there are none to ask for.
+  const EventList& events() const {
+    static_assert(SceneT::kMaxEvents > 0, "Scene: events() takes kMaxEvents > 0");
+    return this->list();
+  }
+  /// Whether the body sleeps (Scene::kSleep); false for a stale id.
+  bool is_asleep(BodyId id) const {
+    const int slot = actors_.index_of(id);
+    return slot != PoolBase::kNoIndex && this->sleeps(static_cast<std::size_t>(slot));
+  }
+
+  /// Lists what is saved of a world (core/archive.hpp).
+  template <class Archive>
+  void archive(Archive& ar);
+
+ private:
+  static_assert(SceneCheck<SceneT>::kIsPossible, "Scene: see scene_check.hpp");
+
+  using Matter = MatterOf<SceneT>;
+  using Motion = typename Matter::MotionType;
+  using Sight = typename Matter::Sight;
+  using Slot = std::uint16_t;
+  using WatchType = Watch<Scalar>;
+  static constexpr std::size_t kSlots = static_cast<std::size_t>(SceneT::kMaxBodies);
+  static constexpr int kParts = SceneT::kCapsulesPerBody;
+  static constexpr int kProxies = SceneT::kMaxBodies * kParts;
+  static constexpr bool kSettles = SceneT::kResting == RestingContact::kSettling;
+  /// Bodies are held for a time that ends within the step.
+  static constexpr bool kReleases = SceneT::kResting == RestingContact::kSeparation;
+  /// What has no mass to be pushed by may be led into something (see MovesByMomentumOnly).
+  static constexpr bool kLeads =
+      SceneT::kRotation && !MovesByMomentumOnly<typename SceneT::Driver>::value;
+
+  /// What the step knows of a body besides the actor.
+  struct Track {
+    typename Matter::CourseType course;
+    Scalar start = 0;       ///< in the step, s: the body's own pose is the one of this time
+    Scalar held_until = 0;  ///< in the step, s; the body stays where it is until then
+    bool present = false;   ///< takes part in the step
+    bool changed = false;   ///< its course has to be planned
+    bool fresh = false;     ///< its course was planned, its pairs are not collected yet
+    bool stands = false;    ///< its course was to stand still for a whole step, and did
+    bool boxed = false;     ///< its boxes are those of its last course
+  };
+
+  // Plan: general_plan.hpp.
+  static bool is_usable(const ActorType& actor) {
+    return has_valid_features(actor) && Matter::is_usable(actor.body);
+  }
+  void begin_step(Scalar dt);
+  void begin_body(std::size_t slot);
+  bool is_disturbed(std::size_t slot) const;
+  void refresh();
+  void drop_watches();
+  void plan(std::size_t slot, bool is_begin);
+  bool plan_course(std::size_t slot, bool is_begin);
+  void leave_out(std::size_t slot);
+  void put_boxes(std::size_t slot, bool idle);
+  void collect_all();
+  void collect_fresh();
+  void collect(BodyPair pair);
+  bool may_pair(std::size_t a, std::size_t b) const;
+  void search_watches();
+  void search(WatchType& watch);
+  void search_pair(BodyPair pair, Scalar until, Sight& sight);
+  SearchResult<Scalar> search_with_seed(BodyPair pair, const MovingPair<Scalar>& moving_pair);
+  SearchResult<Scalar> let_go(const MovingPair<Scalar>& moving_pair, const Sight& sight,
+                              BodyPair pair) const;
+
+  // Step: general_step.hpp.
+  void begin_life(std::size_t slot);
+  void run_round();
+  Scalar next_release() const;
+  void release(Scalar time);
+  void answer(const WatchType& watch, Scalar time);
+  void count_cut(const WatchType& watch);
+  void bring(std::size_t slot, Scalar elapsed);
+  void hold(std::size_t slot, Scalar until);
+  void hold_pair(BodyPair pair, Scalar until);
+  void end_step();
+
+  // Contact: general_contact.hpp.
+  void look(BodyPair pair, Sight& sight);
+  void answer_turning(const WatchType& watch, const Sight& sight);
+  void answer_straight(const WatchType& watch);
+  void only_tell(const WatchType& watch);
+  bool is_immovable(BodyPair pair) const;
+  void block(const WatchType& watch, const Sight& sight, const Nearest<Scalar>& nearest);
+  Result<Impulse<Scalar>> impulse_for(BodyPair pair, const std::array<Party<Scalar>, 2>& parties,
+                                      const Contact<Scalar>& contact) const;
+  void charge(BodyPair pair, const EncounterAnswer<Scalar>& answer);
+  EncounterOptions<Scalar> options_for(Scalar margin) const;
+  Scalar margin_of(const Sight& sight, BodyPair pair) const;
+  Party<Scalar> party(std::size_t slot);
+  Contact<Scalar> pressed(BodyPair pair, const std::array<Party<Scalar>, 2>& parties,
+                          const Contact<Scalar>& contact, Scalar slack) const;
+  void make_room(BodyPair pair, const Contact<Scalar>& contact,
+                 const EncounterOptions<Scalar>& options,
+                 std::array<Party<Scalar>, 2>& parties) const;
+  Scalar room_of(std::size_t slot, std::size_t other, const Vec3<Scalar>& away_W,
+                 Scalar shift) const;
+  Capsule<Scalar> shape_W(int proxy) const;
+  void tell_driver(std::size_t slot, const EncounterAnswer<Scalar>& answer,
+                   const Vec3<Scalar>& shift_W);
+
+  // Events: general_events.hpp.
+  void record(const WatchType& watch, const Nearest<Scalar>& nearest,
+              const EncounterAnswer<Scalar>& answer);
+  ContactEvent<Scalar> event_of(BodyPair pair, const Nearest<Scalar>& nearest) const;
+  void end_touches();
+  void wake_both(BodyPair pair);
+  template <class Archive>
+  void check_touches(Archive& ar);
+  bool has_part(int proxy) const {
+    return is_present(body_of(proxy)) && part_at(proxy) < parts_of(actor_at(body_of(proxy)));
+  }
+  void put_to_sleep();
+  bool has_left(std::size_t slot) const;
+  bool is_supported(std::size_t slot) const;
+
+  ActorType& actor_at(std::size_t slot) { return actors_.at(slot); }
+  const ActorType& actor_at(std::size_t slot) const { return actors_.at(slot); }
+  bool is_present(std::size_t slot) const { return actors_.at_index(slot) != nullptr; }
+  bool is_held(std::size_t slot) const { return tracks_[slot].held_until > now_; }
+  Scalar end_of(std::size_t slot) const { return is_held(slot) ? tracks_[slot].held_until : dt_; }
+  static std::size_t body_of(int proxy) { return static_cast<std::size_t>(proxy / kParts); }
+  static int part_at(int proxy) { return proxy % kParts; }
+  static Slot proxy_of(std::size_t slot, int part) {
+    return static_cast<Slot>(static_cast<int>(slot) * kParts + part);
+  }
+  typename Matter::Mover mover(int proxy, Scalar until) const;
+  Nearest<Scalar> nearest(BodyPair pair) const {
+    return Matter::nearest(actor_at(body_of(pair.first)), part_at(pair.first),
+                           actor_at(body_of(pair.second)), part_at(pair.second));
+  }
+
+  WorldSettings<SceneT> settings_;
+  Pool<ActorType, SceneT::kMaxBodies> actors_;
+  std::array<Track, kSlots> tracks_{};
+  SweepList<Scalar, kProxies, SceneT::kSweepAxis> sweep_;
+  FixedList<WatchType, SceneT::kMaxPairs> watches_;
+  EarliestSight<Sight, Scalar, (SceneT::kMaxPairs > 1)> sights_;
+  StepReport<Scalar> report_;
+  Scalar now_ = 0;  ///< in the step, s
+  Scalar dt_ = 0;   ///< length of the step, s
+  /// What counts as rest in this step, m/s.
+  Scalar rest_speed_ = 0;
+  int contacts_answered_ = 0;
+  bool is_changed_ = false;  ///< somebody's course has to be planned
+};
+
+}  // namespace batuta
+
+#include "batuta/world/general_contact.hpp"
+#include "batuta/world/general_events.hpp"
+#include "batuta/world/general_plan.hpp"
+#include "batuta/world/general_step.hpp"

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The world of a few bodies that fly straight: what GeneralWorld promises, in a fraction of its
+// flash. With so few, nothing is kept from one contact to the next: every round searches all pairs
+// again, from now over the rest of the step, and moves everybody (src/world/lean_world.md). Frame
+// W, SI units.
+
+#include "batuta/core/arithmetic.hpp"
+#include "batuta/core/pool.hpp"
+#include "batuta/response/straight_impulse.hpp"
+#include "batuta/world/event.hpp"
+#include "batuta/world/scene_check.hpp"
+#include "batuta/world/straight_matter.hpp"
+
+namespace batuta {
+
+/// Scenes whose World is a LeanWorld.
+template <class SceneT>
+inline constexpr bool kIsLean = !SceneT::kRotation && SceneT::kResponse &&
+                                SceneT::kCapsulesPerBody == 1 && SceneT::kMaxEvents == 0 &&
+                                SceneT::kMaxBodies <= 8;
+
+/// Members and statuses are those of GeneralWorld. Scene::kMaxPairs, kBound and kSweepAxis mean
+/// nothing here: there is room for all pairs, and there are no boxes.
+template <class SceneT>
+class LeanWorld {
+ public:
+  using Scalar = typename SceneT::Scalar;
+  using Search = typename SceneT::Search;
+  using ActorType = Actor<SceneT>;
+  using BodyId = Handle<ActorType>;
+
+  /// Rounds of one step: each ends with a contact (kMaxContacts), with a body held for good
+  /// (kMaxBodies), or with the step (1).
+  static constexpr int kMaxRounds = SceneT::kMaxContacts + SceneT::kMaxBodies + 1;
+  /// Most pairs searched in one round: all.
+  static constexpr int kPairsPerRound = SceneT::kMaxBodies * (SceneT::kMaxBodies - 1) / 2;
+
+  explicit LeanWorld(std::uint16_t number = 0) : actors_(number) {
+    BATUTA_ASSERT(rounds_each_operation<Scalar>());
+  }
+
+  Status configure(const WorldSettings<SceneT>& settings) {
+    const Status status = validate(settings);
+    if (status == Status::kOk) settings_ = settings;
+    return status;
+  }
+  const WorldSettings<SceneT>& settings() const { return settings_; }
+
+  /// Bound: kMaxBodies.
+  void restore(const LeanWorld& saved) {
+    settings_ = saved.settings_;
+    actors_.restore(saved.actors_);
+    report_ = saved.report_;
+  }
+
+  Result<BodyId> add(const ActorType& actor) {
+    return is_usable(actor) ? actors_.make(actor) : failure<BodyId>(Status::kInvalidArgument);
+  }
+  Status remove(BodyId id) { return actors_.remove(id); }
+  ActorType* get(BodyId id) { return actors_.get(id); }
+  const ActorType* get(BodyId id) const { return actors_.get(id); }
+  BodyId id_at(std::uint16_t slot) const { return actors_.handle_at(slot); }
+  int size() const { return actors_.size(); }
+
+  /// Bound: kMaxRounds rounds of at most kPairsPerRound searches of at most kBudget evaluations.
+  Status step(Scalar dt);
+
+  const StepReport<Scalar>& report() const { return report_; }
+  /// Nobody does.
+  bool is_asleep(BodyId /*id*/) const { return false; }
+
+  /// Lists what is saved of a world (core/archive.hpp).
+  template <class Archive>
+  void archive(Archive& ar) {
+    ar(settings_, actors_, report_);
+  }
+
+ private:
+  static_assert(SceneCheck<SceneT>::kIsPossible, "Scene: see scene_check.hpp");
+
+  using Matter = StraightMatter<SceneT>;
+  using Sight = typename Matter::Sight;
+  static constexpr std::size_t kSlots = static_cast<std::size_t>(SceneT::kMaxBodies);
+
+  /// What the step knows of a body besides the actor.
+  struct Flight {
+    Vec3<Scalar> v_W = Vec3<Scalar>::Zero();  ///< in this round, m/s
+    bool present = false;                     ///< takes part in the step
+    bool held = false;                        ///< stays where it is for the rest of the step
+    bool moves = false;                       ///< in this round
+  };
+  /// How a round ends: the pair slot_A kSlots + slot_B, and what its search answered.
+  struct Meeting {
+    std::size_t pair = 0;
+    Outcome outcome = Outcome::kFree;
+    Scalar t_free = 0;  ///< s from now
+    Scalar t_hit = 0;
+  };
+
+  static bool is_usable(const ActorType& actor) {
+    return has_valid_features(actor) && Matter::is_usable(actor.body);
+  }
+  static bool is_contact(Outcome outcome) {
+    return outcome == Outcome::kContact || outcome == Outcome::kTouching;
+  }
+  void begin_body(std::size_t slot);
+  void run_round();
+  void aim(std::size_t slot);
+  Meeting first_meeting();
+  bool may_pair(std::size_t a, std::size_t b) const;
+  Sight search(std::size_t a, std::size_t b) const;
+  void answer(const Meeting& meeting);
+  void hit(ActorType& A, ActorType& B, Outcome outcome);
+  void hold(std::size_t slot);
+
+  WorldSettings<SceneT> settings_;
+  Pool<ActorType, SceneT::kMaxBodies> actors_;
+  std::array<Flight, kSlots> flights_{};
+  StepReport<Scalar> report_;
+  Scalar left_ = 0;  ///< of the step, s
+  int contacts_answered_ = 0;
+};
+
+template <class SceneT>
+Status LeanWorld<SceneT>::step(Scalar dt) {
+  if (!is_positive(dt)) return Status::kInvalidArgument;
+  report_ = {};
+  left_ = dt;
+  contacts_answered_ = 0;
+  for (std::size_t slot = 0; slot < kSlots; ++slot) begin_body(slot);  // Bound: kMaxBodies
+  for (int round = 0; round < kMaxRounds && left_ > Scalar(0); ++round) {  // Bound: kMaxRounds
+    run_round();
+  }
+  BATUTA_INVARIANT(!(left_ > Scalar(0)));
+  return Status::kOk;
+}
+
+template <class SceneT>
+void LeanWorld<SceneT>::begin_body(std::size_t slot) {
+  Flight& flight = flights_[slot];
+  flight.present = flight.held = false;
+  ActorType* const actor = actors_.at_index(slot);
+  if (actor == nullptr) return;
+  flight.present = is_usable(*actor);
+  if (!flight.present) {
+    ++report_.courses_invalid;
+    return;
+  }
+  if constexpr (SceneT::kGravity) {
+    StraightBody<Scalar>& body = actor->body;
+    if (!(body.inverse_mass > Scalar(0))) return;
+    body.momentum_W += (left_ / body.inverse_mass) * settings_.gravity_W;
+  }
+}
+
+/// To the first contact, the first search without an answer, or the end of the step.
+template <class SceneT>
+void LeanWorld<SceneT>::run_round() {
+  for (std::size_t slot = 0; slot < kSlots; ++slot) aim(slot);  // Bound: kMaxBodies
+  const Meeting meeting = first_meeting();
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    const Flight& flight = flights_[slot];
+    if (flight.moves) actors_.at(slot).body.p_W += meeting.t_free * flight.v_W;
+  }
+  left_ -= meeting.t_free;
+  if (meeting.outcome != Outcome::kFree) answer(meeting);
+}
+
+template <class SceneT>
+void LeanWorld<SceneT>::aim(std::size_t slot) {
+  Flight& flight = flights_[slot];
+  flight.moves = false;
+  flight.v_W.setZero();
+  if (!flight.present || flight.held) return;
+  const Vec3<Scalar> v_W = velocity_of(actors_.at(slot).body);
+  if (!is_finite(v_W)) {
+    ++report_.courses_invalid;
+    return hold(slot);
+  }
+  flight.v_W = v_W;
+  flight.moves = !v_W.isZero(Scalar(0));
+}
+
+/// The pair that is proven free for the shortest time; of contacts whose brackets overlap, the
+/// lowest, at that time (src/world/world.md, "Order").
+template <class SceneT>
+typename LeanWorld<SceneT>::Meeting LeanWorld<SceneT>::first_meeting() {
+  std::array<Scalar, kSlots * kSlots> contact_after;
+  Meeting first;
+  first.t_free = left_;
+  for (std::size_t pair = 0; pair < kSlots * kSlots; ++pair) {  // Bound: kMaxBodies^2
+    contact_after[pair] = std::numeric_limits<Scalar>::max();
+    if (!may_pair(pair / kSlots, pair % kSlots)) continue;
+    const Sight sight = search(pair / kSlots, pair % kSlots);
+    ++report_.pairs;
+    report_.evaluations += sight.evaluations();
+    if (is_contact(sight.outcome())) contact_after[pair] = sight.t_free();
+    if (sight.outcome() != Outcome::kFree && sight.t_free() < first.t_free) {
+      first = {pair, sight.outcome(), sight.t_free(), sight.t_hit()};
+    }
+  }
+  if (is_contact(first.outcome)) {
+    first.pair = 0;
+    while (first.t_hit < contact_after[first.pair]) ++first.pair;  // Bound: kMaxBodies^2
+  }
+  return first;
+}
+
+/// Two that stand still stay apart, or in each other where nobody can move them.
+template <class SceneT>
+bool LeanWorld<SceneT>::may_pair(std::size_t a, std::size_t b) const {
+  const Flight& A = flights_[a];
+  const Flight& B = flights_[b];
+  return a < b && A.present && B.present && (A.moves || B.moves) &&
+         may_meet(actors_.at(a), actors_.at(b));
+}
+
+template <class SceneT>
+typename LeanWorld<SceneT>::Sight LeanWorld<SceneT>::search(std::size_t a, std::size_t b) const {
+  const ActorType& A = actors_.at(a);
+  const ActorType& B = actors_.at(b);
+  return Matter::search(Matter::mover(A, 0, {A.body.p_W, flights_[a].v_W, left_}),
+                        Matter::mover(B, 0, {B.body.p_W, flights_[b].v_W, left_}),
+                        settings_.search);
+}
+
+template <class SceneT>
+void LeanWorld<SceneT>::answer(const Meeting& meeting) {
+  const std::size_t a = meeting.pair / kSlots;
+  const std::size_t b = meeting.pair % kSlots;
+  if (is_contact(meeting.outcome)) {
+    if (contacts_answered_ < SceneT::kMaxContacts) {
+      ++contacts_answered_;
+      return hit(actors_.at(a), actors_.at(b), meeting.outcome);
+    }
+    ++report_.contacts_dropped;
+  } else if (meeting.outcome == Outcome::kBudget) {
+    ++report_.searches_cut;
+  } else {
+    ++report_.searches_invalid;
+  }
+  hold(a);
+  hold(b);
+}
+
+template <class SceneT>
+void LeanWorld<SceneT>::hit(ActorType& A, ActorType& B, Outcome outcome) {
+  Scalar restitution = 0;
+  if constexpr (SceneT::kRestitution) {
+    restitution = pair_restitution(A.restitution, B.restitution);
+  }
+  const Contact<Scalar> contact = Matter::nearest(A, 0, B, 0).contact;
+  const auto hit = straight_impulse(A.body, B.body, contact.normal_BA_W, restitution);
+  if (hit.impulse > Scalar(0)) ++report_.collisions;
+  if (outcome == Outcome::kTouching && !(contact.gap > Scalar(0))) {
+    ++report_.overlaps_at_start;
+    report_.deepest_overlap = max_of(report_.deepest_overlap, -contact.gap);
+  }
+}
+
+template <class SceneT>
+void LeanWorld<SceneT>::hold(std::size_t slot) {
+  flights_[slot].held = true;
+  report_.time_held = max_of(report_.time_held, left_);
+}
+
+}  // namespace batuta

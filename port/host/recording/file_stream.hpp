@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A file as sink and source of a recording.
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "batuta/port/byte_stream.hpp"
+
+namespace batuta::host {
+
+struct FileCloser {
+  void operator()(std::FILE* file) const { (void)std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, FileCloser>;
+
+/// Takes everything as long as the disk does.
+class FileSink final : public ByteSink {
+ public:
+  /// @returns an empty text, or what is wrong
+  std::string open(const std::string& path);
+  /// @returns whether everything that was taken is in the file
+  bool close();
+
+ private:
+  int do_write(const std::uint8_t* bytes, int count) override;
+
+  File file_;
+};
+
+class FileSource final : public ByteSource {
+ public:
+  /// @returns an empty text, or what is wrong
+  std::string open(const std::string& path);
+
+ private:
+  int do_read(std::uint8_t* bytes, int capacity) override;
+
+  File file_;
+};
+
+}  // namespace batuta::host

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "batuta/mechanics/straight.hpp"
+
+namespace batuta {
+
+template <class Scalar>
+Result<StraightBody<Scalar>> make_straight_body(const Vec3<Scalar>& p_W, Scalar mass) {
+  Result<StraightBody<Scalar>> made;
+  const Scalar inverse_mass = Scalar(1) / mass;
+  const bool has_mass = mass > Scalar(0) && is_finite(inverse_mass);
+  if (!has_mass || !is_finite(p_W)) return made;
+  made.status = Status::kOk;
+  made.value.p_W = p_W;
+  made.value.inverse_mass = inverse_mass;
+  return made;
+}
+
+template <class Scalar>
+Vec3<Scalar> velocity_of(const StraightBody<Scalar>& body) {
+  return body.inverse_mass * body.momentum_W;
+}
+
+template <class Scalar>
+Scalar kinetic_energy(const StraightBody<Scalar>& body) {
+  return velocity_of(body).dot(body.momentum_W) / Scalar(2);
+}
+
+template <class Scalar>
+Vec3<Scalar> position_at(const StraightMotion<Scalar>& motion, Scalar t) {
+  return motion.p_W + motion.v_W * t;
+}
+
+template <class Scalar>
+bool is_valid(const StraightMotion<Scalar>& motion) {
+  return is_finite(motion.p_W) && is_finite(motion.v_W) && is_finite(motion.duration) &&
+         motion.duration >= Scalar(0);
+}
+
+#define BATUTA_INSTANTIATE(Scalar)                                                       \
+  template Result<StraightBody<Scalar>> make_straight_body(const Vec3<Scalar>&, Scalar); \
+  template Vec3<Scalar> velocity_of(const StraightBody<Scalar>&);                        \
+  template Scalar kinetic_energy(const StraightBody<Scalar>&);                           \
+  template Vec3<Scalar> position_at(const StraightMotion<Scalar>&, Scalar);              \
+  template bool is_valid(const StraightMotion<Scalar>&);
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
+#undef BATUTA_INSTANTIATE
+
+}  // namespace batuta

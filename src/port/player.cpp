@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "batuta/port/player.hpp"
+
+namespace batuta {
+namespace {
+
+Playback playback_of(Restored restored) {
+  switch (restored) {
+    case Restored::kOk:
+      return Playback::kReady;
+    case Restored::kForeign:
+      return Playback::kForeign;
+    case Restored::kOtherVersion:
+      return Playback::kOtherVersion;
+    case Restored::kOtherScalar:
+      return Playback::kOtherScalar;
+    case Restored::kOtherScene:
+      return Playback::kOtherScene;
+    case Restored::kDamaged:
+    case Restored::kOutOfRange:
+      break;
+  }
+  return Playback::kDamaged;
+}
+
+}  // namespace
+
+Playback Player::stop(Playback answer) {
+  stage_ = Stage::kOver;
+  answer_ = answer;
+  return answer;
+}
+
+void Player::drop(int bytes) {
+  filled_ -= bytes;
+  std::memmove(buffer_, buffer_ + bytes, static_cast<std::size_t>(filled_));
+}
+
+// One read of the source a call: it answers, or gives nothing, or is at its end.
+Playback Player::fetch(int bytes) {
+  if (filled_ >= bytes) return Playback::kReady;
+  if (bytes > capacity_) return stop(Playback::kTooLarge);
+  const int count = source_.read(buffer_ + filled_, bytes - filled_);
+  if (count < 0) return stop(Playback::kCut);
+  filled_ += count;
+  return filled_ >= bytes ? Playback::kReady : Playback::kWaiting;
+}
+
+Playback Player::fetch_record() {
+  Playback fetched = fetch(kRecordHead);
+  if (fetched != Playback::kReady) return fetched;
+  const int size = kRecordHead + body_size() + kCheckSum;
+  fetched = fetch(size);
+  if (fetched != Playback::kReady) return fetched;
+  return is_sealed(buffer_, size) ? Playback::kReady : stop(Playback::kDamaged);
+}
+
+Playback Player::fetch_state(SnapshotHead& head) {
+  const Playback fetched = fetch(kSnapshotHead);
+  if (fetched != Playback::kReady) return fetched;
+  const Playback known = playback_of(read_head(buffer_, filled_, head));
+  if (known != Playback::kReady) return stop(known);
+  const int room = capacity_ - kSnapshotHead - kCheckSum;
+  if (room < 0 || head.length > static_cast<std::uint32_t>(room)) return stop(Playback::kTooLarge);
+  return fetch(kSnapshotHead + static_cast<int>(head.length) + kCheckSum);
+}
+
+Playback Player::read_run(std::uint64_t input) {
+  const Playback fetched = fetch_record();
+  if (fetched != Playback::kReady) return fetched;
+  RunRecord run;
+  const bool good = kind() == RecordKind::kRun && take(run);
+  if (!good) return stop(Playback::kDamaged);
+  if (run.version != kRecordingVersion) return stop(Playback::kOtherVersion);
+  if (run.input != input) return stop(Playback::kOtherScene);
+  stage_ = Stage::kSteps;
+  answer_ = Playback::kReady;
+  return Playback::kReady;
+}
+
+Playback Player::compare(const HashRecord& record, std::uint64_t hash) {
+  if (record.steps != steps_ || compared_) return stop(Playback::kDamaged);
+  if (record.hash != hash) return stop(Playback::kParted);
+  compared_ = true;
+  ++agreed_;
+  return Playback::kReady;
+}
+
+}  // namespace batuta

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: MIT
+# Combinations that no scene can have: each fails with the sentence of scene_check.hpp that says what to change.
+set(scene impossible_scene.cpp)
+
+# batuta_impossible_scene(<name> <regular expression of the message> [macro of the case...])
+function(batuta_impossible_scene name message)
+  list(TRANSFORM ARGN PREPEND -D)
+  batuta_must_not_compile(Scene_${name} ${scene} ${message} ${ARGN})
+endfunction()
+
+# The bases, and what the cases change where it is possible.
+foreach(base Scene Straight Silent Unrested Settling Sleepy Spherical Crowd)
+  batuta_must_compile(Control_Scene_${base} ${scene} -DBASE=${base})
+endforeach()
+batuta_must_compile(Control_Scene_FrictionThatSettles ${scene} -DBASE=Settling -DON=kFriction)
+batuta_must_compile(Control_Scene_FrictionWithoutRest ${scene} -DBASE=Unrested -DON=kFriction)
+batuta_must_compile(Control_Scene_TwoCapsules ${scene} -DNUMBER=kCapsulesPerBody -DVALUE=2)
+
+batuta_impossible_scene(OfIntegers "Scene::Scalar: choose float or double" SCALAR=int)
+foreach(count 1 1025)
+  batuta_impossible_scene(Of${count}Bodies "kMaxBodies: choose 2 ... 1024" NUMBER=kMaxBodies VALUE=${count})
+endforeach()
+foreach(count 0 256)
+  batuta_impossible_scene(Of${count}Capsules "kCapsulesPerBody: choose 1 ... 255" NUMBER=kCapsulesPerBody VALUE=${count})
+endforeach()
+batuta_impossible_scene(Of65536Capsules "no more than 65535 capsules in all" BASE=Crowd NUMBER=kCapsulesPerBody VALUE=64)
+batuta_impossible_scene(WithoutPairs "kMaxPairs: at least 1" NUMBER=kMaxPairs VALUE=0)
+batuta_impossible_scene(WithoutContacts "kMaxContacts: at least 1" NUMBER=kMaxContacts VALUE=0)
+batuta_impossible_scene(OfLessThanNoEvents "kMaxEvents: at least 0" NUMBER=kMaxEvents VALUE=-1)
+batuta_impossible_scene(WithoutSeparations "kMaxSeparations: at least 1" NUMBER=kMaxSeparations VALUE=0)
+foreach(count 0 65536)
+  batuta_impossible_scene(SleepsAfter${count}Steps "kSleepSteps: choose 1 ... 65535" NUMBER=kSleepSteps VALUE=${count})
+endforeach()
+
+foreach(search Advancement Stepping)
+  batuta_impossible_scene(StraightWith${search} "without kRotation, Search is Translation<Scalar> or Spheres<Scalar>"
+                          BASE=Straight SEARCH=${search})
+endforeach()
+batuta_impossible_scene(SpheresThatTurn "Spheres<Scalar> takes kRotation = false" BASE=Unrested SEARCH=Spheres)
+batuta_impossible_scene(SpheresOfTwoParts "Spheres<Scalar> takes kCapsulesPerBody = 1" BASE=Spherical
+                        NUMBER=kCapsulesPerBody VALUE=2)
+foreach(resting kSeparation kSettling)
+  batuta_impossible_scene(StraightWith_${resting} "without kRotation, set kResting = RestingContact::kNone" BASE=Straight
+                          RESTING=${resting})
+  batuta_impossible_scene(SilentWith_${resting} "without kResponse, set kResting = RestingContact::kNone" BASE=Silent
+                          RESTING=${resting})
+endforeach()
+foreach(feature kFriction kLineContact kGrip kTargets)
+  batuta_impossible_scene(StraightWith_${feature} "${feature} takes kRotation = true" BASE=Straight ON=${feature})
+endforeach()
+foreach(feature kRestitution kFriction kLineContact)
+  batuta_impossible_scene(SilentWith_${feature} "without kResponse, set ${feature} = false" BASE=Silent ON=${feature})
+endforeach()
+batuta_impossible_scene(SilentWithoutEvents "without kResponse, set kMaxEvents > 0" BASE=Silent NUMBER=kMaxEvents VALUE=0)
+batuta_impossible_scene(FrictionThatSeparates "kFriction takes kResting = kSettling" ON=kFriction)
+foreach(base Scene Unrested)
+  batuta_impossible_scene(SleepOf${base} "kSleep takes kResting = kSettling" BASE=${base} ON=kSleep)
+endforeach()
+batuta_impossible_scene(SleepWithoutEvents "kSleep takes kMaxEvents > 0" BASE=Sleepy NUMBER=kMaxEvents VALUE=0)
+batuta_impossible_scene(WithHaptics "kHaptics has to be false" ON=kHaptics)

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The runs that are measured: where the bodies of each scene begin. Scenes by hand begin there too.
+
+#include "batuta/mechanics/body.hpp"
+#include "batuta/mechanics/straight.hpp"
+
+namespace batuta::price {
+
+inline constexpr float kBladeHalf = 0.45F;
+inline constexpr float kBladeRadius = 0.005F;
+inline constexpr float kBallRadius = 0.05F;
+inline constexpr int kBalls = 8;
+
+/// A place, an axis and a velocity, whatever kind of body is made of them.
+struct Start {
+  Vec3<float> p_W;
+  Quat<float> q_WB;  ///< turns z to axis_W
+  Vec3<float> axis_W;
+  Vec3<float> v_W;
+  Vec3<float> w_W;
+};
+
+/// Two crossed blades, boxes overlapping all the time; the second comes at 1.1 m/s and meets the
+/// first a few centimetres off its middle, after about half of the run.
+inline Start blade_start(int i) {
+  constexpr float kThird = 0.57735F;
+  if (i == 0) {
+    return {{0, 0, 0},
+            {0.888074F, -0.325058F, 0.325058F, 0},
+            {kThird, kThird, kThird},
+            {0, 0, 0},
+            {0, 0.5F, 0.2F}};
+  }
+  return {{-0.05F, 0.13F, 0.01F},
+          {0.459701F, -0.627963F, 0.627963F, 0},
+          {kThird, kThird, -kThird},
+          {0.8F, -0.8F, 0.01F},
+          {0, 0, 0}};
+}
+
+inline Body<float> turning_blade(int i, bool spins) {
+  const Start start = blade_start(i);
+  Body<float> body;
+  body.X_WB = {start.p_W, start.q_WB};
+  body.inverse_mass = 2;
+  body.inverse_moments = {30, 30, 3000};
+  Twist<float> twist;
+  twist.v_W = start.v_W;
+  if (spins) twist.w_W = start.w_W;
+  body.momentum = momentum_of(body, twist);
+  return body;
+}
+
+inline StraightBody<float> straight_body(const Start& start) {
+  StraightBody<float> body;
+  body.p_W = start.p_W;
+  body.inverse_mass = 2;
+  body.momentum_W = start.v_W / body.inverse_mass;
+  return body;
+}
+
+/// Eight balls at the corners of a cube, which fly to its middle, no two at the same speed.
+inline Start ball_start(int i) {
+  Start start = blade_start(0);
+  const auto side = [i](int bit) { return ((i >> bit) & 1) != 0 ? 0.2F : -0.2F; };
+  start.p_W = {side(0), side(1), side(2)};
+  start.v_W = -(5 + 0.3F * static_cast<float>(i)) * start.p_W;
+  return start;
+}
+
+/// The bits of a vector, added to a hash (FNV-1a by words). Bound: 3.
+inline std::uint32_t mixed(std::uint32_t hash, const Vec3<float>& v) {
+  for (int k = 0; k < 3; ++k) {  // Bound: 3
+    std::uint32_t bits = 0;
+    const float number = v[k];
+    __builtin_memcpy(&bits, &number, sizeof bits);
+    hash = (hash ^ bits) * 16777619U;
+  }
+  return hash;
+}
+inline std::uint32_t mixed(std::uint32_t hash, const Body<float>& body) {
+  const Vec3<float> turn = body.X_WB.q_WB.vec();
+  return mixed(mixed(mixed(mixed(hash, body.X_WB.p_W), turn), body.momentum.p_W),
+               body.momentum.b_W);
+}
+inline std::uint32_t mixed(std::uint32_t hash, const StraightBody<float>& body) {
+  return mixed(mixed(hash, body.p_W), body.momentum_W);
+}
+inline constexpr std::uint32_t kEmptyHash = 2166136261U;
+
+}  // namespace batuta::price

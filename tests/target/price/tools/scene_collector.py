@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: MIT
+"""Measures the scenes of a tree."""
+
+import pathlib
+
+from . import forbidden, rooms, scenes
+
+
+class SceneCollector:
+    """Adds to a Collector's figures and findings.
+    @param collector  has image(), worst_case(), names, manifest, figures, findings"""
+
+    def __init__(self, collector):
+        self.collector = collector
+        self.scenes = collector.manifest["scenes"]
+        self.figures = collector.figures
+        self.findings = collector.findings
+        self.states = {}  # (scene, restitution) -> the bits in which its run ended
+
+    def take_images(self):
+        empty = self._sizes(self.collector.image(self.scenes[scenes.EMPTY]["image"]))
+        for name, paths in self.scenes.items():
+            if name != scenes.EMPTY and pathlib.Path(paths["image"]).is_file():
+                self._take_image(name, self.collector.image(paths["image"]), empty)
+        for name in scenes.HANDMADE:
+            of_both = [self.figures.get(f"{name}{end}.flash") for end in ("", scenes.BY_HAND)]
+            if all(of_both):
+                self.figures[f"{name}.flash_of_by_hand"] = round(100 * of_both[0] / of_both[1])
+        if "duel.flash" in self.figures:
+            for kind, at_start in zip(("flash", "ram"), empty):
+                self.figures[f"Duel.{kind}"] = self.figures[f"duel.{kind}"] - at_start
+
+    def _sizes(self, image):
+        return rooms.by_room(image, self.collector.names)["total"]
+
+    def _take_image(self, name, image, empty):
+        for kind, size, at_start in zip(("flash", "ram"), self._sizes(image), empty):
+            self.figures[f"{name}.{kind}"] = size - at_start
+        worst = self.collector.worst_case(image)
+        self.figures[f"{name}.stack"] = worst.of(scenes.STEP).bytes
+        texts = [*forbidden.texts(image, worst.graph), *worst.findings.values(), *scenes.linked_in_vain(name, image)]
+        self.findings += [f"{name}: {text}" for text in texts]
+
+    def take_runs(self, folder):
+        for name, paths in self.scenes.items():
+            if name == scenes.EMPTY or not pathlib.Path(paths["run"]).is_file():
+                continue
+            for restitution in (scenes.BOUNCY, scenes.DULL) if name in scenes.RUN_DULL else (scenes.BOUNCY,):
+                samples = scenes.run(name, self.collector.manifest, folder, restitution)
+                self.states[name, restitution] = scenes.state_of(samples)
+                end = scenes.suffix(restitution)
+                self.figures.update((f"{name}{end}.{step}", n) for step, n in scenes.step_figures(samples).items())
+        for name in scenes.HANDMADE:
+            by_hand = self.states.get((name + scenes.BY_HAND, scenes.BOUNCY))
+            if by_hand is not None and by_hand != self.states[name, scenes.BOUNCY]:
+                self.findings.append(f"{name}: by hand, it ends otherwise: not the same job is compared")

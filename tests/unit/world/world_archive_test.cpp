@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+// A world saved between two steps and restored into another one goes on with the same bits, and its
+// run can be recorded and played again.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+#include "batuta/core/snapshot.hpp"
+#include "batuta/port/memory_stream.hpp"
+#include "batuta/port/player.hpp"
+#include "batuta/port/recorder.hpp"
+#include "batuta/world/archive.hpp"
+#include "scenes.hpp"
+
+namespace batuta {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// Everything of a scene that may be saved.
+template <class S>
+struct FullScene : test::FlightScene<S> {
+  static constexpr bool kFilters = true;
+  static constexpr bool kFriction = true;
+  static constexpr RestingContact kResting = RestingContact::kSettling;
+};
+
+/// Six bodies between two posts: a hand that swings, balls that bounce, rods that turn.
+template <class SceneT>
+void fill(World<SceneT>& world) {
+  using S = typename SceneT::Scalar;
+  ASSERT_TRUE(world.add(test::post<SceneT>(-1, 0.1)).ok());
+  ASSERT_TRUE(world.add(test::post<SceneT>(1, 0.1)).ok());
+  ASSERT_TRUE(world.add(test::ball<SceneT>(-0.5, 0.1, 3)).ok());
+  ASSERT_TRUE(world.add(test::ball<SceneT>(0, 0.1, -2)).ok());
+  Actor<SceneT> rod = test::rod<SceneT>(0.4, 0.3, 0.02);
+  rod.body.momentum.b_W = test::vec<S>(0.01, 0.02, 0.005);
+  rod.body.momentum.p_W = test::vec<S>(-1, 0, 0);
+  rod.restitution = 1;
+  ASSERT_TRUE(world.add(rod).ok());
+  Actor<SceneT> swung = test::rod<SceneT>(0.7, 0.3, 0.02);
+  swung.driver = Hand<S>{};
+  ASSERT_TRUE(world.add(swung).ok());
+}
+
+/// What the user does before a step: where the hand is to go. Opaque to the recording.
+struct Command {
+  float x = 0;
+  std::uint16_t slot = 5;
+
+  void archive(Archive& ar) {
+    auto& [a, b] = *this;
+    ar(a, b);
+  }
+};
+
+Command command_at(int step) {
+  return {0.7F + 0.001F * static_cast<float>(step % 40), 5};
+}
+
+template <class SceneT>
+void advance(World<SceneT>& world, const Command& command) {
+  using S = typename SceneT::Scalar;
+  constexpr S kDt = S(0.005F);
+  if (auto* actor = world.get(world.id_at(command.slot))) {
+    if (auto* hand = actor->driver.template as<Hand<S>>()) {
+      hand->target_W.p_W = test::vec<S>(static_cast<double>(command.x), 0, 0);
+      hand->step = kDt;
+    }
+  }
+  ASSERT_EQ(world.step(kDt), Status::kOk);
+}
+
+/// What a user sees, without the archive.
+template <class SceneT>
+std::vector<double> seen(const World<SceneT>& world) {
+  std::vector<double> all = {static_cast<double>(world.report().evaluations),
+                             static_cast<double>(world.report().collisions),
+                             static_cast<double>(world.events().size())};
+  const auto add = [&all](const auto& v) {
+    for (int i = 0; i < v.size(); ++i) all.push_back(static_cast<double>(v.data()[i]));
+  };
+  for (std::uint16_t slot = 0; slot < SceneT::kMaxBodies; ++slot) {
+    const auto* actor = world.get(world.id_at(slot));
+    if (actor == nullptr) continue;
+    add(actor->body.X_WB.p_W);
+    add(actor->body.X_WB.q_WB.coeffs());
+    add(actor->body.momentum.p_W);
+    add(actor->body.momentum.b_W);
+  }
+  for (const auto& event : world.events()) {
+    all.push_back(static_cast<double>(event.kind));
+    all.push_back(static_cast<double>(event.time));
+    add(event.contact.point_W);
+  }
+  return all;
+}
+
+template <class SceneT>
+class WorldArchive : public ::testing::Test {
+ protected:
+  static Bytes saved(const World<SceneT>& world) {
+    Bytes bytes(kSnapshotRoom<World<SceneT>>);
+    const Result<int> size = save(world, bytes.data(), static_cast<int>(bytes.size()));
+    EXPECT_EQ(size.status, Status::kOk);
+    bytes.resize(static_cast<std::size_t>(size.value));
+    return bytes;
+  }
+};
+
+using Scenes = ::testing::Types<test::FlightScene<float>, test::FlightScene<double>,
+                                FullScene<float>, test::FlightScene<float, Stepping>>;
+TYPED_TEST_SUITE(WorldArchive, Scenes);
+
+constexpr int kSteps = 400;
+
+TYPED_TEST(WorldArchive, SavedAnywhere_GoesOnWithTheSameBits) {
+  auto world = std::make_unique<World<TypeParam>>();
+  fill(*world);
+  std::vector<Bytes> snapshots;
+  std::vector<std::vector<double>> course;
+  std::uint32_t collisions = 0;
+  for (int step = 0; step < kSteps; ++step) {
+    if (step % 50 == 0) snapshots.push_back(this->saved(*world));
+    advance(*world, command_at(step));
+    course.push_back(seen(*world));
+    collisions += world->report().collisions;
+  }
+  EXPECT_GE(collisions, 5U) << "or nothing much is seen";
+  for (std::size_t i = 0; i < snapshots.size(); ++i) {
+    auto other = std::make_unique<World<TypeParam>>();
+    const Bytes& bytes = snapshots[i];
+    ASSERT_EQ(restore(*other, bytes.data(), static_cast<int>(bytes.size())), Restored::kOk);
+    for (std::size_t step = 50 * i; step < course.size(); ++step) {
+      advance(*other, command_at(static_cast<int>(step)));
+      ASSERT_EQ(seen(*other), course[step]) << "saved at " << 50 * i << ", step " << step;
+    }
+  }
+}
+
+TYPED_TEST(WorldArchive, RecordedAndPlayed_Agrees) {
+  using WorldT = World<TypeParam>;
+  auto world = std::make_unique<WorldT>();
+  fill(*world);
+  Bytes file(1 << 20);
+  MemorySink sink(file.data(), 1 << 20);
+  Bytes buffer(Recorder::kRoom<WorldT>);
+  Recorder recorder(sink, buffer.data(), static_cast<int>(buffer.size()));
+  ASSERT_EQ(recorder.template begin<Command>(*world, 10), Status::kOk);
+  for (int step = 0; step < kSteps; ++step) {
+    advance(*world, command_at(step));
+    recorder.step(command_at(step), *world);
+  }
+  ASSERT_EQ(recorder.end(*world), Status::kOk);
+  ASSERT_TRUE(recorder.flush());
+
+  MemorySource source(file.data(), sink.size());
+  Player player(source, buffer.data(), static_cast<int>(buffer.size()));
+  auto again = std::make_unique<WorldT>();
+  Command command;
+  Playback answer = player.template begin<Command>(*again);
+  ASSERT_EQ(answer, Playback::kReady);
+  while ((answer = player.next(command, *again)) == Playback::kStep) advance(*again, command);
+  EXPECT_EQ(answer, Playback::kEnd);
+  EXPECT_EQ(player.agreed(), kSteps / 10 + 1U);
+  EXPECT_EQ(seen(*again), seen(*world));
+}
+
+TEST(WorldArchive, OtherFeaturesOrScalar_AreRefused) {
+  auto plain = std::make_unique<World<test::FlightScene<float>>>();
+  const auto size_of = [](const auto& world, Bytes& bytes) {
+    bytes.resize(65536);
+    return save(world, bytes.data(), static_cast<int>(bytes.size())).value;
+  };
+  Bytes bytes;
+  const int full = size_of(*std::make_unique<World<FullScene<float>>>(), bytes);
+  EXPECT_EQ(restore(*plain, bytes.data(), full), Restored::kOtherScene);
+  const int precise = size_of(*std::make_unique<World<test::FlightScene<double>>>(), bytes);
+  EXPECT_EQ(restore(*plain, bytes.data(), precise), Restored::kOtherScalar);
+}
+
+}  // namespace
+}  // namespace batuta
