@@ -22,25 +22,19 @@ int PoolBase::find(std::uint16_t index1, std::uint16_t pool, std::uint32_t gener
   return static_cast<int>(index);
 }
 
-std::size_t PoolBase::lowest_free() const {
-  const std::size_t words = words_for(capacity_);
-  for (std::size_t word = 0; word < words; ++word) {                         // Bound: N / 32
+int PoolBase::acquire() {
+  for (std::size_t word = 0; word < words_for(capacity_); ++word) {          // Bound: N / 32
     for (std::uint32_t bits = ~live_[word]; bits != 0; bits &= bits - 1U) {  // Bound: 32
       const std::size_t index = word * kBitsPerWord + lowest_bit(bits);
-      if (generations_[index] != kLastGeneration) return index;
+      if (index >= capacity_) return kNoIndex;
+      if (generations_[index] == kLastGeneration) continue;  // retired
+      ++generations_[index];
+      live_[word] |= bit_of(index);
+      ++size_;
+      return static_cast<int>(index);
     }
   }
-  BATUTA_INVARIANT(false);
-  return 0;
-}
-
-int PoolBase::acquire() {
-  if (size_ == usable_capacity()) return kNoIndex;
-  const std::size_t index = lowest_free();
-  ++generations_[index];
-  live_[index / kBitsPerWord] |= bit_of(index);
-  ++size_;
-  return static_cast<int>(index);
+  return kNoIndex;
 }
 
 void PoolBase::release(std::size_t index) {

@@ -51,14 +51,15 @@ SphereAnswer<Scalar> search_spheres(const SphereFlight<Scalar>& flight, Scalar s
   const Scalar square = travel.squaredNorm();
   const Scalar length = std::sqrt(square);
   const Scalar least = least_slab(apart, length, radii);
+  const Scalar closing = -start.dot(travel);
   SphereAnswer<Scalar> answer;
+  answer.closing = closing;
   if (!is_finite(least * least) || !are_not_negative(radii, flight.duration, slab)) return answer;
   const Scalar tau = max_of(slab, least);
   answer.outcome = Outcome::kTouching;
   if (!(apart - radii > tau)) return answer;
 
   const Scalar rho = radii + tau / 2;
-  const Scalar closing = -start.dot(travel);
   const Scalar nearest = closing / square;
   const Scalar miss = distance_at<Scalar>(start, travel, nearest);
   const Scalar half_chord = std::sqrt((rho - miss) * (rho + miss));

@@ -9,7 +9,7 @@ import sys
 
 import rows
 
-SECTIONS = ["search", "peers", "misses", "climb", "swept", "response", "friction"]
+SECTIONS = ["search", "peers", "misses", "climb", "swept", "response", "friction", "footprint", "growth", "worlds"]
 
 HEAD = """# batuta: error against run time
 

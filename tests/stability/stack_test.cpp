@@ -49,6 +49,7 @@ struct Seen {
   int incomplete = 0;
   int overlaps = 0;
   std::uint32_t asleep = 0;
+  double deepest = 0;
   double top_speed_late = 0;  ///< of any rod in the last second, m/s
 };
 
@@ -86,12 +87,13 @@ Seen watch(double D, double restitution, int steps) {
     seen.incomplete += world.report().complete() ? 0 : 1;
     seen.overlaps += static_cast<int>(world.report().overlaps_at_start);
     seen.asleep = world.report().asleep;
+    seen.deepest = std::max(seen.deepest, static_cast<double>(world.report().deepest_overlap));
   }
   std::printf(
       "  drift %.2g m, gap %.2g m, %d separations, events %d, frozen %u (%d late), incomplete %d, "
-      "overlaps %d, asleep %u, speed %.2g\n",
+      "overlaps %d (%.2g), asleep %u, speed %.2g\n",
       seen.drift, seen.least_gap, seen.separations, seen.most_contacts, seen.frozen,
-      seen.frozen_late, seen.incomplete, seen.overlaps, seen.asleep, seen.top_speed_late);
+      seen.frozen_late, seen.incomplete, seen.overlaps, seen.deepest, seen.asleep, seen.top_speed_late);
   return seen;
 }
 
@@ -102,11 +104,11 @@ TYPED_TEST_SUITE(StackAtRest, Scalars);
 
 TYPED_TEST(StackAtRest, Exp) {
   for (double D : {2e-5, 1e-4}) {
-    for (double e : {0.0, 0.5, 0.9}) {
+    for (double e : {0.0, 0.9}) {
       std::printf("D %g e %g\n", D, e);
-      watch<Stacked<test::RubbingScene<TypeParam>>>(D, e, 10000);
-      watch<Stacked<test::SleepyScene<TypeParam>>>(D, e, 10000);
-      watch<Stacked<test::RestScene<TypeParam>>>(D, e, 10000);
+      watch<Stacked<test::RubbingScene<TypeParam>>>(D, e, 2000);
+      watch<Stacked<test::SleepyScene<TypeParam>>>(D, e, 2000);
+      watch<Stacked<test::RestScene<TypeParam>>>(D, e, 2000);
     }
   }
 }

@@ -89,8 +89,6 @@ class PoolBase {
   static constexpr std::uint32_t bit_of(std::size_t index) {
     return std::uint32_t{1} << (index % kBitsPerWord);
   }
-  /// @pre size() < usable_capacity()
-  std::size_t lowest_free() const;
   /// Ends what cannot live: beyond the slots, or without a generation; counts the others.
   /// @returns whether there was nothing to end. Bound: N slots.
   bool settle();

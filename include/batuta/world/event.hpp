@@ -47,7 +47,7 @@ struct StepReport {
   std::uint32_t overlaps_at_start = 0;
   Scalar deepest_overlap = 0;  ///< of these, m
   std::uint32_t asleep = 0;    ///< bodies that slept through the step
-  /// Pairs that used up their separations of a step, and were frozen for the rest of it.
+  /// Pairs that used up their answers of a step, and were frozen for the rest of it (kSettling).
   std::uint32_t frozen = 0;
   // What did not fit; the bodies concerned were held where they were proven free. All zero in a
   // healthy scene.

@@ -42,7 +42,8 @@ void GeneralWorld<SceneT>::answer_turning(const WatchType& watch, const Sight& s
   if constexpr (SceneT::kMaxBodies > 2) {
     make_room(watch.pair, nearest.contact, options, parties);
   }
-  const auto impulse = impulse_for(watch.pair, parties, nearest.contact);
+  const bool is_last = uses_up_answers(watch.pair);
+  const auto impulse = impulse_for(watch.pair, parties, nearest.contact, is_last);
   const auto answer = answer_contact(parties[0], parties[1], nearest.contact, impulse, options);
   if (!answer.ok()) {
     actor_at(a).body.momentum = before[0];
@@ -51,7 +52,7 @@ void GeneralWorld<SceneT>::answer_turning(const WatchType& watch, const Sight& s
     hold_pair(watch.pair, dt_);
     return;
   }
-  if (answer.value.separated) charge(watch.pair, answer.value);
+  charge(watch.pair, answer.value, is_last);
   tell_driver(a, answer.value, answer.value.separation.shift_A_W);
   tell_driver(b, answer.value, answer.value.separation.shift_B_W);
   record(watch, nearest, answer.value);
@@ -61,7 +62,7 @@ void GeneralWorld<SceneT>::answer_turning(const WatchType& watch, const Sight& s
 template <class SceneT>
 Result<Impulse<Scalar_of<SceneT>>> GeneralWorld<SceneT>::impulse_for(
     BodyPair pair, const std::array<Party<Scalar>, 2>& parties,
-    const Contact<Scalar>& contact) const {
+    const Contact<Scalar>& contact, bool is_last) const {
   const ActorType& P = actor_at(body_of(pair.first));
   const ActorType& Q = actor_at(body_of(pair.second));
   const Collider<Scalar> A = collider_of(parties[0]);
@@ -71,7 +72,8 @@ Result<Impulse<Scalar_of<SceneT>>> GeneralWorld<SceneT>::impulse_for(
     restitution = pair_restitution(P.restitution, Q.restitution);
     if constexpr (kSettles) {
       const Scalar v_rel = relative_velocity(contact, A.X_WB, A.twist, B.X_WB, B.twist);
-      if (classify(v_rel, rest_speed_) != ContactKind::kColliding) restitution = 0;
+      const bool bounces = classify(v_rel, rest_speed_) == ContactKind::kColliding;
+      if (is_last || !bounces) restitution = 0;
     }
   }
   if constexpr (SceneT::kFriction) {
@@ -84,13 +86,24 @@ Result<Impulse<Scalar_of<SceneT>>> GeneralWorld<SceneT>::impulse_for(
   }
 }
 
-/// Time for a separation: the paper's f(D), for which both stand still; or where bodies settle, a
-/// count, at the end of which the pair is frozen.
+/// Counts the answers of a pair where bodies settle; whatever their kind, or a few bodies between
+/// others would take all answers of a step among themselves. @returns whether this is its last.
 template <class SceneT>
-void GeneralWorld<SceneT>::charge(BodyPair pair, const EncounterAnswer<Scalar>& answer) {
-  if constexpr (kReleases) hold_pair(pair, now_ + answer.separation.duration);
+bool GeneralWorld<SceneT>::uses_up_answers(BodyPair pair) {
+  if constexpr (kSettles) return this->repeat(pair) >= SceneT::kMaxSeparations;
+  return false;
+}
+
+/// Time for a separation: the paper's f(D), for which both stand still. Where bodies settle, the
+/// last answer of a pair in a step freezes it.
+template <class SceneT>
+void GeneralWorld<SceneT>::charge(BodyPair pair, const EncounterAnswer<Scalar>& answer,
+                                  bool is_last) {
+  if constexpr (kReleases) {
+    if (answer.separated) hold_pair(pair, now_ + answer.separation.duration);
+  }
   if constexpr (kSettles) {
-    if (this->repeat(pair) < SceneT::kMaxSeparations) return;
+    if (!is_last) return;
     ++report_.frozen;
     hold_pair(pair, dt_);
   }

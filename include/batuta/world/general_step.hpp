@@ -150,6 +150,13 @@ template <class SceneT>
 void GeneralWorld<SceneT>::hold(std::size_t slot, Scalar until) {
   Track& track = tracks_[slot];
   if (track.start < now_) bring(slot, now_ - track.start);
+  if constexpr (SceneT::kGravity) {
+    // What is held is carried, or its weight would add up from step to step.
+    const bool fell = track.present && !track.stands && !is_held(slot);
+    if (fell && !(until < dt_)) {
+      Matter::fall(actor_at(slot).body, track.course, settings_.gravity_W, now_ - dt_);
+    }
+  }
   track.held_until = max_of(track.held_until, min_of(until, dt_));
   track.course.motion = Matter::standing(actor_at(slot).body, track.course.motion.duration);
   track.changed = true;

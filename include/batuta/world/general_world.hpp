@@ -47,6 +47,8 @@ class GeneralWorld : private SeedsOf<SceneT>,
   /// with a pair that is left: kMaxPairs), or with the step (1).
   static constexpr int kMaxRounds =
       2 * SceneT::kMaxContacts + max_of(SceneT::kMaxBodies, SceneT::kMaxPairs) + 1;
+  /// Most pairs searched in one round.
+  static constexpr int kPairsPerRound = SceneT::kMaxPairs;
 
   /// @param number  tells this world's ids from those of another world of the same scene
   /// @pre the file that names the scene, and the thread, round every operation
@@ -183,8 +185,9 @@ class GeneralWorld : private SeedsOf<SceneT>,
   bool is_immovable(BodyPair pair) const;
   void block(const WatchType& watch, const Sight& sight, const Nearest<Scalar>& nearest);
   Result<Impulse<Scalar>> impulse_for(BodyPair pair, const std::array<Party<Scalar>, 2>& parties,
-                                      const Contact<Scalar>& contact) const;
-  void charge(BodyPair pair, const EncounterAnswer<Scalar>& answer);
+                                      const Contact<Scalar>& contact, bool is_last) const;
+  bool uses_up_answers(BodyPair pair);
+  void charge(BodyPair pair, const EncounterAnswer<Scalar>& answer, bool is_last);
   EncounterOptions<Scalar> options_for(Scalar margin) const;
   Scalar margin_of(const Sight& sight, BodyPair pair) const;
   Party<Scalar> party(std::size_t slot);

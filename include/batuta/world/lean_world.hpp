@@ -16,9 +16,9 @@ namespace batuta {
 
 /// Scenes whose World is a LeanWorld.
 template <class SceneT>
-inline constexpr bool kIsLean = !SceneT::kRotation && SceneT::kResponse &&
-                                SceneT::kCapsulesPerBody == 1 && SceneT::kMaxEvents == 0 &&
-                                SceneT::kMaxBodies <= 8;
+inline constexpr bool kIsLean =
+    !SceneT::kRotation && SceneT::kResponse && SceneT::kCapsulesPerBody == 1 &&
+    SceneT::kMaxEvents == 0 && SceneT::kMaxBodies <= 8;
 
 /// Members and statuses are those of GeneralWorld. Scene::kMaxPairs, kBound and kSweepAxis mean
 /// nothing here: there is room for all pairs, and there are no boxes.
@@ -85,10 +85,9 @@ class LeanWorld {
 
   /// What the step knows of a body besides the actor.
   struct Flight {
-    Vec3<Scalar> v_W = Vec3<Scalar>::Zero();  ///< in this round, m/s
+    Vec3<Scalar> v_W = Vec3<Scalar>::Zero();  ///< in this round, m/s; zero for what does not move
     bool present = false;                     ///< takes part in the step
-    bool held = false;                        ///< stays where it is for the rest of the step
-    bool moves = false;                       ///< in this round
+    bool moves = false;                       ///< not fixed, and not held
   };
   /// How a round ends: the pair slot_A kSlots + slot_B, and what its search answered.
   struct Meeting {
@@ -98,7 +97,8 @@ class LeanWorld {
     Scalar t_hit = 0;
   };
 
-  static bool is_usable(const ActorType& actor) {
+  /// Kept apart, like hold(): two calls, and no two copies.
+  [[gnu::noinline]] static bool is_usable(const ActorType& actor) {
     return has_valid_features(actor) && Matter::is_usable(actor.body);
   }
   static bool is_contact(Outcome outcome) {
@@ -107,19 +107,21 @@ class LeanWorld {
   void begin_body(std::size_t slot);
   void run_round();
   void aim(std::size_t slot);
+  void move(std::size_t slot, Scalar t);
   Meeting first_meeting();
   bool may_pair(std::size_t a, std::size_t b) const;
   Sight search(std::size_t a, std::size_t b) const;
   void answer(const Meeting& meeting);
   void hit(ActorType& A, ActorType& B, Outcome outcome);
-  void hold(std::size_t slot);
+  [[gnu::noinline]] void hold(std::size_t slot);
 
-  WorldSettings<SceneT> settings_;
-  Pool<ActorType, SceneT::kMaxBodies> actors_;
-  std::array<Flight, kSlots> flights_{};
-  StepReport<Scalar> report_;
+  // What is used most comes first: small offsets make short instructions.
   Scalar left_ = 0;  ///< of the step, s
   int contacts_answered_ = 0;
+  StepReport<Scalar> report_;
+  WorldSettings<SceneT> settings_;
+  std::array<Flight, kSlots> flights_{};
+  Pool<ActorType, SceneT::kMaxBodies> actors_;
 };
 
 template <class SceneT>
@@ -128,7 +130,7 @@ Status LeanWorld<SceneT>::step(Scalar dt) {
   report_ = {};
   left_ = dt;
   contacts_answered_ = 0;
-  for (std::size_t slot = 0; slot < kSlots; ++slot) begin_body(slot);  // Bound: kMaxBodies
+  for (std::size_t slot = 0; slot < kSlots; ++slot) begin_body(slot);      // Bound: kMaxBodies
   for (int round = 0; round < kMaxRounds && left_ > Scalar(0); ++round) {  // Bound: kMaxRounds
     run_round();
   }
@@ -139,7 +141,7 @@ Status LeanWorld<SceneT>::step(Scalar dt) {
 template <class SceneT>
 void LeanWorld<SceneT>::begin_body(std::size_t slot) {
   Flight& flight = flights_[slot];
-  flight.present = flight.held = false;
+  flight = {};
   ActorType* const actor = actors_.at_index(slot);
   if (actor == nullptr) return;
   flight.present = is_usable(*actor);
@@ -147,10 +149,10 @@ void LeanWorld<SceneT>::begin_body(std::size_t slot) {
     ++report_.courses_invalid;
     return;
   }
+  StraightBody<Scalar>& body = actor->body;
+  flight.moves = body.inverse_mass > Scalar(0);
   if constexpr (SceneT::kGravity) {
-    StraightBody<Scalar>& body = actor->body;
-    if (!(body.inverse_mass > Scalar(0))) return;
-    body.momentum_W += (left_ / body.inverse_mass) * settings_.gravity_W;
+    if (flight.moves) body.momentum_W += (left_ / body.inverse_mass) * settings_.gravity_W;
   }
 }
 
@@ -160,8 +162,7 @@ void LeanWorld<SceneT>::run_round() {
   for (std::size_t slot = 0; slot < kSlots; ++slot) aim(slot);  // Bound: kMaxBodies
   const Meeting meeting = first_meeting();
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    const Flight& flight = flights_[slot];
-    if (flight.moves) actors_.at(slot).body.p_W += meeting.t_free * flight.v_W;
+    if (flights_[slot].moves) move(slot, meeting.t_free);
   }
   left_ -= meeting.t_free;
   if (meeting.outcome != Outcome::kFree) answer(meeting);
@@ -170,16 +171,21 @@ void LeanWorld<SceneT>::run_round() {
 template <class SceneT>
 void LeanWorld<SceneT>::aim(std::size_t slot) {
   Flight& flight = flights_[slot];
-  flight.moves = false;
-  flight.v_W.setZero();
-  if (!flight.present || flight.held) return;
-  const Vec3<Scalar> v_W = velocity_of(actors_.at(slot).body);
-  if (!is_finite(v_W)) {
-    ++report_.courses_invalid;
-    return hold(slot);
+  if (!flight.moves) return;
+  const StraightBody<Scalar>& body = actors_.at(slot).body;
+  for (int i = 0; i < 3; ++i) {  // Bound: 3; by component: expressions double the code
+    flight.v_W[i] = body.inverse_mass * body.momentum_W[i];
   }
-  flight.v_W = v_W;
-  flight.moves = !v_W.isZero(Scalar(0));
+  if (is_finite(flight.v_W)) return;
+  ++report_.courses_invalid;
+  hold(slot);
+}
+
+template <class SceneT>
+void LeanWorld<SceneT>::move(std::size_t slot, Scalar t) {
+  for (int i = 0; i < 3; ++i) {  // Bound: 3
+    actors_.at(slot).body.p_W[i] += flights_[slot].v_W[i] * t;
+  }
 }
 
 /// The pair that is proven free for the shortest time; of contacts whose brackets overlap, the
@@ -207,7 +213,7 @@ typename LeanWorld<SceneT>::Meeting LeanWorld<SceneT>::first_meeting() {
   return first;
 }
 
-/// Two that stand still stay apart, or in each other where nobody can move them.
+/// Two that stand still stay as they are, apart or not.
 template <class SceneT>
 bool LeanWorld<SceneT>::may_pair(std::size_t a, std::size_t b) const {
   const Flight& A = flights_[a];
@@ -220,9 +226,21 @@ template <class SceneT>
 typename LeanWorld<SceneT>::Sight LeanWorld<SceneT>::search(std::size_t a, std::size_t b) const {
   const ActorType& A = actors_.at(a);
   const ActorType& B = actors_.at(b);
-  return Matter::search(Matter::mover(A, 0, {A.body.p_W, flights_[a].v_W, left_}),
-                        Matter::mover(B, 0, {B.body.p_W, flights_[b].v_W, left_}),
-                        settings_.search);
+  const Vec3<Scalar>& v_A_W = flights_[a].v_W;
+  const Vec3<Scalar>& v_B_W = flights_[b].v_W;
+  if constexpr (Search::kForSpheres) {
+    SphereFlight<Scalar> flight;
+    for (int i = 0; i < 3; ++i) {  // Bound: 3; by component: expressions double the code
+      flight.between[i] = B.body.p_W[i] - A.body.p_W[i];
+      flight.v[i] = v_B_W[i] - v_A_W[i];
+    }
+    flight.radii = A.radius + B.radius;
+    flight.duration = left_;
+    return Matter::search_flight(flight, settings_.search);
+  } else {
+    return Matter::search(Matter::mover(A, 0, {A.body.p_W, v_A_W, left_}),
+                          Matter::mover(B, 0, {B.body.p_W, v_B_W, left_}), settings_.search);
+  }
 }
 
 template <class SceneT>
@@ -250,7 +268,7 @@ void LeanWorld<SceneT>::hit(ActorType& A, ActorType& B, Outcome outcome) {
   if constexpr (SceneT::kRestitution) {
     restitution = pair_restitution(A.restitution, B.restitution);
   }
-  const Contact<Scalar> contact = Matter::nearest(A, 0, B, 0).contact;
+  const auto contact = Matter::facing(A, B);
   const auto hit = straight_impulse(A.body, B.body, contact.normal_BA_W, restitution);
   if (hit.impulse > Scalar(0)) ++report_.collisions;
   if (outcome == Outcome::kTouching && !(contact.gap > Scalar(0))) {
@@ -261,7 +279,8 @@ void LeanWorld<SceneT>::hit(ActorType& A, ActorType& B, Outcome outcome) {
 
 template <class SceneT>
 void LeanWorld<SceneT>::hold(std::size_t slot) {
-  flights_[slot].held = true;
+  flights_[slot].v_W.setZero();
+  flights_[slot].moves = false;
   report_.time_held = max_of(report_.time_held, left_);
 }
 

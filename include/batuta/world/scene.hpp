@@ -19,8 +19,9 @@ enum class RestingContact : std::uint8_t {
   /// holds.
   kSeparation,
   /// For bodies that lie on each other: what is left of the approach is taken out by an impulse
-  /// without restitution, the gap is restored to D, and nobody stands still. A pair that needs more
-  /// than kMaxSeparations in a step is frozen for the rest of it.
+  /// without restitution, the gap is restored to D, and nobody stands still. The kMaxSeparations-th
+  /// answer of a pair in a step, of whatever kind, is without restitution and freezes the pair for
+  /// the rest of it.
   kSettling,
 };
 
@@ -46,7 +47,7 @@ struct Scene {
   static constexpr int kMaxContacts = 8;
   /// Events kept for reading after a step; a surplus is counted. 0: none, and no pair is followed.
   static constexpr int kMaxEvents = 16;
-  /// Separations of one pair in one step (kSettling).
+  /// Answers of one pair in one step, the last of which freezes it (kSettling).
   static constexpr int kMaxSeparations = 4;
   /// Steps for which a body has to stay within 2 D of one place to be put to sleep (kSleep), 1 ...
   /// 65535.

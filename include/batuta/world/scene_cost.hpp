@@ -26,6 +26,16 @@ struct Enlarged : SceneT {
   static constexpr int kMaxEvents = SceneT::kMaxEvents > 0 ? SceneT::kMaxEvents + kEvents : 0;
 };
 
+/// Bytes that the enlarged scene takes more, in a world of the same kind.
+template <class SceneT, class Larger>
+constexpr std::size_t more() {
+  if constexpr (kIsLean<SceneT>) {
+    return sizeof(LeanWorld<Larger>) - sizeof(LeanWorld<SceneT>);
+  } else {
+    return sizeof(GeneralWorld<Larger>) - sizeof(GeneralWorld<SceneT>);
+  }
+}
+
 /// The world of an enlarged scene, less that of the scene, a body over 32 bodies at a time: what a
 /// world keeps per 16 or 32 bodies is shared out.
 template <class SceneT>
@@ -34,11 +44,12 @@ constexpr SceneCost cost_of() {
   using Now = World<SceneT>;
   SceneCost cost;
   cost.world = sizeof(Now);
-  cost.body = (sizeof(World<Enlarged<SceneT, kMany, 0, 0>>) - sizeof(Now)) / kMany;
-  cost.pair = (sizeof(World<Enlarged<SceneT, 0, kMany, 0>>) - sizeof(Now)) / kMany;
-  cost.event = (sizeof(World<Enlarged<SceneT, 0, 0, kMany>>) - sizeof(Now)) / kMany;
+  cost.body = more<SceneT, Enlarged<SceneT, kMany, 0, 0>>() / kMany;
+  cost.pair = more<SceneT, Enlarged<SceneT, 0, kMany, 0>>() / kMany;
+  cost.event = more<SceneT, Enlarged<SceneT, 0, 0, kMany>>() / kMany;
   cost.rounds = static_cast<std::uint64_t>(Now::kMaxRounds);
-  cost.evaluations = cost.rounds * static_cast<std::uint64_t>(SceneT::kMaxPairs) * SceneT::kBudget;
+  cost.evaluations =
+      cost.rounds * static_cast<std::uint64_t>(Now::kPairsPerRound) * SceneT::kBudget;
   return cost;
 }
 

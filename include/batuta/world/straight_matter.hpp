@@ -39,8 +39,11 @@ struct StraightMatter {
   };
 
   static bool is_usable(const BodyType& body) {
-    return is_finite(body.p_W) && is_finite(body.momentum_W) && is_finite(body.inverse_mass) &&
-           body.inverse_mass >= Scalar(0);
+    Scalar zero = body.inverse_mass - body.inverse_mass;
+    for (int i = 0; i < 3; ++i) {  // Bound: 3
+      zero += (body.p_W[i] - body.p_W[i]) + (body.momentum_W[i] - body.momentum_W[i]);
+    }
+    return zero == Scalar(0) && body.inverse_mass >= Scalar(0);  // NaN where one is not finite
   }
   static void prepare(ActorType& /*actor*/) {}
   static CourseType ask(const ActorType& actor, Scalar /*t*/, Scalar duration) {
@@ -77,16 +80,20 @@ struct StraightMatter {
     }
   }
 
+  /// As search(), for balls.
+  static Sight search_flight(const SphereFlight<Scalar>& flight,
+                             const typename Search::Options& options) {
+    const SphereAnswer<Scalar> answer = Search::search(flight, options);
+    const bool parts = answer.outcome == Outcome::kTouching && !(answer.closing > Scalar(0));
+    return {parts ? Outcome::kFree : answer.outcome, answer.t_free, answer.t_hit, 1};
+  }
   /// Convex bodies that do not turn and do not approach never meet, however near they are: their
   /// distance is a convex function of time.
   static Sight search(const Mover& A, const Mover& B, const typename Search::Options& options) {
     if constexpr (kBalls) {
       const SphereFlight<Scalar> flight = {B.motion.p_W - A.motion.p_W, B.motion.v_W - A.motion.v_W,
                                            A.actor->radius + B.actor->radius, A.motion.duration};
-      const SphereAnswer<Scalar> answer = Search::search(flight, options);
-      const bool parts =
-          answer.outcome == Outcome::kTouching && !(flight.between.dot(flight.v) < Scalar(0));
-      return {parts ? Outcome::kFree : answer.outcome, answer.t_free, answer.t_hit, 1};
+      return search_flight(flight, options);
     } else {
       const auto pair = make_straight_pair(part_of(*A.actor, A.part), A.motion,
                                            part_of(*B.actor, B.part), B.motion);
@@ -96,6 +103,25 @@ struct StraightMatter {
       const bool parts = result.outcome == Outcome::kTouching && !(result.gap_rate < Scalar(0));
       return {parts ? Outcome::kFree : result.outcome, result.t_free, result.t_hit,
               result.evaluations};
+    }
+  }
+
+  /// Where two of one part each face each other: all that an impulse asks for.
+  struct Facing {
+    Vec3<Scalar> normal_BA_W = Vec3<Scalar>::UnitX();
+    Scalar gap = 0;
+  };
+  static Facing facing(const ActorType& A, const ActorType& B) {
+    if constexpr (kBalls) {
+      const Vec3<Scalar> to_A = A.body.p_W - B.body.p_W;
+      const Scalar distance = to_A.norm();
+      Facing facing;
+      if (distance > Scalar(0)) facing.normal_BA_W = to_A / distance;
+      facing.gap = distance - (A.radius + B.radius);
+      return facing;
+    } else {
+      const Contact<Scalar> contact = nearest(A, 0, B, 0).contact;
+      return {contact.normal_BA_W, contact.gap};
     }
   }
 

@@ -3,6 +3,7 @@
 // the restitution that was asked for, and what it costs.
 
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <vector>
 
@@ -52,7 +53,7 @@ std::vector<test::Strike> collisions(Range range) {
 
 double time_ns(const std::vector<test::Strike>& strikes, const Law& law, const Options& options) {
   std::size_t next = 0;
-  return median_ns(static_cast<int>(pick(options, 20, 1000, 10000)), [&] {
+  return median_ns(static_cast<int>(pick(options, 20, 500, 10000)), [&] {
     next = next + 1 < strikes.size() ? next + 1 : 0;
     keep(answer(strikes[next], law));
   });
@@ -74,13 +75,22 @@ void write_row(Table& table, const Law& law, const Account& account, double time
   table.end_row();
 }
 
+/// The closed form's claim. @returns exit code of the program
+int judge(std::uint64_t gains) {
+  if (gains == 0) return 0;
+  std::fprintf(stderr, "friction: the closed form gained energy in %llu contacts\n",
+               static_cast<unsigned long long>(gains));
+  return 1;
+}
+
 }  // namespace
 
 int report_blows(const Options& options) {
   constexpr std::uint64_t kTimed = 2048;  // more than a branch predictor learns by heart
   Table table(options, "friction_blows");
-  const auto strikes = collisions(share_of(options, pick(options, 200, 20'000, 1'000'000)));
+  const auto strikes = collisions(share_of(options, pick(options, 200, 10'000, 400'000)));
   const auto timed = collisions({0, kTimed});
+  std::uint64_t gains = 0;  // of the closed form
   Progress progress("friction, blows", kRestitutions.size() * kFrictions.size());
   for (const double restitution : kRestitutions) {
     for (const double friction : kFrictions) {
@@ -91,12 +101,14 @@ int report_blows(const Options& options) {
         for (const auto& strike : strikes) {
           account.add(effect_of(strike, law, answer(strike, law)));
         }
+        if (rounds == 0) gains += account.gains;
         write_row(table, law, account, time_ns(timed, law, options), plain);
       }
       progress.advance();
     }
   }
-  return table.write();
+  const int written = table.write();
+  return written != 0 ? written : judge(gains);
 }
 
 }  // namespace batuta::report

@@ -23,10 +23,10 @@ struct Case {
 std::vector<Case> balls() {
   const Collider<double> ball = rod_on_floor(0, 0, 1);
   const std::vector<Twist<double>> sliding = {{{6, 8, -1}, {0, 0, 0}}, {{6, 8, -1}, {9, -5, 2}}};
-  return {{"I08 ball, friction 0", {1, 0, 0}, ball, sliding},
-          {"I08 ball, friction 0.5", {1, 0.5, 0}, ball, sliding},
-          {"I08 ball, friction 1e6", {1, 1e6, 0}, ball, sliding},
-          {"I08 ball, friction 1e6, slip turned round", {1, 1e6, 1}, ball, sliding}};
+  return {{"I08 ball; friction 0", {1, 0, 0}, ball, sliding},
+          {"I08 ball; friction 0.5", {1, 0.5, 0}, ball, sliding},
+          {"I08 ball; friction 1e6", {1, 1e6, 0}, ball, sliding},
+          {"I08 ball; friction 1e6; slip turned round", {1, 1e6, 1}, ball, sliding}};
 }
 
 /// Slip to either side, and turns that carry the end towards the slip and against it.
@@ -43,7 +43,7 @@ std::vector<Case> rods() {
   constexpr double kDegree = 3.14159265358979324 / 180;
   std::vector<Case> cases;
   for (const int lean : {10, 30, 45, 60, 80}) {
-    cases.push_back({"I10 rod, leaning " + std::to_string(lean) + " degrees, friction 2",
+    cases.push_back({"I10 rod leaning " + std::to_string(lean) + " degrees; friction 2",
                      {1, 2, 0},
                      rod_on_floor(lean * kDegree, 0.5, 1e-3),
                      slips()});

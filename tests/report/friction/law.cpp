@@ -6,7 +6,7 @@
 namespace batuta::report {
 
 std::string name_of(int rounds) {
-  return rounds == 0 ? "closed form" : "Newton, " + std::to_string(rounds) + " rounds";
+  return rounds == 0 ? "closed form" : "Newton " + std::to_string(rounds);
 }
 
 test::TwistPair answer(const test::Strike& strike, const Law& law) {

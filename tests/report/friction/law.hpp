@@ -18,7 +18,7 @@ struct Law {
 /// Ways of computing: the closed form, then what engines do with few, some and many rounds.
 inline constexpr std::array<int, 4> kRounds = {0, 4, 10, 50};
 
-/// "closed form" or "Newton, 4 rounds".
+/// "closed form", or "Newton 4" for 4 rounds.
 std::string name_of(int rounds);
 
 /// @pre the bodies approach, and something gives way

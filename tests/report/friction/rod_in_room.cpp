@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "rod_in_room.hpp"
 
+#include <cmath>
+
 #include "draws.hpp"
 
 namespace batuta::report {
@@ -21,32 +23,27 @@ RodInRoom::RodInRoom(std::uint64_t number) {
   body_.momentum = momentum_of(body_, twist);
 }
 
-RodInRoom::End RodInRoom::end_at(int place) const {
-  const int axis = place % 3;
-  const double side = place / 3 % 2 == 0 ? 1 : -1;
-  const Vec3<double> c_W =
-      to_world(body_.X_WB, {0, 0, place < kPlaces / 2 ? kHalfAxis : -kHalfAxis});
-  End end;
-  end.contact.normal_BA_W = -side * Vec3<double>::Unit(axis);
-  end.contact.point_W = c_W - kRadius * end.contact.normal_BA_W;
-  end.contact.gap = end.gap = kHalfRoom - side * end.contact.point_W[axis];
-  return end;
+RodInRoom::Ends RodInRoom::ends() const {
+  return {to_world(body_.X_WB, {0, 0, kHalfAxis}), to_world(body_.X_WB, {0, 0, -kHalfAxis})};
 }
 
-double RodInRoom::least_gap() const {
-  double least = kHalfRoom;
-  for (int place = 0; place < kPlaces; ++place) least = min_of(least, end_at(place).gap);
-  return least;
+/// Whether an end met one of the two walls across an axis of W.
+bool RodInRoom::answer_at(const Vec3<double>& end, int axis, const Law& law) {
+  const double gap = kHalfRoom - kRadius - std::abs(end[axis]);
+  if (gap > 0) return false;
+  const Vec3<double> inward = (end[axis] > 0 ? -1 : 1) * Vec3<double>::Unit(axis);
+  const test::Strike strike{
+      collider_of(body_), Collider<double>{}, {end - kRadius * inward, inward, gap}};
+  if (normal_velocity(strike, {strike.A.twist, {}}) >= 0) return false;
+  body_.momentum = momentum_of(body_, answer(strike, law).A);
+  return true;
 }
 
-bool RodInRoom::answer_one(const Law& law) {
-  for (int place = 0; place < kPlaces; ++place) {  // Bound: kPlaces
-    const End end = end_at(place);
-    if (end.gap > 0) continue;
-    const test::Strike strike{collider_of(body_), Collider<double>{}, end.contact};
-    if (normal_velocity(strike, {strike.A.twist, {}}) >= 0) continue;
-    body_.momentum = momentum_of(body_, answer(strike, law).A);
-    return true;
+bool RodInRoom::answer_one(const Ends& ends, const Law& law) {
+  for (const Vec3<double>& end : ends) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (answer_at(end, axis, law)) return true;
+    }
   }
   return false;
 }
@@ -62,8 +59,10 @@ void RodInRoom::fly(double way) {
 
 bool RodInRoom::meet(const Law& law) {
   for (int look = 0; look < kMostLooks; ++look) {  // Bound: kMostLooks
-    if (answer_one(law)) return true;
-    fly(max_of(kLeastWay, least_gap()));
+    const Ends now = ends();
+    if (answer_one(now, law)) return true;
+    const double furthest = max_of(now[0].cwiseAbs().maxCoeff(), now[1].cwiseAbs().maxCoeff());
+    fly(max_of(kLeastWay, kHalfRoom - kRadius - furthest));
   }
   return false;
 }

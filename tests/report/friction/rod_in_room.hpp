@@ -3,6 +3,7 @@
 // A rod that flies freely between the six walls of a cube and meets them with its ends, without
 // weight: whatever its energy does, a law of contact did. Frame W: the middle of the cube.
 
+#include <array>
 #include <cstdint>
 
 #include "batuta/mechanics/motion.hpp"
@@ -15,7 +16,7 @@ class RodInRoom {
   static constexpr double kHalfRoom = 1;     ///< m
   static constexpr double kHalfAxis = 0.5;   ///< m
   static constexpr double kRadius = 0.01;    ///< m
-  static constexpr double kLeastWay = 1e-3;  ///< of an end between two looks, m
+  static constexpr double kLeastWay = 5e-3;  ///< of an end between two looks, m
   static constexpr int kMostLooks = 100'000;
 
   /// In the middle, with a way, a turn and a speed that are a function of the number.
@@ -30,16 +31,11 @@ class RodInRoom {
   const Body<double>& body() const { return body_; }
 
  private:
-  struct End {
-    double gap = kHalfRoom;  ///< m
-    Contact<double> contact;
-  };
+  using Ends = std::array<Vec3<double>, 2>;  ///< of the axis
 
-  static constexpr int kPlaces = 12;  ///< two ends, six walls
-
-  End end_at(int place) const;
-  double least_gap() const;
-  bool answer_one(const Law& law);
+  Ends ends() const;
+  bool answer_at(const Vec3<double>& end, int axis, const Law& law);
+  bool answer_one(const Ends& ends, const Law& law);
   void fly(double way);
 
   Body<double> body_;

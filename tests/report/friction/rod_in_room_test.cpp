@@ -40,25 +40,5 @@ TEST(RodInRoom, ClosedForm_NeverGainsAtAnyContact) {
   }
 }
 
-TEST(Law, ClosedFormAndNewton_AgreeWhereABallSlides) {
-  test::Strike strike;
-  strike.A.X_WB.p_W = Vec3<double>::UnitZ();
-  strike.A.twist.v_W = {6, 8, -1};
-  strike.A.inverse_mass = 1;
-  strike.A.inverse_moments.setConstant(2.5);
-  strike.contact = {Vec3<double>::Zero(), Vec3<double>::UnitZ(), 0};
-  const Law closed{{1, 0.5, 0}, 0};
-  const Effect effect = effect_of(strike, closed, answer(strike, closed));
-  EXPECT_DOUBLE_EQ(effect.normal, 2);
-  EXPECT_DOUBLE_EQ(effect.tangential, 1);
-  EXPECT_EQ(effect.rebound_error, 0);
-  EXPECT_LT(effect.gain, 0);
-  // Two clamped tangents are a box about the cone: up to sqrt(2) times its friction.
-  const Law newton{{1, 0.5, 0}, 4};
-  const double boxed = effect_of(strike, newton, answer(strike, newton)).tangential;
-  EXPECT_GE(boxed, 1 - 1e-12);
-  EXPECT_LE(boxed, std::sqrt(2.0) + 1e-12);
-}
-
 }  // namespace
 }  // namespace batuta::report

@@ -46,6 +46,7 @@ int run(const Words& words) {
   while (input.next(head)) answer(head, bouts, input, recorder);  // Bound: chunks of the file
   input.close();
   fly(recorder);
+  play_scenes(recorder);
   if (!input.ok()) return complain(kExitFile, "the file of queries is cut off");
   if (!recorder.close()) return complain(kExitFile, "the file of hashes cannot be written");
   recorder.print();

@@ -18,10 +18,11 @@ enum class Section : std::uint8_t {
   kImpulse,      ///< collision impulse, energies
   kDuel,         ///< all that a duel tells after each step
   kFlight,       ///< free flight of stiff bodies, in blocks of steps
+  kScenes,       ///< the ready-made scenes, step by step
 };
-inline constexpr std::size_t kSections = 7;
+inline constexpr std::size_t kSections = 8;
 inline constexpr std::array<const char*, kSections> kSectionNames = {
-    "toc", "translation", "stepping", "distance", "impulse", "duel", "flight"};
+    "toc", "translation", "stepping", "distance", "impulse", "duel", "flight", "scenes"};
 
 inline constexpr std::uint32_t kMagic = 0x31544142U;  // "BAT1"
 

@@ -21,4 +21,7 @@ void fence(Input& input, std::uint32_t number, std::uint32_t steps, Recorder& re
 /// 1,000,000 steps of bodies that are hard to integrate. Needs no queries.
 void fly(Recorder& recorder);
 
+/// Steps of all ready-made scenes. Bound: kSteps steps each.
+void play_scenes(Recorder& recorder);
+
 }  // namespace batuta::digest

@@ -2,8 +2,8 @@
 """The hash of every query that batuta_digest writes, and where two such files differ first."""
 import struct
 
-SECTIONS = ("toc", "translation", "stepping", "distance", "impulse", "duel", "flight")
-SEQUENCES = {"duel": ("recording", "step"), "flight": ("body", "block of steps")}
+SECTIONS = ("toc", "translation", "stepping", "distance", "impulse", "duel", "flight", "scenes")
+SEQUENCES = {"duel": ("recording", "step"), "flight": ("body", "block of steps"), "scenes": ("scene", "step")}
 RECORD = struct.Struct("<IIQ")  # section, index, hash
 
 

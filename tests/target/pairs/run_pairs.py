@@ -28,6 +28,7 @@ PREPARED = "references.json"
 RESULTS = "results.json"
 SKIPPED = 77
 LEAST_FLIGHT = 10000  # blocks of 100 steps: a million
+LEAST_SCENES = 6000  # four scenes, 1,500 steps each
 RUN_TIMEOUT = 1800  # s
 
 Pair = collections.namedtuple("Pair", "name compiler flags toolchain port cpu board every")
@@ -190,7 +191,7 @@ def check_the_check(trees, reference):
 def check_extent(reference, contents):
     """The reference has answered all that was packed."""
     text = "\n".join(contents)
-    expected = {"flight": LEAST_FLIGHT}
+    expected = {"flight": LEAST_FLIGHT, "scenes": LEAST_SCENES}
     for name, section in (("toc", "toc"), ("dist", "distance"), ("resp", "impulse")):
         expected[section] = sum(int(n) for n in re.findall(rf"^queries: .*\b{name}\.csv (\d+)$", text, re.M))
     expected["stepping"] = expected["toc"]

@@ -9,7 +9,7 @@ import unittest
 
 import price
 import readme_table
-from tools import budgets, forbidden, instructions, stack, stack_graph
+from tools import budgets, footprint, forbidden, instructions, scenes, stack, stack_graph
 from tools.image import Section
 
 TREE = pathlib.Path(sys.argv.pop())
@@ -198,12 +198,83 @@ class Instructions(unittest.TestCase):
         self.assertEqual([instructions.bits(text) for text in ("3f8", "0", "8")], [0x3F800000, 0, 0x80000000])
 
 
+def scene(name):
+    return COLLECTOR.image(MANIFEST["scenes"][name]["image"])
+
+
+class Scenes(unittest.TestCase):
+    """What a scene must not have, asked of another one that has it."""
+
+    def left_out_of(self, rules, image):
+        return "\n".join(scenes.linked_in_vain(rules, scene(image)))
+
+    def test_response_in_a_scene_without(self):
+        self.assertIn("batuta::collision_impulse<float>", self.left_out_of("DetectionOnly", "TwoBlades"))
+        self.assertEqual(self.left_out_of("DetectionOnly", "DetectionOnly"), "")
+
+    def test_turning_in_a_scene_without(self):
+        found = self.left_out_of("StraightSpheres", "TwoBlades")
+        for name in ("pose_at<float>", "free_flight<float>", "swept_aabb<float>", "search_advancement<float>"):
+            self.assertIn(name, found)
+
+    def test_another_search(self):
+        self.assertIn("search_spheres<float>", self.left_out_of("TwoBlades", "StraightSpheres"))
+
+    def test_friction_and_line_contact(self):
+        found = self.left_out_of("TwoBlades", "Rack")
+        self.assertIn("friction_impulse<float>", found)
+        self.assertIn("pressure_contact<float>", found)
+
+    def test_every_rule_is_of_a_scene(self):
+        known = {name for feature in scenes.FEATURES for name in feature[1:3]} | set(budgets.SCENES)
+        self.assertLessEqual(set(scenes.NEVER), known)
+
+    def test_a_feature_that_costs_less_than_nothing(self):
+        figures = {"TwoBlades.flash": 1000, "NoEvents.flash": 1064, "TwoBlades.step.free": 500, "NoEvents.step.free": 505}
+        self.assertEqual(list(scenes.savings_not_meant(figures)), [])
+        figures["NoEvents.flash"] += 1
+        self.assertEqual(list(scenes.savings_not_meant(figures)), ["NoEvents takes 65 more than TwoBlades: flash"])
+        figures.update({"NoEvents.flash": 900, "NoEvents.step.free": 506})
+        self.assertEqual(list(scenes.savings_not_meant(figures)), ["NoEvents takes 6 more than TwoBlades: step.free"])
+
+    def test_an_alternative_may_take_either(self):
+        self.assertEqual(list(scenes.savings_not_meant({"TwoBlades.flash": 1000, "WithCoarseBox.flash": 2000})), [])
+
+    def test_what_is_meant_is_said(self):
+        figures = {"StraightSpheres.step.free": 2000, "SpheresWithEvents.step.free": 1000}
+        self.assertEqual(scenes.savings_not_meant(figures), [])
+        self.assertIn("StraightSpheres takes 1,000 more", scenes.table(figures))
+        fuller = {feature.leaner for feature in scenes.FEATURES}
+        self.assertLessEqual({name for name, _ in scenes.MEANT}, fuller)
+
+    def test_runs_that_end_otherwise(self):
+        self.assertEqual(list(scenes.unlike({"TwoBlades": 1, "NoEvents": 1, "Filters": 1})), [])
+        self.assertEqual(list(scenes.unlike({"TwoBlades": 1, "NoEvents": 2})),
+                         ["TwoBlades and NoEvents do not end in the same bits"])
+
+    def test_a_run_tells_when_it_met(self):
+        head = [(1, 100, 100, 0, 0, 0), (2, 0, 0, 0, 0, 0)]
+        steps = [(scenes.SCENE_STEP, i, ticks, contacts, 0, 0) for i, (ticks, contacts) in
+                 enumerate([(10, 0), (12, 0), (11, 0), (90, 1), (95, 1), (11, 0)])]
+        data = b"".join(struct.pack("<6I", *row) for row in [*head, *steps, (scenes.SCENE_STATE, 7, 0, 0, 0, 0)])
+        samples = instructions.Samples(data)
+        self.assertEqual(scenes.step_figures(samples),
+                         {"step.free": 11, "step.hit": 90, "step.median": 11, "step.max": 95})
+        self.assertEqual(scenes.state_of(samples), 7)
+
+    def test_footprint(self):
+        price_ = {"cpu": "a", "figures": {"Rack.flash": 5, "Rack.ram": 6, "Duel.flash": 7, "duel.stack": 8}}
+        self.assertEqual(list(footprint.lines_of(price_)),
+                         [["Rack", "a", 5, 6, "", "", ""], ["Duel", "a", 7, "", 8, "", ""]])
+
+
 class ReadmeTable(unittest.TestCase):
     def test_a_column_is_kept_as_it_was_written(self):
         columns = {"cortex-m3": [str(i) for i in range(len(readme_table.ROWS))]}
-        text = readme_table.table(columns, budgets.read(price.BUDGETS))
-        self.assertEqual(readme_table.read_columns(text)["cortex-m3"], columns["cortex-m3"])
-        self.assertEqual(readme_table.read_columns(text)["cortex-m7"], [""] * len(readme_table.ROWS))
+        text = readme_table.table(columns, budgets.read(price.BUDGETS), readme_table.ROWS)
+        read = readme_table.read_columns(text, readme_table.ROWS)
+        self.assertEqual(read["cortex-m3"], columns["cortex-m3"])
+        self.assertEqual(read["cortex-m7"], [""] * len(readme_table.ROWS))
         self.assertIn("| 250 / 450 | 150 / 300 |", text)
 
     def test_a_cell(self):

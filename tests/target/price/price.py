@@ -10,7 +10,7 @@ import json
 import pathlib
 import sys
 
-from tools import budgets, forbidden, instructions, rooms, scenes, stack, stack_graph
+from tools import budgets, footprint, forbidden, instructions, rooms, scenes, stack, stack_graph
 from tools.image import Image
 from tools.scene_collector import SceneCollector
 
@@ -126,7 +126,7 @@ def take_scenes(collector, options, folder):
     of_scenes.take_images()
     if not options.without_instructions:
         of_scenes.take_runs(folder)
-    collector.findings += [f"scenes: {text}" for text in scenes.savings(collector.figures)]
+    collector.findings += [f"scenes: {text}" for text in scenes.savings_not_meant(collector.figures)]
 
 
 def collect(options, manifest, folder):
@@ -154,6 +154,7 @@ def main():
     manifest, folder = read_manifest(options.tree)
     collector, is_complete = collect(options, manifest, folder)
     part = manifest["part"]
+    footprint.write(pathlib.Path(manifest["source"]) / "build")
     if options.keep:
         budgets.keep(BUDGETS, part, collector.figures, budgets.kept_figures(part))
     rows = budgets.compare(budgets.read(BUDGETS), part, collector.figures)

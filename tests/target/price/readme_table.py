@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Holds the README's table of prices against what was measured: price.json of build trees, each a column.
+"""Holds the README's tables of prices against what was measured: price.json of build trees, each a column; the table of
+features is that of the part for which bounds are promised.
 Usage: readme_table.py [--update] SOURCE_FOLDER BUILD_TREE...; without --update the columns of these trees must be in
 README.md as measured. Exit code 1: they are not; 77: a tree has no price.json, or one without instructions."""
 
@@ -9,10 +10,9 @@ import pathlib
 import re
 import sys
 
-from tools import budgets
+from tools import budgets, scenes
 
 SKIPPED = 77
-BLOCK = re.compile(r"(<!-- begin price -->\n).*?(<!-- end -->)", re.S)
 CPUS = ["cortex-m0plus", "cortex-m3", "cortex-m4f", "cortex-m7", "cortex-m33", "cortex-m55"]
 
 # Label, and the figures that stand behind each other in a cell.
@@ -40,6 +40,25 @@ ROWS = [
     ("steps a second at 133 MHz, were an instruction a cycle", ["duel.rate_at_133_MHz"]),
 ]
 
+READY_MADE = [("spheres in straight flight", "StraightSpheres"), ("detection only", "DetectionOnly"),
+              ("two blades", "TwoBlades"), ("rack of 64 capsules", "Rack")]
+
+
+def scene_rows(kind, names):
+    """Rows of one kind of figure, the first of which says the kind."""
+    for i, (label, scene) in enumerate(READY_MADE):
+        yield (f"{kind}: {label}" if i == 0 else label), [f"{scene}.{name}" for name in names]
+
+
+SCENE_ROWS = [
+    *scene_rows("flash, B", ["flash"]), ("duel", ["Duel.flash"]),
+    *scene_rows("RAM, B", ["ram"]), ("duel", ["Duel.ram"]),
+    *scene_rows("worst-case stack of a step, B", ["stack"]),
+    *scene_rows("instructions of a step, median / max", ["step.median", "step.max"]),
+    *list(scene_rows("flash, % of the same scene by hand", ["flash_of_by_hand"]))[:len(budgets.BY_HAND)],
+]
+TABLES = {"price": ROWS, "scenes": SCENE_ROWS}
+
 
 def cell(names, lookup):
     """Numbers behind each other; empty where there is none."""
@@ -53,66 +72,88 @@ def price_of(tree):
     return json.loads(found[0].read_text()) if found else {"figures": {}}
 
 
-def column_of(tree):
-    """(cpu, cells) of a build tree; None where it was not measured in full."""
-    price = price_of(tree)
-    if "duel.step.max" not in price["figures"]:
-        return None
-    return price["cpu"], [cell(names, price["figures"].get) for _, names in ROWS]
+def column_of(price, rows):
+    """(cpu, cells) of a part."""
+    return price["cpu"], [cell(names, price["figures"].get) for _, names in rows]
 
 
-def limit_columns(limits):
+def limit_columns(limits, rows):
     """Bound and aim of the cpu that has them."""
     none = budgets.Limits(None, None, None)
 
     def limit(kind):
         return lambda name: getattr(limits.get((budgets.BOUND_CPU, name), none), kind)
-    return [[cell(names, limit(kind)) for _, names in ROWS] for kind in ("bound", "aim")]
+    return [[cell(names, limit(kind)) for _, names in rows] for kind in ("bound", "aim")]
 
 
-def read_columns(text):
-    """cpu -> cells of the table as it stands in the README."""
+def read_columns(text, rows):
+    """cpu -> cells of a table as it stands in the README."""
     lines = [line.strip("|").split("|") for line in text.splitlines() if line.startswith("|")]
-    if len(lines) != len(ROWS) + 2:
+    if len(lines) != len(rows) + 2:
         return {}
     heads = [head.strip() for head in lines[0]]
     return {head: [line[i].strip() for line in lines[2:]] for i, head in enumerate(heads) if head in CPUS}
 
 
-def table(columns, limits):
-    bound, aim = limit_columns(limits)
-    heads, body = ["float, `-O2`"], [[label for label, _ in ROWS]]
+def table(columns, limits, rows):
+    bound, aim = limit_columns(limits, rows)
+    heads, body = ["float, `-O2`"], [[label for label, _ in rows]]
     for cpu in CPUS:
         heads.append(cpu)
-        body.append(columns.get(cpu, [""] * len(ROWS)))
+        body.append(columns.get(cpu, [""] * len(rows)))
         if cpu == budgets.BOUND_CPU:
             heads += ["bound", "aim"]
             body += [bound, aim]
-    lines = [heads, ["---"] + ["---:"] * (len(heads) - 1), *zip(*body)]
+    return markdown(heads, zip(*body))
+
+
+def markdown(heads, lines):
+    """Text in the first column, numbers in the others."""
+    lines = [heads, ["---"] + ["---:"] * (len(heads) - 1), *lines]
     return "".join("| " + " | ".join(line) + " |\n" for line in lines)
+
+
+def feature_table(figures):
+    heads = ["what a feature costs", "flash, B", "RAM, B", "stack, B", "instructions of a free step", "of one with a contact"]
+    return markdown(heads, [[feature.label, *(f"{costs[kind]:+,}" if kind in costs else "" for kind in scenes.FIGURES)]
+                            for feature, costs in scenes.prices(figures)])
+
+
+def filled(text, mark, content_of):
+    """The text with a block written anew. @param content_of  of the block as it is, what it is to be"""
+    block = re.search(rf"(<!-- begin {mark} -->\n)(.*?)(<!-- end -->)", text, re.S)
+    if not block:
+        sys.exit(f"README.md: there is no '<!-- begin {mark} -->' ... '<!-- end -->'")
+    return text[:block.start(2)] + content_of(block.group(2)) + text[block.end(2):]
+
+
+def renewed(text, prices):
+    """The README with what these parts were measured at."""
+    limits = budgets.read(pathlib.Path(__file__).resolve().parent / "budgets.csv")
+    for mark, rows in TABLES.items():
+        measured = dict(column_of(price, rows) for price in prices)
+        text = filled(text, mark, lambda old, r=rows, m=measured: table({**read_columns(old, r), **m}, limits, r))
+    for price in prices:
+        if price["cpu"] == budgets.BOUND_CPU:
+            text = filled(text, "features", lambda _, p=price: feature_table(p["figures"]))
+    return text
 
 
 def main():
     words = [word for word in sys.argv[1:] if word != "--update"]
     readme = pathlib.Path(words[0]) / "README.md"
-    measured = [column_of(pathlib.Path(word)) for word in words[1:]]
-    if not measured or None in measured:
+    prices = [price_of(pathlib.Path(word)) for word in words[1:]]
+    if not prices or any("duel.step.max" not in price["figures"] for price in prices):
         print("a tree has no prices, or none of instructions: price.py measures them", file=sys.stderr)
         return SKIPPED
     before = readme.read_text()
-    block = BLOCK.search(before)
-    if not block:
-        sys.exit("README.md: there is no '<!-- begin price -->' ... '<!-- end -->'")
-    columns = {**read_columns(block.group(0)), **dict(measured)}
-    new = table(columns, budgets.read(pathlib.Path(__file__).resolve().parent / "budgets.csv"))
-    after = before[:block.start()] + block.group(1) + new + block.group(2) + before[block.end():]
+    after = renewed(before, prices)
     if "--update" in sys.argv:
         readme.write_text(after)
         return 0
     if after == before:
         return 0
-    print("README.md: the table of prices is not what was measured; readme_table.py --update writes it:\n" + new,
-          file=sys.stderr)
+    print("README.md: the tables of prices are not what was measured; readme_table.py --update writes them", file=sys.stderr)
     return 1
 
 

@@ -33,7 +33,8 @@ if(BATUTA_CPU STREQUAL "cortex-m4f")
   batuta_price_scene(DetectionOnly_by_hand scene/by_hand/detection_only.cpp)
   batuta_price_scene(TwoBlades_by_hand scene/by_hand/two_blades.cpp)
   foreach(variant NoRestitution RestingNone RestingSettling NoResponse Friction LineContact Gravity Sleep NoEvents NoOwners
-          Filters TwoParts WithTranslation WithStepping WithCoarseBox Unturned NoRotation Balls)
+          Filters TwoParts WithTranslation WithStepping WithCoarseBox Unturned NoRotation Balls
+          SpheresWithEvents)
     batuta_price_scene(${variant} scene/world.cpp PRICE_SCENE=batuta::price::${variant})
   endforeach()
 endif()

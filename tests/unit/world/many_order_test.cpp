@@ -120,7 +120,8 @@ TEST(ManyOrder, ContactsWhoseBracketsOverlap_AreTakenByTheirNumbers) {
     EXPECT_EQ(blows[1], (std::pair<int, int>{1, 2}));
     EXPECT_NEAR(world->get(world->id_at(0))->body.momentum.p_W.x(), v, 1e-9);
   }
-  // Anti-vacuity: where the second is really the earlier one, it goes first, and all ends otherwise.
+  // Anti-vacuity: where the second is really the earlier one, it goes first, and all ends
+  // otherwise.
   const auto apart = squeezed(0.01, 0.01);
   EXPECT_EQ(blows_of(*apart)[0], (std::pair<int, int>{1, 2}));
   EXPECT_GT(std::abs(apart->get(apart->id_at(0))->body.momentum.p_W.x() - v), 0.01);

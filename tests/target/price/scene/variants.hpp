@@ -66,5 +66,9 @@ struct Balls : NoRotation {
   using Search = Spheres<float>;
   static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
 };
+/// What StraightSpheres is compared with.
+struct SpheresWithEvents : StraightSpheres {
+  static constexpr int kMaxEvents = 16;
+};
 
 }  // namespace batuta::price

@@ -3,7 +3,7 @@
 
 import pathlib
 
-from . import forbidden, rooms, scenes
+from . import budgets, forbidden, rooms, scenes
 
 
 class SceneCollector:
@@ -22,7 +22,7 @@ class SceneCollector:
         for name, paths in self.scenes.items():
             if name != scenes.EMPTY and pathlib.Path(paths["image"]).is_file():
                 self._take_image(name, self.collector.image(paths["image"]), empty)
-        for name in scenes.HANDMADE:
+        for name in budgets.BY_HAND:
             of_both = [self.figures.get(f"{name}{end}.flash") for end in ("", scenes.BY_HAND)]
             if all(of_both):
                 self.figures[f"{name}.flash_of_by_hand"] = round(100 * of_both[0] / of_both[1])
@@ -43,14 +43,13 @@ class SceneCollector:
 
     def take_runs(self, folder):
         for name, paths in self.scenes.items():
-            if name == scenes.EMPTY or not pathlib.Path(paths["run"]).is_file():
+            is_too_long = name in scenes.LONG and not self.collector.manifest["has_fpu"]
+            if name == scenes.EMPTY or is_too_long or not pathlib.Path(paths["run"]).is_file():
                 continue
             for restitution in (scenes.BOUNCY, scenes.DULL) if name in scenes.RUN_DULL else (scenes.BOUNCY,):
                 samples = scenes.run(name, self.collector.manifest, folder, restitution)
                 self.states[name, restitution] = scenes.state_of(samples)
                 end = scenes.suffix(restitution)
                 self.figures.update((f"{name}{end}.{step}", n) for step, n in scenes.step_figures(samples).items())
-        for name in scenes.HANDMADE:
-            by_hand = self.states.get((name + scenes.BY_HAND, scenes.BOUNCY))
-            if by_hand is not None and by_hand != self.states[name, scenes.BOUNCY]:
-                self.findings.append(f"{name}: by hand, it ends otherwise: not the same job is compared")
+        bouncy = {name: state for (name, restitution), state in self.states.items() if restitution == scenes.BOUNCY}
+        self.findings += [f"scenes: {text}" for text in scenes.unlike(bouncy)]

@@ -7,12 +7,10 @@ import os
 import re
 import subprocess
 
-from . import instructions
+from . import budgets, instructions
 
 EMPTY = "empty"
 BY_HAND = "_by_hand"
-READY_MADE = "StraightSpheres", "DetectionOnly", "TwoBlades", "Rack"
-HANDMADE = READY_MADE[:3]
 
 STEP = "price_scene_step"  # the root of a scene's stack
 SCENE_STEP, SCENE_STATE = 10, 11
@@ -22,6 +20,8 @@ SCENE_STEP, SCENE_STATE = 10, 11
 STEPS = 200
 BOUNCY, DULL = 6, 0
 RUN_DULL = "TwoBlades", "NoRestitution"
+# Too long a run for arithmetic in software.
+LONG = "Rack",
 # A long step takes more of the counter than a short one: fewer ticks an instruction there.
 SHIFT = collections.defaultdict(lambda: instructions.SHIFT, {"Rack": 2})
 
@@ -38,6 +38,7 @@ FEATURES = [
     Feature("gravity", "Gravity", "TwoBlades"),
     Feature("sleep", "Sleep", "RestingSettling"),
     Feature("events", "TwoBlades", "NoEvents"),
+    Feature("events of eight balls", "SpheresWithEvents", "StraightSpheres"),
     Feature("owners", "TwoBlades", "NoOwners"),
     Feature("filters", "Filters", "TwoBlades"),
     Feature("a second capsule of each body", "TwoParts", "TwoBlades"),
@@ -47,7 +48,18 @@ FEATURES = [
     Feature("Advancement in place of Stepping", "TwoBlades", "WithStepping", is_alternative=True),
     Feature("SweptBox in place of CoarseBox", "TwoBlades", "WithCoarseBox", is_alternative=True),
 ]
-FIGURES = "flash", "ram", "stack", "step.free", "step.hit"
+FIGURES = "flash", "ram", "stack", "step.free", "step.hit"  # the stack's deepest path may lead elsewhere: no order
+
+# What is not used changes no bit: these runs end alike.
+ALIKE = [*((name, name + BY_HAND) for name in budgets.BY_HAND), ("TwoBlades", "NoEvents"), ("TwoBlades", "NoOwners"),
+         ("TwoBlades", "Filters"), ("DetectionOnly", "NoResponse")]
+
+# Where to leave something out does cost, and why that is meant: (leaner scene, figure).
+MEANT = {
+    ("StraightSpheres", "step.free"): "few balls without events need neither boxes nor watches: less than half the flash, but "
+                                      "every pair is searched in every step",
+    ("StraightSpheres", "step.hit"): "as step.free: all pairs are searched again after a contact",
+}
 
 # What a feature may seem to save by where the compiler puts things: bytes of flash and RAM, share of the instructions.
 LAYOUT_BYTES = 64
@@ -108,6 +120,13 @@ def state_of(samples):
     return row.index
 
 
+def unlike(states):
+    """A line for each two runs that should end in the same bits, and do not. @param states  scene -> its bits"""
+    for one, other in ALIKE:
+        if one in states and other in states and states[one] != states[other]:
+            yield f"{one} and {other} do not end in the same bits"
+
+
 def suffix(restitution):
     return "" if restitution == BOUNCY else ".dull"
 
@@ -126,14 +145,18 @@ def prices(figures):
 
 
 def savings(figures):
-    """A line for each feature that costs less than nothing: to leave it out would cost flash or time."""
+    """(key of MEANT, text) of each feature that costs less than nothing: to leave it out costs flash or time."""
     for feature, costs in prices(figures):
         for figure, cost in costs.items():
             room = LAYOUT_BYTES
             if figure.startswith("step"):
                 room = LAYOUT_SHARE * figures[f"{feature.fuller}.{figure}"]
-            if not feature.is_alternative and cost < -room:
-                yield f"{feature.leaner} takes {-cost:,} more than {feature.fuller}: {figure}"
+            if figure != "stack" and not feature.is_alternative and cost < -room:
+                yield (feature.leaner, figure), f"{feature.leaner} takes {-cost:,} more than {feature.fuller}: {figure}"
+
+
+def savings_not_meant(figures):
+    return [text for key, text in savings(figures) if key not in MEANT]
 
 
 def table(figures):
@@ -142,9 +165,10 @@ def table(figures):
     lines = [f"{'scene, beyond an empty image':40}" + "".join(f"{head:>13}" for head in heads)]
     names = [name[:-len(".flash")] for name in figures if name.endswith(".flash")]
     for name in names:
-        if f"{name}.step.free" in figures or name in READY_MADE:
+        if f"{name}.step.free" in figures or name in budgets.SCENES:
             lines.append(f"{name:40}" + "".join(f"{figures.get(f'{name}.{head}', 0):>13,}" for head in heads))
     lines.append(f"{'feature':40}" + "".join(f"{head:>13}" for head in FIGURES))
     for feature, costs in prices(figures):
         lines.append(f"{feature.label:40}" + "".join(f"{costs.get(head, 0):>+13,}" for head in FIGURES))
+    lines += [f"{text} ({MEANT[key]})" for key, text in savings(figures) if key in MEANT]
     return "\n".join(lines)

@@ -1,150 +1,163 @@
 // SPDX-License-Identifier: MIT
 // StraightSpheres as one writes it by hand: the same answers for the same eight balls, from the
-// kernels alone. Bodies that are not finite are left out; only pairs whose boxes meet are searched,
-// and those of a contact anew; ties go to the lower pair; a pair whose search has no answer, and
-// contacts beyond kMaxContacts, stop their bodies for the rest of the step, and are counted.
+// kernels alone. Every round searches all pairs over the rest of the step and moves everybody to
+// the first contact; ties go to the lower pair. A ball that is not finite is left out, a pair whose
+// search has no answer stops, and so does one beyond kMaxContacts; all are counted.
 
 #include "../runs.hpp"
 #include "../scene.hpp"
 #include "batuta/detection/sphere_flight.hpp"
 #include "batuta/response/straight_impulse.hpp"
+#include "batuta/world/event.hpp"
 
 namespace {
 
 using namespace batuta;
 
-constexpr int kPairs = price::kBalls * (price::kBalls - 1) / 2;
+constexpr int kBalls = price::kBalls;
 constexpr int kMaxContacts = 8;
+constexpr int kMaxRounds = kMaxContacts + kBalls + 1;
 
 struct Ball {
   StraightBody<float> body;
   float radius = 0;
   float restitution = 0;
   // Of the step.
-  StraightMotion<float> motion;
-  Aabb<float> box;
-  float start = 0;
+  Vec3<float> v_W = Vec3<float>::Zero();
   bool present = false;
-  bool held = false;
-  bool fresh = false;  ///< its pairs are not searched yet
+  bool moves = false;
 };
 
-/// A pair that is going to meet.
 struct Meeting {
-  std::uint8_t a = 0;
-  std::uint8_t b = 0;
-  bool is_contact = false;
-  float free_until = 0;
-  float hit_at = 0;
+  int a = 0;
+  int b = 0;
+  Outcome outcome = Outcome::kFree;
+  float t_free = 0;
+  float t_hit = 0;
 };
 
-struct Report {
-  std::uint32_t collisions = 0;
-  std::uint32_t cut = 0;
-  std::uint32_t invalid = 0;
-};
-
-Ball balls[price::kBalls];
-Meeting meetings[kPairs];
-int meeting_count;
-Report report;
+Ball balls[kBalls];
+StepReport<float> report;
+float left_s;
 
 bool is_usable(const Ball& ball) {
-  return is_finite(ball.body.p_W) && is_finite(ball.body.momentum_W) &&
-         is_finite(ball.body.inverse_mass) && ball.body.inverse_mass >= 0.F &&
-         is_finite(ball.radius) && ball.radius >= 0.F && ball.restitution >= 0.F &&
-         ball.restitution <= 1.F;
+  const StraightBody<float>& body = ball.body;
+  return is_finite(ball.radius) && ball.radius >= 0.F && ball.restitution >= 0.F &&
+         ball.restitution <= 1.F && is_finite(body.p_W) && is_finite(body.momentum_W) &&
+         is_finite(body.inverse_mass) && body.inverse_mass >= 0.F;
 }
 
-void plan(Ball& ball, float now, float dt) {
-  ball.fresh = ball.present = is_usable(ball);
-  if (!ball.present) {
-    ++report.invalid;
-    return;
+bool is_contact(Outcome outcome) {
+  return outcome == Outcome::kContact || outcome == Outcome::kTouching;
+}
+
+void hold(Ball& ball) {
+  ball.v_W.setZero();
+  ball.moves = false;
+  report.time_held = max_of(report.time_held, left_s);
+}
+
+void begin(Ball& ball) {
+  ball.v_W.setZero();
+  ball.present = is_usable(ball);
+  ball.moves = ball.present && ball.body.inverse_mass > 0.F;
+  if (!ball.present) ++report.courses_invalid;
+}
+
+void aim(Ball& ball) {
+  if (!ball.moves) return;
+  for (int i = 0; i < 3; ++i) ball.v_W[i] = ball.body.inverse_mass * ball.body.momentum_W[i];
+  if (is_finite(ball.v_W)) return;
+  ++report.courses_invalid;
+  hold(ball);
+}
+
+SphereAnswer<float> search(const Ball& A, const Ball& B) {
+  SphereFlight<float> flight;
+  for (int i = 0; i < 3; ++i) {
+    flight.between[i] = B.body.p_W[i] - A.body.p_W[i];
+    flight.v[i] = B.v_W[i] - A.v_W[i];
   }
-  ball.start = now;
-  ball.motion = {ball.body.p_W, velocity_of(ball.body), dt - now};
-  if (ball.held) ball.motion.v_W.setZero();
-  ball.box = sphere_aabb(ball.motion, ball.radius);
-}
-
-void search(int a, int b, float now, float dt) {
-  const Ball& A = balls[a];
-  const Ball& B = balls[b];
-  const Vec3<float> between =
-      position_at(B.motion, now - B.start) - position_at(A.motion, now - A.start);
-  const SphereFlight<float> flight = {between, B.motion.v_W - A.motion.v_W, A.radius + B.radius,
-                                      dt - now};
-  const auto answer = search_spheres(flight, 0.F);
+  flight.radii = A.radius + B.radius;
+  flight.duration = left_s;
+  SphereAnswer<float> answer = search_spheres(flight, 0.F);
   const bool parts = answer.outcome == Outcome::kTouching && !(flight.between.dot(flight.v) < 0.F);
-  if (answer.outcome == Outcome::kFree || parts) return;
-  Meeting& meeting = meetings[meeting_count++];
-  meeting.a = static_cast<std::uint8_t>(a);
-  meeting.b = static_cast<std::uint8_t>(b);
-  meeting.is_contact = answer.outcome == Outcome::kContact || answer.outcome == Outcome::kTouching;
-  meeting.free_until = now + answer.t_free;
-  meeting.hit_at = now + answer.t_hit;
+  if (parts) answer.outcome = Outcome::kFree;
+  return answer;
 }
 
-/// Every pair of which a body is fresh. Bound: kPairs.
-void search_fresh(float now, float dt) {
-  for (int a = 0; a < price::kBalls; ++a) {
-    for (int b = a + 1; b < price::kBalls; ++b) {
+Meeting first_meeting() {
+  float contact_after[kBalls][kBalls];
+  Meeting first;
+  first.t_free = left_s;
+  for (int a = 0; a < kBalls; ++a) {
+    for (int b = 0; b < kBalls; ++b) {
+      contact_after[a][b] = std::numeric_limits<float>::max();
       const Ball& A = balls[a];
       const Ball& B = balls[b];
-      const bool is_new = (A.fresh || B.fresh) && A.present && B.present && !(A.held && B.held);
-      const bool walls = A.body.inverse_mass == 0.F && B.body.inverse_mass == 0.F;
-      if (is_new && !walls && overlaps<float, 6>(A.box, B.box)) search(a, b, now, dt);
+      if (a >= b || !A.present || !B.present || !(A.moves || B.moves)) continue;
+      const auto answer = search(A, B);
+      ++report.pairs;
+      ++report.evaluations;
+      if (is_contact(answer.outcome)) contact_after[a][b] = answer.t_free;
+      if (answer.outcome != Outcome::kFree && answer.t_free < first.t_free) {
+        first = {a, b, answer.outcome, answer.t_free, answer.t_hit};
+      }
     }
   }
-  for (Ball& ball : balls) ball.fresh = false;
-}
-
-int first_meeting() {
-  int first = -1;
-  for (int i = 0; i < meeting_count; ++i) {  // Bound: kPairs
-    if (first < 0 || meetings[i].free_until < meetings[first].free_until) first = i;
-  }
-  if (first < 0 || !meetings[first].is_contact) return first;
-  const auto order = [](const Meeting& m) { return m.a * price::kBalls + m.b; };
-  const float until = meetings[first].hit_at;
-  for (int i = 0; i < meeting_count; ++i) {  // Bound: kPairs
-    const bool ties = meetings[i].is_contact && !(until < meetings[i].free_until);
-    if (ties && order(meetings[i]) < order(meetings[first])) first = i;
+  if (is_contact(first.outcome)) {
+    int pair = 0;
+    while (first.t_hit < (&contact_after[0][0])[pair]) ++pair;  // Bound: kBalls^2
+    first.a = pair / kBalls;
+    first.b = pair % kBalls;
   }
   return first;
 }
 
-void forget_meetings_of(int a, int b) {
-  for (int i = meeting_count - 1; i >= 0; --i) {  // Bound: kPairs
-    const Meeting& m = meetings[i];
-    if (m.a == a || m.b == a || m.a == b || m.b == b) meetings[i] = meetings[--meeting_count];
+void hit(Ball& A, Ball& B, Outcome outcome) {
+  const Vec3<float> to_A = A.body.p_W - B.body.p_W;
+  const float distance = to_A.norm();
+  const float gap = distance - (A.radius + B.radius);
+  Vec3<float> normal = Vec3<float>::UnitX();
+  if (distance > 0.F) normal = to_A / distance;
+  const auto done = straight_impulse(A.body, B.body, normal, max_of(A.restitution, B.restitution));
+  if (done.impulse > 0.F) ++report.collisions;
+  if (outcome == Outcome::kTouching && !(gap > 0.F)) {
+    ++report.overlaps_at_start;
+    report.deepest_overlap = max_of(report.deepest_overlap, -gap);
   }
 }
 
-/// Brings both to the contact and pushes them apart.
-void answer(const Meeting& meeting, float now, bool may_push) {
+void answer(const Meeting& meeting, int& contacts) {
   Ball& A = balls[meeting.a];
   Ball& B = balls[meeting.b];
-  A.body.p_W = position_at(A.motion, now - A.start);
-  B.body.p_W = position_at(B.motion, now - B.start);
-  if (!meeting.is_contact || !may_push) {
-    A.held = B.held = true;
-    ++report.cut;
-    return;
+  if (is_contact(meeting.outcome)) {
+    if (contacts++ < kMaxContacts) return hit(A, B, meeting.outcome);
+    ++report.contacts_dropped;
+  } else if (meeting.outcome == Outcome::kBudget) {
+    ++report.searches_cut;
+  } else {
+    ++report.searches_invalid;
   }
-  const Vec3<float> to_A = A.body.p_W - B.body.p_W;
-  const float distance = to_A.norm();
-  const Vec3<float> normal =
-      distance > 0.F ? Vec3<float>(to_A / distance) : Vec3<float>(Vec3<float>::UnitX());
-  const auto hit = straight_impulse(A.body, B.body, normal, max_of(A.restitution, B.restitution));
-  if (hit.impulse > 0.F) ++report.collisions;
+  hold(A);
+  hold(B);
+}
+
+void run_round(int& contacts) {
+  for (Ball& ball : balls) aim(ball);
+  const Meeting meeting = first_meeting();
+  for (Ball& ball : balls) {
+    if (!ball.moves) continue;
+    for (int i = 0; i < 3; ++i) ball.body.p_W[i] += ball.v_W[i] * meeting.t_free;
+  }
+  left_s -= meeting.t_free;
+  if (meeting.outcome != Outcome::kFree) answer(meeting, contacts);
 }
 
 }  // namespace
 
 bool price_scene_place(float restitution) {
-  for (int i = 0; i < price::kBalls; ++i) {
+  for (int i = 0; i < kBalls; ++i) {
     balls[i].body = price::straight_body(price::ball_start(i));
     balls[i].radius = price::kBallRadius;
     balls[i].restitution = restitution;
@@ -156,27 +169,10 @@ bool price_scene_place(float restitution) {
 Status price_scene_step(float dt) {
   if (!is_positive(dt)) return Status::kInvalidArgument;
   report = {};
-  meeting_count = 0;
-  for (Ball& ball : balls) {
-    ball.held = false;
-    plan(ball, 0, dt);
-  }
-  float now = 0;
-  // Bound: each round but the last ends with a contact, or holds two bodies for good.
-  for (int contacts = 0; contacts <= kMaxContacts + price::kBalls; ++contacts) {
-    search_fresh(now, dt);
-    const int first = first_meeting();
-    if (first < 0) break;
-    const Meeting meeting = meetings[first];
-    now = min_of(meeting.free_until, dt);
-    answer(meeting, now, contacts < kMaxContacts);
-    forget_meetings_of(meeting.a, meeting.b);
-    plan(balls[meeting.a], now, dt);
-    plan(balls[meeting.b], now, dt);
-  }
-  for (Ball& ball : balls) {
-    if (ball.present) ball.body.p_W = position_at(ball.motion, dt - ball.start);
-  }
+  left_s = dt;
+  for (Ball& ball : balls) begin(ball);
+  int contacts = 0;
+  for (int round = 0; round < kMaxRounds && left_s > 0.F; ++round) run_round(contacts);
   return Status::kOk;
 }
 

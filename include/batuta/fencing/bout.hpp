@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// What a bout comes to: touches, and sums over its steps. Frame W (salle), SI units. Time is a
+// count of steps and a time within the step, so that it is as fine after an hour as at the start.
+
+#include "batuta/core/fixed_list.hpp"
+#include "batuta/fencing/fencer.hpp"
+#include "batuta/response/contact.hpp"
+
+namespace batuta {
+
+/// An instant of a bout.
+template <class Scalar>
+struct Moment {
+  std::uint32_t step = 0;  ///< steps that were over
+  Scalar in_step = 0;      ///< s
+};
+
+/// us since the start of the bout: exact to the step, the rest rounded.
+template <class Scalar>
+std::uint64_t time_us(const Moment<Scalar>& moment, std::int32_t step_us) {
+  // 32 bits are plenty for a step; to 64, a target without double converts by way of double.
+  const auto in_step =
+      static_cast<std::uint32_t>(moment.in_step / kSecondsPerUs<Scalar> + Scalar(0.5F));
+  return std::uint64_t{moment.step} * static_cast<std::uint64_t>(step_us) + in_step;
+}
+
+enum class BoutState : std::uint8_t {
+  kFencing,
+  kLockout,  ///< somebody is touched; the other may still touch within the window
+  kTouched,  ///< over: one touch
+  kDouble,   ///< over: two touches within the window
+};
+
+template <class Scalar>
+struct Touch {
+  Side by = Side::kLeft;              ///< whose blade
+  BodyPart part = BodyPart::kPelvis;  ///< where on the other
+  Moment<Scalar> when;
+  Contact<Scalar> contact;  ///< the normal points out of the one who is touched
+  Scalar place = 0;         ///< on the blade: 0 guard ... 1 tip
+  /// False: a search ended without an answer at an earlier time; it may not be the first. In a step
+  /// in which a blade was held, `when` is known to within StepReport::time_held, for the hold is
+  /// spread over the blade's way between two corners.
+  bool certain = true;
+};
+
+template <class Scalar>
+struct Bout {
+  BoutState state = BoutState::kFencing;
+  FixedList<Touch<Scalar>, 2> touches;  ///< in the order of time
+
+  bool is_over() const { return state == BoutState::kTouched || state == BoutState::kDouble; }
+};
+
+/// The bout of a scene without targets: nobody can be touched, it never ends.
+struct OpenBout {
+  static constexpr BoutState state = BoutState::kFencing;
+  static constexpr bool is_over() { return false; }
+};
+
+/// Sums over the bout. The lower half is zero in a healthy bout.
+struct DuelReport {
+  std::uint32_t blows = 0;        ///< colliding contacts of the blades
+  std::uint32_t rests = 0;        ///< resting contacts: blades leaning on each other
+  std::uint64_t evaluations = 0;  ///< distance evaluations of all searches
+  /// Body parts that the hierarchy could not rule out; 0 in a scene without targets.
+  std::uint32_t touch_searches = 0;
+  std::uint32_t incomplete_steps = 0;  ///< the world's report was not complete(): blades were held
+  std::uint32_t budget_outs = 0;       ///< searches that ran out of their budget, blade or touch
+  std::uint32_t searches_invalid = 0;  ///< searches that could not be asked, blade or touch
+};
+
+}  // namespace batuta

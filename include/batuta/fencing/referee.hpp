@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The bodies of both fencers, and who touches them first: each blade against the other fencer's
+// body, until the bout is over [Kavan §5]. The part of a duel that a scene without targets leaves
+// out. Frame W, SI units.
+
+#include "batuta/fencing/duel_scene.hpp"
+
+namespace batuta {
+
+/// Both fencers as targets, and the bout. Defined in fencing/referee_definitions.hpp.
+/// Allocates: never. RAM in float: 2 (1 kB + FencerBuild).
+template <class SceneT>
+class Referee {
+ public:
+  using Scalar = typename SceneT::Scalar;
+  using Search = typename SceneT::Search;
+  using Blade = Actor<BladesOf<SceneT>>;
+
+  /// Nobody is touched.
+  void begin() { bout_ = {}; }
+
+  /// Puts a fencer somewhere, still. @pre build valid, poses finite
+  void place(Side side, const FencerBuild<Scalar>& build, const Pose<Scalar>& X_WF,
+             const Pose<Scalar>& X_WH);
+
+  /// The fencer's hand goes to X_WH in the coming step of length dt; the blade is at X_WB.
+  /// @pre finite; dt > 0
+  void follow(Side side, const Pose<Scalar>& X_WH, const Pose<Scalar>& X_WB, Scalar dt);
+
+  /// After the world's step. Both blades are looked at before either touch is judged; the earlier
+  /// one is noted first, the left one of two at once.
+  /// @param blades  of the left and the right fencer, where they are now
+  /// @param now     steps that were over before this one, and its length
+  /// Bound: 2 (kMaxContacts + 1) touch searches.
+  template <class SettingsT>
+  void judge(const std::array<const Blade*, 2>& blades, const SettingsT& settings,
+             const Moment<Scalar>& now, DuelReport& report);
+
+  const Bout<Scalar>& bout() const { return bout_; }
+  const BodyShape<Scalar>& body_W(Side side) const { return at(side).target.shape(); }
+
+  /// What was read is a state that steps of length dt can go on from.
+  bool is_sound(Scalar dt) const;
+
+  /// Its state, for core/archive.hpp.
+  template <class ArchiveT>
+  void archive(ArchiveT& ar) {
+    auto& [places, bout] = *this;
+    ar(places, bout);
+  }
+
+ private:
+  struct Place {
+    FencerBuild<Scalar> build;
+    Pose<Scalar> X_WF;
+    Target<Scalar> target;
+    Pose<Scalar> start_WB;  ///< the blade's body at the start of the step
+
+    template <class ArchiveT>
+    void archive(ArchiveT& ar) {
+      auto& [limbs, origin, body, start] = *this;
+      ar(limbs, origin, body, start);
+    }
+  };
+
+  Place& at(Side side) { return places_[index_of(side)]; }
+  const Place& at(Side side) const { return places_[index_of(side)]; }
+  TouchSearch<Scalar> touch_by(Side side, const Blade& blade,
+                               const TouchSettings<SceneT>& settings, Scalar dt) const;
+  void note(Side by, const TouchSearch<Scalar>& search, std::uint32_t step);
+
+  std::array<Place, 2> places_;
+  Bout<Scalar> bout_;
+};
+
+/// Stands in its place where there is nobody to touch.
+struct NoReferee {
+  static constexpr OpenBout bout() { return {}; }
+
+  template <class ArchiveT>
+  void archive(ArchiveT& ar) {
+    ar.constant(0);
+  }
+};
+
+template <class SceneT>
+using RefereeOf = std::conditional_t<SceneT::kTargets, Referee<SceneT>, NoReferee>;
+
+}  // namespace batuta
