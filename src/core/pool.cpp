@@ -23,16 +23,12 @@ int PoolBase::find(std::uint16_t index1, std::uint16_t pool, std::uint32_t gener
 }
 
 int PoolBase::acquire() {
-  for (std::size_t word = 0; word < words_for(capacity_); ++word) {          // Bound: N / 32
-    for (std::uint32_t bits = ~live_[word]; bits != 0; bits &= bits - 1U) {  // Bound: 32
-      const std::size_t index = word * kBitsPerWord + lowest_bit(bits);
-      if (index >= capacity_) return kNoIndex;
-      if (generations_[index] == kLastGeneration) continue;  // retired
-      ++generations_[index];
-      live_[word] |= bit_of(index);
-      ++size_;
-      return static_cast<int>(index);
-    }
+  for (std::size_t i = 0; i < capacity_; ++i) {  // Bound: N
+    if (is_live(i) || generations_[i] == kLastGeneration) continue;
+    ++generations_[i];
+    live_[i / kBitsPerWord] |= bit_of(i);
+    ++size_;
+    return static_cast<int>(i);
   }
   return kNoIndex;
 }

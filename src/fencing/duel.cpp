@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The duel as it is meant: no touch is missed.
-#include "duel_definitions.hpp"
+#include "batuta/fencing/duel_definitions.hpp"
 
 namespace batuta {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The duel with the paper's own search, to compare with.
-#include "duel_definitions.hpp"
+#include "batuta/fencing/duel_definitions.hpp"
 
 namespace batuta {
 

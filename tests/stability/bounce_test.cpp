@@ -67,9 +67,9 @@ TYPED_TEST(Bouncing, RodThatLandsFlat_IsNotSetSpinning) {
       ASSERT_EQ(world.step(static_cast<TypeParam>(test::kTick)), Status::kOk);
       ASSERT_TRUE(world.report().complete());
       hits += world.report().collisions;
-      const auto spin = test::body_in(shown, 0).body.momentum.b_W.norm();
-      // A blow of 2 N s at an arm known to some u of the rod's length.
-      ASSERT_LT(spin, 1e3 * kRoundOff<TypeParam>) << i;
+      // Blows of 1 N s in all, at arms known to some u of the rod's length.
+      const TypeParam spin = test::body_in(shown, 0).body.momentum.b_W.norm();
+      ASSERT_LT(spin, 64 * kRoundOff<TypeParam>) << i;
     }
     EXPECT_GT(hits, 10U);
   }

@@ -89,15 +89,36 @@ void archive(Archive& ar, Waypoint<Scalar>& waypoint) {
 }
 
 template <class Scalar, int N>
-void archive(Archive& ar, BladeDriver<Scalar, N>& driver) {
-  auto& [grip, corners] = driver;
-  ar(grip, corners);
+void archive(Archive& ar, Corners<Scalar, N>& way) {
+  auto& [corners] = way;
+  ar(corners);
 }
 
-template <class Scalar, class SearchT>
-void archive(Archive& ar, DuelSettings<Scalar, SearchT>& settings) {
-  auto& [step_us, double_window_us, stick, world, touch, target, salle] = settings;
-  ar(step_us, double_window_us, stick, world, touch, target, salle);
+template <class SceneT>
+void archive(Archive& ar, BladeDriver<SceneT>& driver) {
+  using detail::Nothing;
+  static_assert(detail::takes<BladeDriver<SceneT>, Nothing, Nothing>() &&
+                    !detail::takes<BladeDriver<SceneT>, Nothing, Nothing, Nothing>(),
+                "archive: BladeDriver has other bases or members than those listed below");
+  ar(static_cast<CornersOf<SceneT>&>(driver), driver.holder);
+}
+
+template <class SceneT>
+void archive(Archive& ar, TouchSettings<SceneT>& settings) {
+  auto& [double_window_us, touch, target] = settings;
+  ar(double_window_us, touch, target);
+}
+
+template <class Scalar, class SearchT, class SceneT>
+void archive(Archive& ar, DuelSettings<Scalar, SearchT, SceneT>& settings) {
+  using Settings = DuelSettings<Scalar, SearchT, SceneT>;
+  using detail::Nothing;
+  static_assert(
+      detail::takes<Settings, Nothing, Nothing, Nothing, Nothing, Nothing>() &&
+          !detail::takes<Settings, Nothing, Nothing, Nothing, Nothing, Nothing, Nothing>(),
+      "archive: DuelSettings has other bases or members than those listed below");
+  ar(static_cast<TouchSettingsOf<SceneT>&>(settings), settings.step_us, settings.stick,
+     settings.world, settings.salle);
 }
 
 template <class Scalar>

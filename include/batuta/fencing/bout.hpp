@@ -5,6 +5,7 @@
 
 #include "batuta/core/fixed_list.hpp"
 #include "batuta/fencing/fencer.hpp"
+#include "batuta/port/clock.hpp"
 #include "batuta/response/contact.hpp"
 
 namespace batuta {

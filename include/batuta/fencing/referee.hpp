@@ -16,6 +16,7 @@ class Referee {
   using Scalar = typename SceneT::Scalar;
   using Search = typename SceneT::Search;
   using Blade = Actor<BladesOf<SceneT>>;
+  using Settings = DuelSettings<Scalar, Search, SceneT>;
 
   /// Nobody is touched.
   void begin() { bout_ = {}; }
@@ -33,8 +34,7 @@ class Referee {
   /// @param blades  of the left and the right fencer, where they are now
   /// @param now     steps that were over before this one, and its length
   /// Bound: 2 (kMaxContacts + 1) touch searches.
-  template <class SettingsT>
-  void judge(const std::array<const Blade*, 2>& blades, const SettingsT& settings,
+  void judge(const std::array<const Blade*, 2>& blades, const Settings& settings,
              const Moment<Scalar>& now, DuelReport& report);
 
   const Bout<Scalar>& bout() const { return bout_; }
@@ -66,9 +66,12 @@ class Referee {
 
   Place& at(Side side) { return places_[index_of(side)]; }
   const Place& at(Side side) const { return places_[index_of(side)]; }
-  TouchSearch<Scalar> touch_by(Side side, const Blade& blade,
-                               const TouchSettings<SceneT>& settings, Scalar dt) const;
-  void note(Side by, const TouchSearch<Scalar>& search, std::uint32_t step);
+  TouchSearch<Scalar> touch_by(Side side, const Blade& blade, const Settings& settings, Scalar dt,
+                               DuelReport& report) const;
+  void note(Side by, const TouchSearch<Scalar>& search, const Settings& settings,
+            std::uint32_t step);
+  bool is_within_window(const Settings& settings, const Moment<Scalar>& second) const;
+  void close_window(const Settings& settings, std::uint32_t next_step);
 
   std::array<Place, 2> places_;
   Bout<Scalar> bout_;

@@ -27,12 +27,114 @@ Piece<Scalar> piece_between(const Waypoint<Scalar>& start, const Waypoint<Scalar
   return {start.time, motion_between(start.X_WB, end.X_WB, duration)};
 }
 
-/// Whether a second touch comes early enough to count.
-template <class Scalar, class SettingsT>
-bool within_window(const SettingsT& settings, const Moment<Scalar>& first,
-                   const Moment<Scalar>& second) {
-  return time_us(second, settings.step_us) - time_us(first, settings.step_us) <=
+}  // namespace detail
+
+template <class SceneT>
+void Referee<SceneT>::place(Side side, const FencerBuild<Scalar>& build, const Pose<Scalar>& X_WF,
+                            const Pose<Scalar>& X_WH) {
+  Place& place = at(side);
+  place.build = build;
+  place.X_WF = X_WF;
+  place.target.place(pose_body(build, X_WF, X_WH));
+}
+
+template <class SceneT>
+void Referee<SceneT>::follow(Side side, const Pose<Scalar>& X_WH, const Pose<Scalar>& X_WB,
+                             Scalar dt) {
+  Place& place = at(side);
+  place.target.move_to(pose_body(place.build, place.X_WF, X_WH), dt);
+  place.start_WB = X_WB;
+}
+
+template <class SceneT>
+void Referee<SceneT>::judge(const std::array<const Blade*, 2>& blades, const Settings& settings,
+                            const Moment<Scalar>& now, DuelReport& report) {
+  std::array<TouchSearch<Scalar>, 2> searches;
+  for (std::size_t i = 0; i < searches.size(); ++i) {  // Bound: 2
+    searches[i] = touch_by(static_cast<Side>(i), *blades[i], settings, now.in_step, report);
+  }
+  const bool right_first =
+      searches[1].found && (!searches[0].found || searches[1].t_free < searches[0].t_free);
+  const Side first = right_first ? Side::kRight : Side::kLeft;
+  note(first, searches[index_of(first)], settings, now.step);
+  note(other(first), searches[index_of(other(first))], settings, now.step);
+  close_window(settings, now.step + 1);
+}
+
+/// The first touch of a blade on its way through the step: from its start over the corners where
+/// contacts were answered to its end.
+template <class SceneT>
+TouchSearch<typename SceneT::Scalar> Referee<SceneT>::touch_by(Side side, const Blade& blade,
+                                                               const Settings& settings, Scalar dt,
+                                                               DuelReport& report) const {
+  const auto& corners = blade.driver.corners;
+  TouchSearch<Scalar> first;
+  bool complete = true;
+  Scalar known_until = dt;
+  Waypoint<Scalar> start{Scalar(0), at(side).start_WB};
+  for (int k = 0; k <= corners.size() && !first.found; ++k) {  // Bound: kMaxContacts + 1 pieces
+    const Waypoint<Scalar> end =
+        k < corners.size() ? corners[k] : Waypoint<Scalar>{dt, blade.body.X_WB};
+    const auto piece = detail::piece_between(start, end);
+    first = at(other(side))
+                .target.template find_touch<Search>({blade.capsule_B, piece.motion}, piece.from,
+                                                    settings.touch, settings.target);
+    report.evaluations += first.evaluations;
+    report.touch_searches += first.searches;
+    report.budget_outs += first.budget_outs;
+    report.searches_invalid += first.searches_invalid;
+    if (!first.complete && complete) known_until = first.known_until;
+    complete = complete && first.complete;
+    start = end;
+  }
+  first.complete = complete;
+  first.known_until = known_until;
+  return first;
+}
+
+template <class SceneT>
+void Referee<SceneT>::note(Side by, const TouchSearch<Scalar>& search, const Settings& settings,
+                           std::uint32_t step) {
+  if (!search.found) return;
+  if (bout_.touches.size() > 0 && bout_.touches[0].by == by) return;
+  Touch<Scalar> touch;
+  touch.by = by;
+  touch.part = search.part;
+  touch.when = {step, search.t_free};
+  touch.contact = search.contact;
+  touch.place = search.place;
+  touch.certain = search.certain();
+  if (bout_.touches.size() > 0 && !is_within_window(settings, touch.when)) return;
+  bout_.touches.push(touch);
+  bout_.state = bout_.touches.size() == 2 ? BoutState::kDouble : BoutState::kLockout;
+}
+
+/// Whether a second touch at this time counts. @pre there is a first one
+template <class SceneT>
+bool Referee<SceneT>::is_within_window(const Settings& settings,
+                                       const Moment<Scalar>& second) const {
+  const std::uint64_t first_us = time_us(bout_.touches[0].when, settings.step_us);
+  return time_us(second, settings.step_us) - first_us <=
          static_cast<std::uint64_t>(settings.double_window_us);
 }
 
-}  // namespace detail
+/// The other's chance is over when the next step begins behind the window.
+template <class SceneT>
+void Referee<SceneT>::close_window(const Settings& settings, std::uint32_t next_step) {
+  if (bout_.state != BoutState::kLockout) return;
+  if (!is_within_window(settings, {next_step, Scalar(0)})) bout_.state = BoutState::kTouched;
+}
+
+template <class SceneT>
+bool Referee<SceneT>::is_sound(Scalar dt) const {
+  bool good = bout_.touches.size() == detail::touches_in(bout_.state);
+  for (const Place& place : places_) {  // Bound: 2
+    good = good && validate(place.build) == Status::kOk;
+  }
+  for (const Touch<Scalar>& touch : bout_.touches) {  // Bound: 2
+    good = good && touch.when.in_step >= Scalar(0) && touch.when.in_step <= dt;
+  }
+  return good;
+}
+
+}  // namespace batuta

@@ -52,7 +52,9 @@ void GeneralWorld<SceneT>::answer_turning(const WatchType& watch, const Sight& s
     hold_pair(watch.pair, dt_);
     return;
   }
-  charge(watch.pair, answer.value, is_last);
+  const bool is_tight =
+      answer.value.separated && nearest.contact.gap + opened(answer.value) < margin;
+  charge(watch.pair, answer.value, is_last || is_tight);
   tell_driver(a, answer.value, answer.value.separation.shift_A_W);
   tell_driver(b, answer.value, answer.value.separation.shift_B_W);
   record(watch, nearest, answer.value);
@@ -61,8 +63,8 @@ void GeneralWorld<SceneT>::answer_turning(const WatchType& watch, const Sight& s
 /// The impulse that the pair's laws give; without restitution where the scene's bodies settle.
 template <class SceneT>
 Result<Impulse<Scalar_of<SceneT>>> GeneralWorld<SceneT>::impulse_for(
-    BodyPair pair, const std::array<Party<Scalar>, 2>& parties,
-    const Contact<Scalar>& contact, bool is_last) const {
+    BodyPair pair, const std::array<Party<Scalar>, 2>& parties, const Contact<Scalar>& contact,
+    bool is_last) const {
   const ActorType& P = actor_at(body_of(pair.first));
   const ActorType& Q = actor_at(body_of(pair.second));
   const Collider<Scalar> A = collider_of(parties[0]);
@@ -86,24 +88,36 @@ Result<Impulse<Scalar_of<SceneT>>> GeneralWorld<SceneT>::impulse_for(
   }
 }
 
-/// Counts the answers of a pair where bodies settle; whatever their kind, or a few bodies between
-/// others would take all answers of a step among themselves. @returns whether this is its last.
+/// Counts the answers of a pair, whatever their kind: where bodies settle, a few of them between
+/// others would else take all answers of a step among themselves. @returns whether this is the
+/// pair's last
 template <class SceneT>
 bool GeneralWorld<SceneT>::uses_up_answers(BodyPair pair) {
-  if constexpr (kSettles) return this->repeat(pair) >= SceneT::kMaxSeparations;
-  return false;
+  bool is_last = false;
+  if constexpr (kCountsRepeats<SceneT>) {
+    const int answers = this->repeat(pair);
+    is_last = kSettles && answers >= SceneT::kMaxSeparations;
+  }
+  return is_last;
 }
 
-/// Time for a separation: the paper's f(D), for which both stand still. Where bodies settle, the
-/// last answer of a pair in a step freezes it.
+/// By how much a separation has opened the gap, m.
+template <class SceneT>
+Scalar_of<SceneT> GeneralWorld<SceneT>::opened(const EncounterAnswer<Scalar>& answer) {
+  return length(answer.separation.shift_A_W) + length(answer.separation.shift_B_W);
+}
+
+/// Time for a separation: the paper's f(D), for which both stand still. Where bodies settle, a pair
+/// is frozen by its last answer of a step, or by one that its neighbours left no room for: it would
+/// be found touching again at once.
 template <class SceneT>
 void GeneralWorld<SceneT>::charge(BodyPair pair, const EncounterAnswer<Scalar>& answer,
-                                  bool is_last) {
+                                  bool freezes) {
   if constexpr (kReleases) {
     if (answer.separated) hold_pair(pair, now_ + answer.separation.duration);
   }
   if constexpr (kSettles) {
-    if (!is_last) return;
+    if (!freezes) return;
     ++report_.frozen;
     hold_pair(pair, dt_);
   }
@@ -231,7 +245,12 @@ template <class SceneT>
 void GeneralWorld<SceneT>::tell_driver(std::size_t slot, const EncounterAnswer<Scalar>& answer,
                                        const Vec3<Scalar>& shift_W) {
   ActorType& actor = actor_at(slot);
-  if constexpr (SceneT::kSleep) this->wake(slot);
+  if constexpr (SceneT::kSleep) {
+    // A blow has to show first; what only lies on a sleeper lets it sleep on.
+    const bool is_blow = answer.kind == ContactKind::kColliding && this->sleeps(slot);
+    if (is_blow) this->rouse(slot);
+    this->wake(slot);
+  }
   actor.driver.on_contact(actor.body, Feedback<Scalar>{now_, answer.impulse, shift_W});
 }
 

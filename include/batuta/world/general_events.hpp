@@ -71,7 +71,7 @@ template <class SceneT>
 void GeneralWorld<SceneT>::end_touches() {
   for (int i = this->touches() - 1; i >= 0; --i) {  // Bound: kMaxPairs
     const BodyPair pair = this->touch(i);
-    if (tracks_[body_of(pair.first)].stands && tracks_[body_of(pair.second)].stands) continue;
+    if (sweep_.is_idle(pair.first) && sweep_.is_idle(pair.second)) continue;
     const Nearest<Scalar> now = nearest(pair);
     if (!(now.contact.gap > Scalar(2) * settings_.separation)) continue;
     ContactEvent<Scalar> event = event_of(pair, now);
@@ -87,8 +87,8 @@ void GeneralWorld<SceneT>::end_touches() {
 /// What lay on something lies on it no longer.
 template <class SceneT>
 void GeneralWorld<SceneT>::wake_both(BodyPair pair) {
-  this->wake(body_of(pair.first));
-  this->wake(body_of(pair.second));
+  this->rouse(body_of(pair.first));
+  this->rouse(body_of(pair.second));
 }
 
 /// Bodies in contact that have not left their place for a while. Where a contact could not be
@@ -115,11 +115,12 @@ void GeneralWorld<SceneT>::put_to_sleep() {
   }
 }
 
-/// Whether a part of the body is further than 2 D from where it was.
+/// Whether the body has gone further than it would at rest_speed, or than its gaps let it sway.
 template <class SceneT>
 bool GeneralWorld<SceneT>::has_left(std::size_t slot) const {
   const ActorType& actor = actor_at(slot);
-  const Scalar limit = 2 * settings_.separation;
+  const Scalar window = static_cast<Scalar>(SceneT::kSleepSteps) * dt_;
+  const Scalar limit = max_of(2 * settings_.separation, settings_.rest_speed * window);
   const auto is_far = [&](const Vec3<Scalar>& x_B) {
     const Vec3<Scalar> way = to_world(actor.body.X_WB, x_B) - to_world(this->anchor(slot), x_B);
     return way.squaredNorm() > limit * limit;

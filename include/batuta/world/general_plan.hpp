@@ -22,7 +22,9 @@ void GeneralWorld<SceneT>::begin_step(Scalar dt) {
     constexpr Scalar kSteps = 2;  // one to gain it, one to be stopped
     const Scalar g = settings_.gravity_W.norm();
     using std::sqrt;
-    const Scalar through_gap = sqrt(2 * g * settings_.separation);
+    // Through 4 D: a rod that rocks falls through D at its middle and comes at its end with nearly
+    // twice that speed; and by opening the gap to the margin a bounce gains up to m g D.
+    const Scalar through_gap = sqrt(8 * g * settings_.separation);
     rest_speed_ = max_of(rest_speed_, max_of(kSteps * g * dt, through_gap));
   }
   for (std::size_t slot = 0; slot < kSlots; ++slot) begin_body(slot);  // Bound: kMaxBodies
@@ -236,13 +238,22 @@ void GeneralWorld<SceneT>::search_pair(BodyPair pair, Scalar until, Sight& sight
     sight.scale = moving_pair.value.scale;
     sight.contact_gap = Search::contact_gap(moving_pair.value, settings_.search);
     sight.search = search_with_seed(pair, moving_pair.value);
-    if constexpr (kLeads) {
-      if (sight.outcome() == Outcome::kTouching && is_immovable(pair) &&
-          sight.search.gap_rate > rest_speed_) {
-        sight.search = let_go(moving_pair.value, sight, pair);
-      }
+    if (sight.outcome() == Outcome::kTouching && may_let_go(pair, sight)) {
+      sight.search = let_go(moving_pair.value, sight, pair);
     }
   }
+}
+
+/// A pair that touches and parts, but cannot be opened to the margin: because neither can be
+/// pushed, or because their neighbours left no room when they were answered (src/world/world.md,
+/// "No room").
+template <class SceneT>
+bool GeneralWorld<SceneT>::may_let_go(BodyPair pair, const Sight& sight) const {
+  if (!(sight.search.gap_rate > rest_speed_)) return false;
+  bool may = false;
+  if constexpr (kLeads) may = is_immovable(pair);
+  if constexpr (kCountsRepeats<SceneT>) may = may || this->was_answered(pair);
+  return may;
 }
 
 /// The seed is a direction in W, and as good a guess in the next round or step.
@@ -258,12 +269,13 @@ SearchResult<typename GeneralWorld<SceneT>::Scalar> GeneralWorld<SceneT>::search
   }
 }
 
-/// What cannot be pushed cannot be opened to the margin either; where such a pair touches and
-/// parts, it is searched as if it were thinner by what is missing (src/world/encounter.md).
+/// What cannot be opened to the margin is searched as if it were thinner by what is missing to what
+/// the search calls contact (src/world/encounter.md).
 template <class SceneT>
 SearchResult<typename GeneralWorld<SceneT>::Scalar> GeneralWorld<SceneT>::let_go(
     const MovingPair<Scalar>& moving_pair, const Sight& sight, BodyPair pair) const {
-  const Scalar missing = margin_of(sight, pair) - sight.search.witness.gap;
+  Scalar missing = margin_of(sight, pair) - sight.search.witness.gap;
+  if (!(kLeads && is_immovable(pair))) missing -= sight.contact_gap;
   const Scalar radii = moving_pair.A.radius + moving_pair.B.radius;
   if (!(missing < radii)) return sight.search;
   MovingPair<Scalar> thinner = moving_pair;

@@ -162,6 +162,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
   void search(WatchType& watch);
   void search_pair(BodyPair pair, Scalar until, Sight& sight);
   SearchResult<Scalar> search_with_seed(BodyPair pair, const MovingPair<Scalar>& moving_pair);
+  bool may_let_go(BodyPair pair, const Sight& sight) const;
   SearchResult<Scalar> let_go(const MovingPair<Scalar>& moving_pair, const Sight& sight,
                               BodyPair pair) const;
 
@@ -187,7 +188,8 @@ class GeneralWorld : private SeedsOf<SceneT>,
   Result<Impulse<Scalar>> impulse_for(BodyPair pair, const std::array<Party<Scalar>, 2>& parties,
                                       const Contact<Scalar>& contact, bool is_last) const;
   bool uses_up_answers(BodyPair pair);
-  void charge(BodyPair pair, const EncounterAnswer<Scalar>& answer, bool is_last);
+  static Scalar opened(const EncounterAnswer<Scalar>& answer);
+  void charge(BodyPair pair, const EncounterAnswer<Scalar>& answer, bool freezes);
   EncounterOptions<Scalar> options_for(Scalar margin) const;
   Scalar margin_of(const Sight& sight, BodyPair pair) const;
   Party<Scalar> party(std::size_t slot);

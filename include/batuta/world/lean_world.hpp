@@ -36,8 +36,11 @@ class LeanWorld {
   /// Most pairs searched in one round: all.
   static constexpr int kPairsPerRound = SceneT::kMaxBodies * (SceneT::kMaxBodies - 1) / 2;
 
+  /// As GeneralWorld. Of balls, only what a compiler's flags are likely to change is looked at:
+  /// products that are not rounded; denormals do not matter to them (sphere_flight.md).
   explicit LeanWorld(std::uint16_t number = 0) : actors_(number) {
-    BATUTA_ASSERT(rounds_each_operation<Scalar>());
+    BATUTA_ASSERT(Search::kForSpheres ? rounds_products<Scalar>()
+                                      : rounds_each_operation<Scalar>());
   }
 
   Status configure(const WorldSettings<SceneT>& settings) {
@@ -83,12 +86,6 @@ class LeanWorld {
   using Sight = typename Matter::Sight;
   static constexpr std::size_t kSlots = static_cast<std::size_t>(SceneT::kMaxBodies);
 
-  /// What the step knows of a body besides the actor.
-  struct Flight {
-    Vec3<Scalar> v_W = Vec3<Scalar>::Zero();  ///< in this round, m/s; zero for what does not move
-    bool present = false;                     ///< takes part in the step
-    bool moves = false;                       ///< not fixed, and not held
-  };
   /// How a round ends: the pair slot_A kSlots + slot_B, and what its search answered.
   struct Meeting {
     std::size_t pair = 0;
@@ -97,30 +94,29 @@ class LeanWorld {
     Scalar t_hit = 0;
   };
 
-  /// Kept apart, like hold(): two calls, and no two copies.
-  [[gnu::noinline]] static bool is_usable(const ActorType& actor) {
-    return has_valid_features(actor) && Matter::is_usable(actor.body);
-  }
-  static bool is_contact(Outcome outcome) {
+  static constexpr Scalar kAbsent = -std::numeric_limits<Scalar>::infinity();
+
+  /// Kept apart: two calls, and no two copies.
+  [[gnu::noinline]] static bool is_usable(const ActorType& actor);
+  static bool is_of_contact(Outcome outcome) {
     return outcome == Outcome::kContact || outcome == Outcome::kTouching;
   }
   void begin_body(std::size_t slot);
   void run_round();
-  void aim(std::size_t slot);
   void move(std::size_t slot, Scalar t);
   Meeting first_meeting();
   bool may_pair(std::size_t a, std::size_t b) const;
   Sight search(std::size_t a, std::size_t b) const;
   void answer(const Meeting& meeting);
   void hit(ActorType& A, ActorType& B, Outcome outcome);
-  [[gnu::noinline]] void hold(std::size_t slot);
 
   // What is used most comes first: small offsets make short instructions.
   Scalar left_ = 0;  ///< of the step, s
   int contacts_answered_ = 0;
   StepReport<Scalar> report_;
   WorldSettings<SceneT> settings_;
-  std::array<Flight, kSlots> flights_{};
+  /// 1/kg, as the step uses it: 0 for what is fixed or held, kAbsent for what takes no part.
+  std::array<Scalar, kSlots> inverse_mass_{};
   Pool<ActorType, SceneT::kMaxBodies> actors_;
 };
 
@@ -138,53 +134,52 @@ Status LeanWorld<SceneT>::step(Scalar dt) {
   return Status::kOk;
 }
 
+/// Place and velocity are finite: a product is not where a factor is not.
+template <class SceneT>
+bool LeanWorld<SceneT>::is_usable(const ActorType& actor) {
+  const StraightBody<Scalar>& body = actor.body;
+  Scalar zero = 0;
+  for (int i = 0; i < 3; ++i) {  // Bound: 3; by component: expressions double the code
+    const Scalar v = body.inverse_mass * body.momentum_W[i];
+    zero += (body.p_W[i] - body.p_W[i]) + (v - v);
+  }
+  return zero == Scalar(0) && body.inverse_mass >= Scalar(0) && has_valid_features(actor);
+}
+
 template <class SceneT>
 void LeanWorld<SceneT>::begin_body(std::size_t slot) {
-  Flight& flight = flights_[slot];
-  flight = {};
+  inverse_mass_[slot] = kAbsent;
   ActorType* const actor = actors_.at_index(slot);
   if (actor == nullptr) return;
-  flight.present = is_usable(*actor);
-  if (!flight.present) {
+  if (!is_usable(*actor)) {
     ++report_.courses_invalid;
     return;
   }
-  StraightBody<Scalar>& body = actor->body;
-  flight.moves = body.inverse_mass > Scalar(0);
+  const Scalar inverse_mass = actor->body.inverse_mass;
+  inverse_mass_[slot] = inverse_mass;
   if constexpr (SceneT::kGravity) {
-    if (flight.moves) body.momentum_W += (left_ / body.inverse_mass) * settings_.gravity_W;
+    if (!(inverse_mass > Scalar(0))) return;
+    actor->body.momentum_W += (left_ / inverse_mass) * settings_.gravity_W;
   }
 }
 
 /// To the first contact, the first search without an answer, or the end of the step.
 template <class SceneT>
 void LeanWorld<SceneT>::run_round() {
-  for (std::size_t slot = 0; slot < kSlots; ++slot) aim(slot);  // Bound: kMaxBodies
   const Meeting meeting = first_meeting();
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    if (flights_[slot].moves) move(slot, meeting.t_free);
+    if (inverse_mass_[slot] > Scalar(0)) move(slot, meeting.t_free);
   }
   left_ -= meeting.t_free;
   if (meeting.outcome != Outcome::kFree) answer(meeting);
 }
 
 template <class SceneT>
-void LeanWorld<SceneT>::aim(std::size_t slot) {
-  Flight& flight = flights_[slot];
-  if (!flight.moves) return;
-  const StraightBody<Scalar>& body = actors_.at(slot).body;
-  for (int i = 0; i < 3; ++i) {  // Bound: 3; by component: expressions double the code
-    flight.v_W[i] = body.inverse_mass * body.momentum_W[i];
-  }
-  if (is_finite(flight.v_W)) return;
-  ++report_.courses_invalid;
-  hold(slot);
-}
-
-template <class SceneT>
 void LeanWorld<SceneT>::move(std::size_t slot, Scalar t) {
+  StraightBody<Scalar>& body = actors_.at(slot).body;
+  const Scalar inverse_mass = inverse_mass_[slot];
   for (int i = 0; i < 3; ++i) {  // Bound: 3
-    actors_.at(slot).body.p_W[i] += flights_[slot].v_W[i] * t;
+    body.p_W[i] += inverse_mass * body.momentum_W[i] * t;
   }
 }
 
@@ -201,24 +196,22 @@ typename LeanWorld<SceneT>::Meeting LeanWorld<SceneT>::first_meeting() {
     const Sight sight = search(pair / kSlots, pair % kSlots);
     ++report_.pairs;
     report_.evaluations += sight.evaluations();
-    if (is_contact(sight.outcome())) contact_after[pair] = sight.t_free();
+    if (is_of_contact(sight.outcome())) contact_after[pair] = sight.t_free();
     if (sight.outcome() != Outcome::kFree && sight.t_free() < first.t_free) {
       first = {pair, sight.outcome(), sight.t_free(), sight.t_hit()};
     }
   }
-  if (is_contact(first.outcome)) {
+  if (is_of_contact(first.outcome)) {
     first.pair = 0;
     while (first.t_hit < contact_after[first.pair]) ++first.pair;  // Bound: kMaxBodies^2
   }
   return first;
 }
 
-/// Two that stand still stay as they are, apart or not.
+/// Two that stand still stay as they are, apart or not; and no sum with kAbsent is above zero.
 template <class SceneT>
 bool LeanWorld<SceneT>::may_pair(std::size_t a, std::size_t b) const {
-  const Flight& A = flights_[a];
-  const Flight& B = flights_[b];
-  return a < b && A.present && B.present && (A.moves || B.moves) &&
+  return a < b && inverse_mass_[a] + inverse_mass_[b] > Scalar(0) &&
          may_meet(actors_.at(a), actors_.at(b));
 }
 
@@ -226,20 +219,21 @@ template <class SceneT>
 typename LeanWorld<SceneT>::Sight LeanWorld<SceneT>::search(std::size_t a, std::size_t b) const {
   const ActorType& A = actors_.at(a);
   const ActorType& B = actors_.at(b);
-  const Vec3<Scalar>& v_A_W = flights_[a].v_W;
-  const Vec3<Scalar>& v_B_W = flights_[b].v_W;
   if constexpr (Search::kForSpheres) {
     SphereFlight<Scalar> flight;
-    for (int i = 0; i < 3; ++i) {  // Bound: 3; by component: expressions double the code
+    for (int i = 0; i < 3; ++i) {  // Bound: 3
       flight.between[i] = B.body.p_W[i] - A.body.p_W[i];
-      flight.v[i] = v_B_W[i] - v_A_W[i];
+      flight.v[i] =
+          inverse_mass_[b] * B.body.momentum_W[i] - inverse_mass_[a] * A.body.momentum_W[i];
     }
     flight.radii = A.radius + B.radius;
     flight.duration = left_;
     return Matter::search_flight(flight, settings_.search);
   } else {
-    return Matter::search(Matter::mover(A, 0, {A.body.p_W, v_A_W, left_}),
-                          Matter::mover(B, 0, {B.body.p_W, v_B_W, left_}), settings_.search);
+    return Matter::search(
+        Matter::mover(A, 0, {A.body.p_W, inverse_mass_[a] * A.body.momentum_W, left_}),
+        Matter::mover(B, 0, {B.body.p_W, inverse_mass_[b] * B.body.momentum_W, left_}),
+        settings_.search);
   }
 }
 
@@ -247,19 +241,17 @@ template <class SceneT>
 void LeanWorld<SceneT>::answer(const Meeting& meeting) {
   const std::size_t a = meeting.pair / kSlots;
   const std::size_t b = meeting.pair % kSlots;
-  if (is_contact(meeting.outcome)) {
-    if (contacts_answered_ < SceneT::kMaxContacts) {
-      ++contacts_answered_;
-      return hit(actors_.at(a), actors_.at(b), meeting.outcome);
-    }
-    ++report_.contacts_dropped;
-  } else if (meeting.outcome == Outcome::kBudget) {
-    ++report_.searches_cut;
-  } else {
-    ++report_.searches_invalid;
+  const bool is_contact = is_of_contact(meeting.outcome);
+  if (is_contact && contacts_answered_ < SceneT::kMaxContacts) {
+    ++contacts_answered_;
+    return hit(actors_.at(a), actors_.at(b), meeting.outcome);
   }
-  hold(a);
-  hold(b);
+  const bool is_cut = meeting.outcome == Outcome::kBudget;
+  ++(is_contact ? report_.contacts_dropped
+     : is_cut   ? report_.searches_cut
+                : report_.searches_invalid);
+  inverse_mass_[a] = inverse_mass_[b] = 0;
+  report_.time_held = max_of(report_.time_held, left_);
 }
 
 template <class SceneT>
@@ -275,13 +267,6 @@ void LeanWorld<SceneT>::hit(ActorType& A, ActorType& B, Outcome outcome) {
     ++report_.overlaps_at_start;
     report_.deepest_overlap = max_of(report_.deepest_overlap, -contact.gap);
   }
-}
-
-template <class SceneT>
-void LeanWorld<SceneT>::hold(std::size_t slot) {
-  flights_[slot].v_W.setZero();
-  flights_[slot].moves = false;
-  report_.time_held = max_of(report_.time_held, left_);
 }
 
 }  // namespace batuta

@@ -49,8 +49,8 @@ struct Scene {
   static constexpr int kMaxEvents = 16;
   /// Answers of one pair in one step, the last of which freezes it (kSettling).
   static constexpr int kMaxSeparations = 4;
-  /// Steps for which a body has to stay within 2 D of one place to be put to sleep (kSleep), 1 ...
-  /// 65535.
+  /// Steps in which a body must not go further than at rest_speed to be put to sleep (kSleep), 1
+  /// ... 65535.
   static constexpr int kSleepSteps = 250;
 
   // Features. What is off is absent: no member, no code.
@@ -150,7 +150,7 @@ struct SearchOf {
 template <class Scalar>
 struct RestSettings {
   /// eps_r [Kavan §4], m/s, > 0. With gravity, what a body gains by falling for two steps or
-  /// through D counts as rest as well.
+  /// through 4 D counts as rest as well.
   Scalar rest_speed = Scalar(0.01);
   Scalar separation = Scalar(1e-4);  ///< D [Kavan §4.2], m, > 0; a contact ends beyond 2 D
   Scalar min_separation_time = Scalar(1e-4);  ///< least f(D), s, > 0

@@ -20,6 +20,11 @@ class SleepBook {
   void fall_asleep(std::size_t slot) { rests_[slot].asleep = true; }
   /// It goes on from its place: if it stays there, it sleeps again at the end of the step.
   void wake(std::size_t slot) { rests_[slot].asleep = false; }
+  /// It is some time before it may sleep again.
+  void rouse(std::size_t slot) {
+    rests_[slot].quiet_steps = 0;
+    rests_[slot].asleep = false;
+  }
   /// Awake, and from here.
   void start_over(std::size_t slot, const Pose<Scalar>& X_WB) { rests_[slot] = {X_WB, 0, false}; }
   const Pose<Scalar>& anchor(std::size_t slot) const { return rests_[slot].anchor; }
@@ -47,7 +52,7 @@ class SleepBook {
 template <class SceneT>
 struct NoSleep {
   static constexpr bool sleeps(std::size_t /*slot*/) { return false; }
-  void wake(std::size_t /*slot*/) {}
+  void rouse(std::size_t /*slot*/) {}
   void copy_sleep(const NoSleep& /*other*/) {}
   template <class Archive>
   void archive_sleep(Archive& /*ar*/) {}

@@ -93,19 +93,25 @@ class EarliestSight {
   Scalar until_ = 0;
 };
 
-/// How often each pair was separated in this step; for scenes whose bodies settle on each other.
+/// How often each pair was answered in this step.
 template <int N>
 class RepeatBook {
  protected:
   void clear_repeats() { repeats_.clear(); }
-  /// Counts one more. @returns how many there were with it. Bound: N. Never full: N contacts are
-  /// answered in a step.
+  /// Counts one more answer. @returns how many there were with it. Bound: N. Never full: N contacts
+  /// are answered in a step.
   int repeat(BodyPair pair) {
     for (int i = 0; i < repeats_.size(); ++i) {  // Bound: kMaxContacts
       if (is_same(repeats_[i].pair, pair)) return ++repeats_[i].count;
     }
     repeats_.push({pair, 1});
     return 1;
+  }
+  bool was_answered(BodyPair pair) const {
+    for (const Repeat& repeat : repeats_) {  // Bound: kMaxContacts
+      if (is_same(repeat.pair, pair)) return true;
+    }
+    return false;
   }
 
  private:
@@ -119,8 +125,13 @@ struct NoRepeats {
   void clear_repeats() {}
 };
 
+/// Two bodies alone always find room to part, and are held after a separation: nothing repeats.
 template <class SceneT>
-using RepeatsOf = std::conditional_t<SceneT::kResting == RestingContact::kSettling,
-                                     RepeatBook<SceneT::kMaxContacts>, NoRepeats>;
+inline constexpr bool kCountsRepeats = SceneT::kRotation&& SceneT::kResponse &&
+                                       (SceneT::kMaxBodies > 2 ||
+                                        SceneT::kResting == RestingContact::kSettling);
+template <class SceneT>
+using RepeatsOf =
+    std::conditional_t<kCountsRepeats<SceneT>, RepeatBook<SceneT::kMaxContacts>, NoRepeats>;
 
 }  // namespace batuta

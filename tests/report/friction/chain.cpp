@@ -76,7 +76,7 @@ void write_rows(Table& table, const Law& law, int most, const Accounts& accounts
 }  // namespace
 
 int report_chain(const Options& options) {
-  const Range rods = share_of(options, pick(options, 4, 12, 200));
+  const Range rods = share_of(options, pick(options, 4, 12, 100));
   const int most = static_cast<int>(pick(options, 20, 500, 2000));
   Table table(options, "friction_chain");
   Progress progress("friction, chains", kFrictions.size() * kRounds.size());

@@ -36,8 +36,8 @@ def _growth_cell(crowd, growth):
 
 def _cells(row, growth):
     per_step = [number(row[name] / row["steps"]) for name in ("pairs", "evaluations", "contacts", "pairs_dropped")]
-    tail = f"{_cost(row, 0.99):.1f} ×" if "time_ns" in row else "-"
-    return [row["crowd"], row["bodies"], f"{_cost(row):.2f} ×", tail, _growth_cell(row["crowd"], growth), *per_step,
+    tail = f"{_cost(row, 0.99):.1f}" if "time_ns" in row else "-"
+    return [row["crowd"], row["bodies"], f"{_cost(row):.2f}", tail, _growth_cell(row["crowd"], growth), *per_step,
             number(row["deepest_overlap_m"]), f"{int(float(row['bytes'])) / 1024:.0f}"]
 
 
@@ -48,8 +48,8 @@ def _lines(rows):
         yield from (_cells(row, growths.get(int(row["bodies"]))) for row in chosen)
 
 
-def _header(unit):
-    return ["crowd", "bodies", f"{unit} a step, median", "99 %", "over half as many", "pairs searched a step",
+def _header(unit, middle):
+    return ["crowd", "bodies", f"{unit} a step, {middle}", "99 %", "over half as many", "pairs searched a step",
             "evaluations", "contacts", "pairs without room", "deepest overlap, m", "RAM, KiB"]
 
 
@@ -85,12 +85,12 @@ def _part(folder):
     if not path.is_file():
         return f"\n*Not in this report: there is no {PART}; the workflow `target` counts the instructions of a Cortex-M4F.*\n"
     rows = Rows.read(path).merged()
-    return "".join(["\n### Instructions on a Cortex-M4F\n\nCounted under QEMU, thousands a step, mean.\n\n", _verdict(rows), "\n",
+    return "".join(["\n### Instructions on a Cortex-M4F\n\nCounted under QEMU, thousands a step.\n\n", _verdict(rows), "\n",
                     _picture(rows, folder, "growth_m4f", "Thousands of instructions against bodies, Cortex-M4F", "1000 instructions"),
-                    "\n", table(_header("1000 instructions"), list(_lines(rows)))])
+                    "\n", table(_header("1000 instructions", "mean"), list(_lines(rows)))])
 
 
 def page(tables, folder):
     rows = tables["growth"]
     return "".join([TEXT, "\n", _verdict(rows), "\n", _picture(rows, folder, "growth", "Cost against bodies, this host", "µs"), "\n",
-                    table(_header("µs"), list(_lines(rows))), "\nData: [growth.csv](growth.csv).\n", _part(folder)])
+                    table(_header("µs", "median"), list(_lines(rows))), "\nData: [growth.csv](growth.csv).\n", _part(folder)])

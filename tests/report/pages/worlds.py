@@ -36,7 +36,7 @@ def _energy(row):
 
 def _cells(play, row):
     told = {"cage": _energy(row), "pile": number(row["speed_at_end_m_s"]), "volley": _energy(row)}[play]
-    return [row["engine"], f"{_time(row):.2f} ×", told, number(row["deepest_m"] * 1000), f"{row['missed']} of {row['movers']}",
+    return [row["engine"], f"{_time(row):.2f}", told, number(row["deepest_m"] * 1000), f"{row['missed']} of {row['movers']}",
             share(row["incomplete"], row["steps"])]
 
 
@@ -59,8 +59,9 @@ def _picture(rows, folder):
 TEXT = """The same capsules, masses, moments, restitution and friction for both. batuta: `World` in float with friction, line
 contacts, settling and sleep, all defaults. Bullet: `btDiscreteDynamicsWorld`, sequential impulses, ten iterations, in double,
 damping off, its threshold of restitution lowered to what batuta calls rest (0.01 m/s). The figure after a name is steps a second;
-Bullet's own default is 60. *Swept spheres* is Bullet's continuous detection, which is off unless asked for: it sweeps a ball
-inside each body that moves by more than half its radius in a step. Everything is judged in double from the states that the
+Bullet's own default is 60. *Touching*: only contacts that touch are solved; by default Bullet brakes a pair from 2 cm away, which at
+short steps takes the rebound away. *Swept*: Bullet's continuous detection, which is off unless asked for: it sweeps a ball inside
+each body that moves by more than half its radius in a step. Everything is judged in double from the states that the
 engines tell, twenty times a second. Times are of one thread of this host.
 """
 

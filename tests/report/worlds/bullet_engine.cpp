@@ -22,6 +22,19 @@ Triple triple(const btVector3& x) {
   return {x.x(), x.y(), x.z()};
 }
 
+enum class Way : std::uint8_t {
+  kDefault,
+  kTouching,  ///< contacts count once they touch, not from 2 cm before: else short steps take the
+              ///< rebound away
+  kSwept,     ///< continuous detection: a ball of 0.9 radius swept beyond half a radius a step
+};
+
+struct Pace {
+  const char* name;
+  int hz;  ///< steps a second
+  Way way;
+};
+
 /// A world and what it points at, in the order in which it has to go.
 class Stage {
  public:
@@ -54,7 +67,8 @@ class Stage {
     body->setLinearVelocity(vector(given.start.v));
     body->setAngularVelocity(vector(given.start.w));
     if (!plan.may_sleep) body->setActivationState(DISABLE_DEACTIVATION);
-    if (pace.ccd) {
+    if (pace.way == Way::kTouching) body->setContactProcessingThreshold(0);
+    if (pace.way == Way::kSwept) {
       body->setCcdMotionThreshold(given.radius / 2);
       body->setCcdSweptSphereRadius(given.radius * 0.9);
     }
@@ -77,9 +91,10 @@ class BulletEngine : public Engine {
 
   std::string name() const override { return pace_.name; }
   std::string setting() const override {
+    constexpr const char* kWays[] = {"no more", "setContactProcessingThreshold(0)",
+                                     "setCcdMotionThreshold(radius / 2) and a swept sphere"};
     return "double; " + std::to_string(pace_.hz) + " steps a second; " +
-           (pace_.ccd ? "swept sphere of 0.9 radius beyond half a radius a step"
-                      : "no swept spheres");
+           kWays[static_cast<int>(pace_.way)];
   }
   int steps_per_second() const override { return pace_.hz; }
   void load(const Plan& plan) override { stage_ = std::make_unique<Stage>(plan, pace_); }
@@ -102,10 +117,13 @@ class BulletEngine : public Engine {
 
 std::vector<EnginePtr> bullet_engines() {
   std::vector<EnginePtr> engines;
-  for (const Pace& pace :
-       {Pace{"Bullet 60", 60, false}, Pace{"Bullet 240", 240, false},
-        Pace{"Bullet 1000", 1000, false}, Pace{"Bullet 60, swept spheres", 60, true},
-        Pace{"Bullet 1000, swept spheres", 1000, true}}) {
+  constexpr Pace kPaces[] = {{"Bullet 60", 60, Way::kDefault},
+                             {"Bullet 240", 240, Way::kDefault},
+                             {"Bullet 1000", 1000, Way::kDefault},
+                             {"Bullet 60 touching", 60, Way::kTouching},
+                             {"Bullet 1000 touching", 1000, Way::kTouching},
+                             {"Bullet 60 swept", 60, Way::kSwept}};
+  for (const Pace& pace : kPaces) {
     engines.push_back(std::make_unique<BulletEngine>(pace));
   }
   return engines;

@@ -37,13 +37,6 @@ struct Plan {
   bool may_sleep = false;
 };
 
-/// How an engine is asked to step.
-struct Pace {
-  const char* name;
-  int hz;    ///< steps a second
-  bool ccd;  ///< with the engine's continuous collision detection, where that is an option
-};
-
 class Engine {
  public:
   virtual ~Engine() = default;

@@ -114,6 +114,7 @@ def parse():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--tree", type=pathlib.Path, required=True, help="build tree of a target")
     parser.add_argument("--queries", type=pathlib.Path, help="file of batuta_digest_pack; default: made by it")
+    parser.add_argument("--scenes", action="store_true", help="only the scenes (target price-scenes); nothing is kept or written")
     parser.add_argument("--without-instructions", action="store_true", help="nothing is run")
     parser.add_argument("--verbose", action="store_true", help="largest symbols and deepest stacks, too")
     parser.add_argument("--keep", action="store_true",
@@ -127,6 +128,15 @@ def take_scenes(collector, options, folder):
     if not options.without_instructions:
         of_scenes.take_runs(folder)
     collector.findings += [f"scenes: {text}" for text in scenes.savings_not_meant(collector.figures)]
+
+
+def show_scenes(options, manifest, folder):
+    """What is found while a scene is worked on, in a minute. @returns exit code"""
+    collector = Collector(manifest)
+    take_scenes(collector, options, folder)
+    print(scenes.table(collector.figures))
+    print("\n".join(f"GATE {text}" for text in collector.findings) or "the gates found nothing")
+    return 1 if collector.findings else 0
 
 
 def collect(options, manifest, folder):
@@ -152,6 +162,8 @@ def collect(options, manifest, folder):
 def main():
     options = parse()
     manifest, folder = read_manifest(options.tree)
+    if options.scenes:
+        return show_scenes(options, manifest, folder)
     collector, is_complete = collect(options, manifest, folder)
     part = manifest["part"]
     footprint.write(pathlib.Path(manifest["source"]) / "build")

@@ -126,12 +126,12 @@ class Draw {
     using S = typename SceneT::Scalar;
     Actor<SceneT> actor;
     const S mass = one_in(5) ? S(INFINITY) : static_cast<S>(in(0.5, 3));
-    actor.body = make_straight_body<S>(vector(0.5).cast<S>(), mass).value;
-    actor.body.momentum_W = (in(0.5, 3) * vector(2)).cast<S>();
+    actor.body = make_straight_body<S>(vector(0.35).cast<S>(), mass).value;
+    actor.body.momentum_W = (in(0.5, 3) * vector(4)).cast<S>();
     actor.restitution = bouncy ? S(1) : static_cast<S>(in(0, 1));
-    if (one_in(4)) actor.owner = 7;
-    if (one_in(4)) actor.filter = {2, 1};
-    put_shape(actor, vector(0.15), in(0.03, 0.15));
+    if (one_in(8)) actor.owner = 7;
+    if (one_in(8)) actor.filter = {2, 1};
+    put_shape(actor, vector(0.15), in(0.03, 0.1));
     return actor;
   }
   template <class SceneT>
@@ -164,9 +164,10 @@ Actor<Told<SceneT>> told(const Actor<SceneT>& actor) {
 template <class SceneT>
 class Lean : public ::testing::Test {
  protected:
-  using S = typename SceneT::Scalar;
-  static constexpr double kRounding = std::is_same_v<S, float> ? 1e-6 : 1e-14;
-  static constexpr double kSame = std::is_same_v<S, float> ? 2e-3 : 1e-9;
+  static constexpr bool kIsFloat = std::is_same_v<typename SceneT::Scalar, float>;
+  static constexpr double kRounding = kIsFloat ? 1e-6 : 1e-14;
+  /// Capsules are answered within a slab, and not at one instant.
+  static constexpr double kSame = kIsFloat ? 2e-3 : SceneT::Search::kForSpheres ? 1e-9 : 1e-4;
 };
 using LeanScenes = ::testing::Types<LeanScene<Spheres, float>, LeanScene<Spheres, double>,
                                     LeanScene<Translation, float>, LeanScene<Translation, double>>;
@@ -271,24 +272,23 @@ TYPED_TEST(Lean, FreeFall_IsTheSumOfTheSteps) {
 }
 
 // The middle one is hit from both sides at once: the lower pair first, whatever the last bits say.
+// 1 kg at 1 m/s, 1 kg, 3 kg at -1 m/s: 0 gives all to 1; 1 takes all from 2, and gives it to 0.
 TYPED_TEST(Lean, ContactsAtTheSameTime_AreAnsweredByTheirNames) {
   using S = typename TypeParam::Scalar;
   for (const int ulps : {-1, 0, 1}) {
     World<TypeParam> world;
     for (int i = 0; i < 3; ++i) {
-      auto actor = ball<TypeParam>(i - 1, 1 - i);
-      actor.restitution = 0;
+      auto actor = ball<TypeParam>(i - 1, 1 - i, i == 2 ? 3 : 1);
       S& x = actor.body.p_W.x();
       if (i == 2 && ulps != 0) x = std::nextafter(x, ulps > 0 ? S(2) : S(0));
       ASSERT_TRUE(world.add(actor).ok());
     }
     ASSERT_EQ(world.step(1), Status::kOk);
-    // First 0 on 1: both 0.5. Then 1 on 2: both -0.25. Then 0 on 1: both 0.125, and so on to rest.
     EXPECT_TRUE(world.report().complete());
-    EXPECT_GT(world.report().collisions, 2U);
-    EXPECT_GT(least_gap(world), -TestFixture::kRounding);
-    EXPECT_NEAR(world.get(world.id_at(0))->body.momentum_W.x(), 0, 1e-4);
-    EXPECT_LT(world.get(world.id_at(1))->body.p_W.x(), 1e-3) << ulps;
+    EXPECT_EQ(world.report().collisions, 3U);
+    EXPECT_NEAR(world.get(world.id_at(0))->body.momentum_W.x(), -2, 1e-4) << ulps;
+    EXPECT_NEAR(world.get(world.id_at(1))->body.momentum_W.x(), 0, 1e-4) << ulps;
+    EXPECT_NEAR(world.get(world.id_at(2))->body.momentum_W.x(), 0, 1e-4) << ulps;
   }
 }
 
@@ -348,18 +348,17 @@ TYPED_TEST(Lean, BodyBrokenByTheCaller_IsLeftOutAndCounted) {
   EXPECT_NEAR(world.get(other)->body.p_W.x(), -1, 1e-5);
 }
 
-TYPED_TEST(Lean, SpeedThatOverflows_HoldsTheBodyAndCounts) {
+TYPED_TEST(Lean, SpeedThatOverflows_IsRefusedOrLeftOut) {
   using S = typename TypeParam::Scalar;
   World<TypeParam> world;
   auto actor = ball<TypeParam>(0, 0);
   actor.body.inverse_mass = actor.body.momentum_W.x() = std::numeric_limits<S>::max();
-  const auto id = world.add(actor).value;
-  ASSERT_TRUE(world.add(ball<TypeParam>(1, -1)).ok());
+  EXPECT_EQ(world.add(actor).status, Status::kInvalidArgument);
+  const auto id = world.add(ball<TypeParam>(0, 0)).value;
+  world.get(id)->body = actor.body;
   ASSERT_EQ(world.step(1), Status::kOk);
   EXPECT_EQ(world.report().courses_invalid, 1U);
-  EXPECT_EQ(world.report().time_held, S(1));
   EXPECT_EQ(world.get(id)->body.p_W.x(), S(0));
-  EXPECT_GT(least_gap(world), -TestFixture::kRounding);
 }
 
 TYPED_TEST(Lean, NinthBody_FindsNoRoom) {
@@ -389,7 +388,7 @@ TYPED_TEST(Lean, RestoredOrRead_GoesOnWithTheSameBits) {
   World<TypeParam> first;
   for (const auto& actor : Draw(3).actors<TypeParam>(8)) ASSERT_TRUE(first.add(actor).ok());
   ASSERT_EQ(first.remove(first.id_at(2)), Status::kOk);
-  for (int i = 0; i < 10; ++i) ASSERT_EQ(first.step(S(0.02)), Status::kOk);
+  for (int i = 0; i < 2; ++i) ASSERT_EQ(first.step(S(0.005)), Status::kOk);
   World<TypeParam> restored(9);
   restored.restore(first);
   std::vector<std::uint8_t> bytes(sizeof(first));
@@ -404,7 +403,7 @@ TYPED_TEST(Lean, RestoredOrRead_GoesOnWithTheSameBits) {
   for (int i = 0; i < 20; ++i) {
     ASSERT_EQ(hash_of(first), hash_of(restored)) << i;
     ASSERT_EQ(hash_of(first), hash_of(read)) << i;
-    for (auto* world : {&first, &restored, &read}) ASSERT_EQ(world->step(S(0.02)), Status::kOk);
+    for (auto* world : {&first, &restored, &read}) ASSERT_EQ(world->step(S(0.005)), Status::kOk);
     blows += first.report().collisions;
   }
   EXPECT_GT(blows, 0U);

@@ -15,7 +15,6 @@ class SceneCollector:
         self.scenes = collector.manifest["scenes"]
         self.figures = collector.figures
         self.findings = collector.findings
-        self.states = {}  # (scene, restitution) -> the bits in which its run ended
 
     def take_images(self):
         empty = self._sizes(self.collector.image(self.scenes[scenes.EMPTY]["image"]))
@@ -42,14 +41,17 @@ class SceneCollector:
         self.findings += [f"{name}: {text}" for text in texts]
 
     def take_runs(self, folder):
-        for name, paths in self.scenes.items():
-            is_too_long = name in scenes.LONG and not self.collector.manifest["has_fpu"]
-            if name == scenes.EMPTY or is_too_long or not pathlib.Path(paths["run"]).is_file():
-                continue
+        bouncy = {}
+        for name in self._to_run():
             for restitution in (scenes.BOUNCY, scenes.DULL) if name in scenes.RUN_DULL else (scenes.BOUNCY,):
                 samples = scenes.run(name, self.collector.manifest, folder, restitution)
-                self.states[name, restitution] = scenes.state_of(samples)
                 end = scenes.suffix(restitution)
                 self.figures.update((f"{name}{end}.{step}", n) for step, n in scenes.step_figures(samples).items())
-        bouncy = {name: state for (name, restitution), state in self.states.items() if restitution == scenes.BOUNCY}
-        self.findings += [f"scenes: {text}" for text in scenes.unlike(bouncy)]
+                if restitution == scenes.BOUNCY:
+                    bouncy[name] = samples
+        self.findings += [f"scenes: {text}" for text in scenes.unlike_runs(bouncy)]
+
+    def _to_run(self):
+        too_long = () if self.collector.manifest["has_fpu"] else scenes.LONG
+        return [name for name, paths in self.scenes.items()
+                if name != scenes.EMPTY and name not in too_long and pathlib.Path(paths["run"]).is_file()]

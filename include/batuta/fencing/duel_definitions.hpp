@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// What a duel does, whatever its search and its scene. The library holds the duels of DuelScene:
+// src/fencing/duel.cpp and duel_stepping.cpp build those of one search each, so that a program
+// links one search only. For a scene of one's own, include this header in one source and name there
+//   template DuelSettings<S, Search, Drill> batuta::duel_settings();
+//   template class batuta::Duel<S, Search, Drill>;
+// or include it wherever such a duel is used.
+
+#include "batuta/fencing/duel.hpp"
+#include "batuta/fencing/referee_definitions.hpp"
+
+namespace batuta {
+
+namespace detail {
+
+inline constexpr std::int32_t kShortestStepUs = 100;
+inline constexpr std::int32_t kLongestStepUs = 20000;
+inline constexpr std::int32_t kLongestWindowUs = 10000000;
+
+}  // namespace detail
+
+template <class Scalar, class SearchT, class SceneT>
+Status validate(const DuelSettings<Scalar, SearchT, SceneT>& settings) {
+  bool good = settings.step_us >= detail::kShortestStepUs &&
+              settings.step_us <= detail::kLongestStepUs && settings.salle.distance > Scalar(0) &&
+              settings.salle.distance <= kLargestReach<Scalar> &&
+              validate(settings.stick) == Status::kOk && validate(settings.world) == Status::kOk;
+  if constexpr (SceneT::kTargets) {
+    good = good && settings.double_window_us >= 0 &&
+           settings.double_window_us <= detail::kLongestWindowUs &&
+           validate(settings.touch) == Status::kOk;
+  }
+  return good ? Status::kOk : Status::kInvalidArgument;
+}
+
+template <class Scalar, class SearchT, class SceneT>
+DuelSettings<Scalar, SearchT, SceneT> duel_settings() {
+  DuelSettings<Scalar, SearchT, SceneT> settings;
+  if constexpr (kKnowsRest<SceneT>) {
+    settings.world.rest_speed = Scalar(0.05F);
+    settings.world.separation = Scalar(2e-4F);
+    settings.world.min_separation_time = Scalar(1e-4F);
+  }
+  if constexpr (SceneT::kTargets) {
+    settings.target = kAllParts & ~mask_of(BodyPart::kWeaponHand);  // the bell guard covers it
+  }
+  if constexpr (SceneT::kTargets && !SearchT::kHasSlab) {
+    settings.touch.epsilon = Scalar(0.001F);
+    settings.touch.unit = EpsilonIn::kMetres;
+  }
+  return settings;
+}
+
+template <class Scalar, class SearchT, class SceneT>
+Status Duel<Scalar, SearchT, SceneT>::configure(const Settings& settings,
+                                                const Fencer<Scalar>& left,
+                                                const Fencer<Scalar>& right) {
+  if (validate(settings) != Status::kOk) return Status::kInvalidArgument;
+  const auto left_seat = seat_for(left, settings.salle.X_WF(Side::kLeft));
+  const auto right_seat = seat_for(right, settings.salle.X_WF(Side::kRight));
+  if (!left_seat.ok() || !right_seat.ok()) return Status::kInvalidArgument;
+
+  // From here on nothing can be refused.
+  settings_ = settings;
+  (void)world_.configure(settings.world);
+  for (Place& place : places_) (void)world_.remove(place.blade);  // Bound: 2
+  if constexpr (SceneT::kTargets) tally_.begin();
+  take_place(Side::kLeft, left_seat.value, left.build);
+  take_place(Side::kRight, right_seat.value, right.build);
+  tally_.report = {};
+  steps_ = 0;
+  dt_ = static_cast<Scalar>(settings.step_us) * kSecondsPerUs<Scalar>;
+  return Status::kOk;
+}
+
+template <class Scalar, class SearchT, class SceneT>
+Result<typename Duel<Scalar, SearchT, SceneT>::Seat> Duel<Scalar, SearchT, SceneT>::seat_for(
+    const Fencer<Scalar>& fencer, const Pose<Scalar>& X_WF) {
+  if constexpr (SceneT::kTargets) {
+    if (validate(fencer.build) != Status::kOk) return failure<Seat>(Status::kInvalidArgument);
+  }
+  typename FencerGrid<Scalar>::Keys keys_WH;
+  for (std::size_t i = 0; i < keys_WH.size(); ++i) {  // Bound: nine keys
+    // A NaN goes on to set_keys().
+    const bool far = fencer.keys_FH[i].p_W.cwiseAbs().maxCoeff() > kLargestReach<Scalar>;
+    if (far) return failure<Seat>(Status::kInvalidArgument);
+    keys_WH[i] = chained(X_WF, fencer.keys_FH[i]);
+  }
+  const auto weapon = weapon_body(fencer.weapon);
+  Seat seat;
+  if (!weapon.ok() || seat.grid.set_keys(keys_WH) != Status::kOk) {
+    return failure<Seat>(Status::kInvalidArgument);
+  }
+  seat.weapon = weapon.value;
+  seat.X_WF = X_WF;
+  seat.hand = seat.grid.at(Vec2<Scalar>::Zero());  // where a stick starts
+  if (arm(fencer, seat) != Status::kOk) return failure<Seat>(Status::kInvalidArgument);
+  return success(seat);
+}
+
+/// The blade in the hand.
+template <class Scalar, class SearchT, class SceneT>
+Status Duel<Scalar, SearchT, SceneT>::arm(const Fencer<Scalar>& fencer, Seat& seat) {
+  const Pose<Scalar> X_WB = chained(seat.hand.X_WH, seat.weapon.X_HB);
+  const auto body = make_body(X_WB, seat.weapon.mass, seat.weapon.moments);
+  if (!body.ok()) return body.status;
+  seat.blade.body = body.value;
+  seat.blade.capsule_B = seat.weapon.blade_B;
+  if constexpr (SceneT::kRestitution) seat.blade.restitution = fencer.weapon.restitution;
+  return seat.blade.driver.take(X_WB, fencer.grip);
+}
+
+/// @pre both blades of the earlier bout are out of the world
+template <class Scalar, class SearchT, class SceneT>
+void Duel<Scalar, SearchT, SceneT>::take_place(Side side, const Seat& seat,
+                                               [[maybe_unused]] const FencerBuild<Scalar>& build) {
+  Place& place = at(side);
+  place.grid = seat.grid;
+  place.weapon = seat.weapon;
+  place.hand = seat.hand;
+  (void)place.stick.configure(settings_.stick);
+  if constexpr (SceneT::kTargets) tally_.place(side, build, seat.X_WF, seat.hand.X_WH);
+  const auto blade = world_.add(seat.blade);
+  BATUTA_INVARIANT(blade.ok());
+  place.blade = blade.value;
+}
+
+template <class Scalar, class SearchT, class SceneT>
+Status Duel<Scalar, SearchT, SceneT>::step(const InputSample* left, const InputSample* right) {
+  if (!(dt_ > Scalar(0))) return Status::kInvalidArgument;
+  if (bout().is_over()) return Status::kUnavailable;
+  move_hand(Side::kLeft, left);
+  move_hand(Side::kRight, right);
+  const Status status = world_.step(dt_);
+  if (status != Status::kOk) return status;
+  add_up();
+  if constexpr (SceneT::kTargets) {
+    const auto* left_blade = world_.get(at(Side::kLeft).blade);
+    const auto* right_blade = world_.get(at(Side::kRight).blade);
+    tally_.judge({left_blade, right_blade}, settings_, {steps_, dt_}, tally_.report);
+  }
+  ++steps_;
+  return Status::kOk;
+}
+
+template <class Scalar, class SearchT, class SceneT>
+void Duel<Scalar, SearchT, SceneT>::move_hand(Side side, const InputSample* sample) {
+  Place& place = at(side);
+  if (sample != nullptr) (void)place.stick.accept(*sample);
+  place.stick.advance(dt_);
+  place.hand = place.grid.at(place.stick.position());
+
+  auto& actor = *world_.get(place.blade);
+  if constexpr (SceneT::kTargets) tally_.follow(side, place.hand.X_WH, actor.body.X_WB, dt_);
+  actor.driver.command(chained(place.hand.X_WH, place.weapon.X_HB), dt_);
+}
+
+template <class Scalar, class SearchT, class SceneT>
+void Duel<Scalar, SearchT, SceneT>::add_up() {
+  const StepReport<Scalar>& step = world_.report();
+  tally_.report.blows += step.collisions;
+  tally_.report.rests += step.separations;
+  tally_.report.evaluations += step.evaluations;
+  tally_.report.budget_outs += step.searches_cut;
+  tally_.report.searches_invalid += step.searches_invalid;
+  if (!step.complete()) ++tally_.report.incomplete_steps;
+}
+
+/// What was read is a state that steps can go on from: as far as an index, a conversion or a
+/// precondition depends on it.
+template <class Scalar, class SearchT, class SceneT>
+bool Duel<Scalar, SearchT, SceneT>::is_sound() const {
+  bool good = validate(settings_) == Status::kOk &&
+              dt_ == static_cast<Scalar>(settings_.step_us) * kSecondsPerUs<Scalar>;
+  for (const Place& place : places_) {  // Bound: 2
+    const auto* blade = world_.get(place.blade);
+    good = good && blade != nullptr && is_valid(blade->capsule_B) &&
+           place.stick.position().cwiseAbs().maxCoeff() <= Scalar(1);
+  }
+  if constexpr (SceneT::kTargets) good = good && tally_.is_sound(dt_);
+  const bool both = at(Side::kLeft).blade != at(Side::kRight).blade;
+  return good && both && world_.size() == 2;
+}
+
+template <class Scalar, class SearchT, class SceneT>
+const Actor<BladesOf<SceneT>>& Duel<Scalar, SearchT, SceneT>::blade_of(Side side) const {
+  const auto* blade = world_.get(at(side).blade);
+  BATUTA_ASSERT(blade != nullptr);
+  return *blade;
+}
+
+template <class Scalar, class SearchT, class SceneT>
+Capsule<Scalar> Duel<Scalar, SearchT, SceneT>::blade_W(Side side) const {
+  const auto& blade = blade_of(side);
+  return to_world(blade.body.X_WB, blade.capsule_B);
+}
+
+}  // namespace batuta

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+// What a duel's scene leaves out is absent, and what is left does the same as before.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+#include "batuta/core/snapshot.hpp"
+#include "batuta/fencing/archive.hpp"
+#include "batuta/fencing/duel_definitions.hpp"
+
+namespace batuta {
+
+template <class S, class SearchT>
+struct DrillOf : DuelScene<S, SearchT> {
+  static constexpr bool kTargets = false;
+};
+template <class S, class SearchT>
+struct StiffOf : DuelScene<S, SearchT> {
+  static constexpr bool kGrip = false;
+};
+template <class S, class SearchT>
+struct BareOf : DrillOf<S, SearchT> {
+  static constexpr bool kGrip = false;
+};
+/// More contacts, no restitution, nothing to read after a step.
+struct Quiet : DuelScene<float, Advancement<float>> {
+  static constexpr bool kRestitution = false;
+  static constexpr int kMaxContacts = 3;
+  static constexpr int kMaxEvents = 0;
+  static constexpr RestingContact kResting = RestingContact::kNone;
+};
+
+using Search = Advancement<float>;
+using Full = Duel<float>;
+using Drill = Duel<float, Search, DrillOf<float, Search>>;
+using Stiff = Duel<float, Search, StiffOf<float, Search>>;
+using Bare = Duel<float, Search, BareOf<float, Search>>;
+
+// As a whole, as a user's own source may: no member relies on what is absent.
+template class Duel<float, Search, DrillOf<float, Search>>;
+template class Duel<float, Search, BareOf<float, Search>>;
+
+namespace {
+
+template <class DuelT>
+struct TypesOf;
+template <class S, class SearchT, class SceneT>
+struct TypesOf<Duel<S, SearchT, SceneT>> {
+  using Scalar = S;
+  static DuelSettings<S, SearchT, SceneT> settings() { return duel_settings<S, SearchT, SceneT>(); }
+};
+
+template <class DuelT>
+std::unique_ptr<DuelT> configured() {
+  using S = typename TypesOf<DuelT>::Scalar;
+  auto duel = std::make_unique<DuelT>();
+  EXPECT_EQ(duel->configure(TypesOf<DuelT>::settings(), first_fencer<S>(), second_fencer<S>()),
+            Status::kOk);
+  return duel;
+}
+
+struct Stick {
+  float x;
+  float y;
+};
+using Script = Stick (*)(float);
+
+Stick guard(float) {
+  return {0, 0};
+}
+Stick lunge(float k) {
+  return {0, clamp((k - 100) / 250, 0.0F, 1.0F)};
+}
+Stick sway(float k) {
+  return {0.8F * std::sin(6e-3F * k), -0.2F + 0.2F * std::sin(3.1e-3F * k)};
+}
+Stick counter_sway(float k) {
+  return {0.9F * std::sin(7.7e-3F * k + 1), -0.3F + 0.3F * std::sin(4.1e-3F * k)};
+}
+Stick hacking(float k) {
+  return {std::sin(37e-3F * k) > 0 ? 1.0F : -1.0F, -0.4F};
+}
+
+template <class DuelT>
+void advance(DuelT& duel, Script left, Script right) {
+  const auto sample = [&duel](Script script) {
+    const Stick stick = script(static_cast<float>(duel.steps()));
+    InputSample s;
+    s.time = duel.steps() * 1000U;
+    s.sequence = duel.steps();
+    s.x = stick.x;
+    s.y = stick.y;
+    return s;
+  };
+  const InputSample l = sample(left);
+  const InputSample r = sample(right);
+  ASSERT_EQ(duel.step(&l, &r), Status::kOk);
+}
+
+/// Where the blades are, and what their world says.
+template <class DuelT>
+std::vector<double> blades(const DuelT& duel) {
+  const auto& world = duel.world().report();
+  std::vector<double> all = {static_cast<double>(duel.report().blows),
+                             static_cast<double>(duel.report().rests),
+                             static_cast<double>(world.evaluations)};
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    const auto blade = duel.blade_W(side);
+    for (const auto* point : {&blade.axis.a, &blade.axis.b}) {
+      for (int i = 0; i < 3; ++i) all.push_back(static_cast<double>((*point)[i]));
+    }
+  }
+  return all;
+}
+
+template <class DuelT>
+double blade_gap(const DuelT& duel) {
+  return static_cast<double>(
+      capsule_gap(duel.blade_W(Side::kLeft), duel.blade_W(Side::kRight)).gap);
+}
+
+template <class A, class B>
+void expect_same_blades(Script left, Script right, int steps) {
+  const auto a = configured<A>();
+  const auto b = configured<B>();
+  for (int k = 0; k < steps; ++k) {
+    advance(*a, left, right);
+    advance(*b, left, right);
+    ASSERT_EQ(blades(*a), blades(*b)) << k;
+  }
+  EXPECT_EQ(a->bout().state, BoutState::kFencing) << "or the other one has nothing to compare with";
+  EXPECT_GT(a->report().blows, 0U);
+}
+
+TEST(DuelFeatures, Drill_MovesItsBladesAsTheDuelDoes) {
+  expect_same_blades<Full, Drill>(sway, counter_sway, 5000);
+  expect_same_blades<Full, Drill>(hacking, counter_sway, 2000);
+  expect_same_blades<Duel<double>,
+                     Duel<double, Advancement<double>, DrillOf<double, Advancement<double>>>>(
+      sway, counter_sway, 2000);
+  expect_same_blades<Duel<float, Stepping<float>>,
+                     Duel<float, Stepping<float>, DrillOf<float, Stepping<float>>>>(
+      sway, counter_sway, 2000);
+  expect_same_blades<Stiff, Bare>(sway, counter_sway, 2000);
+}
+
+TEST(DuelFeatures, Drill_GoesOnWhereTheDuelEndsByATouch) {
+  const auto full = configured<Full>();
+  const auto drill = configured<Drill>();
+  while (!full->bout().is_over()) {
+    ASSERT_LT(full->steps(), 1000U);
+    advance(*full, lunge, guard);
+    advance(*drill, lunge, guard);
+    ASSERT_EQ(blades(*full), blades(*drill));
+  }
+  EXPECT_EQ(full->bout().state, BoutState::kTouched);
+  for (int k = 0; k < 500; ++k) advance(*drill, lunge, guard);
+  EXPECT_EQ(drill->bout().state, BoutState::kFencing);
+  EXPECT_FALSE(drill->bout().is_over());
+  EXPECT_EQ(drill->report().touch_searches, 0U);
+}
+
+TEST(DuelFeatures, WithoutGrip_BladesMeetAndStayApart) {
+  const auto stiff = configured<Stiff>();
+  double least = 1;
+  for (int k = 0; k < 20000; ++k) {
+    advance(*stiff, k < 10000 ? sway : hacking, counter_sway);
+    least = std::min(least, blade_gap(*stiff));
+  }
+  EXPECT_EQ(stiff->bout().state, BoutState::kFencing);
+  EXPECT_GT(least, -1e-5);  // as of a duel with grips: a few units in the last place of a metre
+  EXPECT_GT(stiff->report().blows, 20U);
+  EXPECT_EQ(stiff->report().budget_outs, 0U);
+}
+
+// A hand brings its blade where the keyframes want it, whatever the blade weighs.
+TEST(DuelFeatures, WithoutGrip_ABladeThatNobodyStrikesFollowsTheHand) {
+  const auto stiff = configured<Stiff>();
+  const Weapon<float> weapon = first_fencer<float>().weapon;
+  const auto body = weapon_body(weapon);
+  ASSERT_TRUE(body.ok());
+  for (int k = 0; k < 400 && !stiff->bout().is_over(); ++k) {
+    advance(*stiff, lunge, guard);
+    const auto X_WB = chained(stiff->hand(Side::kLeft).X_WH, body.value.X_HB);
+    const Vec3<float> point = to_world(X_WB, body.value.blade_B).axis.b;
+    if (stiff->report().blows + stiff->report().rests > 0) break;
+    ASSERT_LT((stiff->blade_W(Side::kLeft).axis.b - point).norm(), 1e-5F) << k;
+  }
+  EXPECT_GT(stiff->steps(), 100U);
+}
+
+TEST(DuelFeatures, WithoutGrip_ALungeStillTouches) {
+  const auto stiff = configured<Stiff>();
+  while (!stiff->bout().is_over() && stiff->steps() < 1000U) advance(*stiff, lunge, guard);
+  ASSERT_EQ(stiff->bout().state, BoutState::kTouched);
+  EXPECT_EQ(stiff->bout().touches[0].by, Side::kLeft);
+  EXPECT_EQ(stiff->bout().touches[0].part, BodyPart::kTorso);
+}
+
+TEST(DuelFeatures, OtherScenes_KeepTheirCapacities) {
+  using QuietDuel = Duel<float, Search, Quiet>;
+  static_assert(decltype(QuietDuel::SceneType::Driver::corners)::kCapacity == 3);
+  const auto quiet = configured<QuietDuel>();
+  double least = 1;
+  for (int k = 0; k < 3000; ++k) {
+    advance(*quiet, sway, counter_sway);
+    least = std::min(least, blade_gap(*quiet));
+  }
+  EXPECT_GT(quiet->report().blows, 0U);
+  EXPECT_GT(least, -1e-5);
+}
+
+TEST(DuelFeatures, WhatIsOff_TakesNoRoom) {
+  using Way = Corners<float, Full::SceneType::kMaxContacts>;
+  constexpr std::size_t kTargetsOf =
+      2 * (sizeof(Target<float>) + sizeof(FencerBuild<float>) + sizeof(Way)) + sizeof(Bout<float>) +
+      sizeof(TouchSettings<DuelScene<float, Search>>);
+  EXPECT_GE(sizeof(Full), sizeof(Drill) + kTargetsOf);
+  EXPECT_GE(sizeof(Stiff), sizeof(Bare) + kTargetsOf);
+  constexpr std::size_t kGrips = 2 * (sizeof(Grip<float>) - sizeof(Hand<float>));
+  EXPECT_EQ(sizeof(Full), sizeof(Stiff) + kGrips);
+  EXPECT_EQ(sizeof(Drill), sizeof(Bare) + kGrips);
+  EXPECT_EQ(sizeof(Bare::SceneType::Driver), sizeof(Hand<float>));
+  EXPECT_EQ(sizeof(Drill::SceneType::Driver), sizeof(Grip<float>));
+}
+
+template <class T, class = void>
+struct HasTarget : std::false_type {};
+template <class T>
+struct HasTarget<T, std::void_t<decltype(T::target)>> : std::true_type {};
+template <class T, class = void>
+struct HasCorners : std::false_type {};
+template <class T>
+struct HasCorners<T, std::void_t<decltype(T::corners)>> : std::true_type {};
+
+TEST(DuelFeatures, WhatIsOff_HasNoMember) {
+  EXPECT_TRUE(HasTarget<Full::Settings>::value);
+  EXPECT_FALSE(HasTarget<Drill::Settings>::value);
+  EXPECT_TRUE(HasCorners<Stiff::SceneType::Driver>::value);
+  EXPECT_FALSE(HasCorners<Drill::SceneType::Driver>::value);
+  EXPECT_TRUE((std::is_same_v<decltype(Stiff::SceneType::Driver::holder), Hand<float>>));
+  EXPECT_TRUE((std::is_same_v<decltype(Drill::SceneType::Driver::holder), Grip<float>>));
+  EXPECT_TRUE((std::is_same_v<decltype(std::declval<Drill>().bout()), OpenBout>));
+}
+
+// What is not there cannot be out of range.
+TEST(DuelFeatures, DataOfWhatIsOff_IsNotLookedAt) {
+  Fencer<float> odd = first_fencer<float>();
+  odd.grip.strength = -1;
+  const auto settings = TypesOf<Stiff>::settings();
+  EXPECT_EQ(configured<Stiff>()->configure(settings, odd, odd), Status::kOk);
+  EXPECT_EQ(configured<Full>()->configure(duel_settings<float>(), odd, odd),
+            Status::kInvalidArgument);
+  odd.build.front_leg.bend_F.setZero();
+  EXPECT_EQ(configured<Stiff>()->configure(settings, odd, odd), Status::kInvalidArgument);
+  EXPECT_EQ(configured<Bare>()->configure(TypesOf<Bare>::settings(), odd, odd), Status::kOk);
+}
+
+template <class DuelT>
+class DuelFeatureArchive : public ::testing::Test {};
+using Others = ::testing::Types<Drill, Stiff, Bare>;
+TYPED_TEST_SUITE(DuelFeatureArchive, Others);
+
+TYPED_TEST(DuelFeatureArchive, Saved_GoesOnWithTheSameBits) {
+  const auto duel = configured<TypeParam>();
+  for (int k = 0; k < 700; ++k) advance(*duel, sway, counter_sway);
+  std::vector<std::uint8_t> bytes(kSnapshotRoom<TypeParam>);
+  const auto size = save(*duel, bytes.data(), static_cast<int>(bytes.size()));
+  ASSERT_EQ(size.status, Status::kOk);
+  TypeParam other;
+  ASSERT_EQ(restore(other, bytes.data(), size.value), Restored::kOk);
+  Full full;
+  EXPECT_EQ(restore(full, bytes.data(), size.value), Restored::kOtherScene);
+  for (int k = 0; k < 700; ++k) {
+    advance(*duel, sway, counter_sway);
+    advance(other, sway, counter_sway);
+    ASSERT_EQ(blades(*duel), blades(other)) << k;
+    ASSERT_EQ(hash_of(*duel), hash_of(other)) << k;
+  }
+  EXPECT_GT(duel->report().blows, 0U);
+}
+
+}  // namespace
+}  // namespace batuta
