@@ -105,9 +105,8 @@ TYPED_TEST(AnHourAtRest, SmoothRodInAGroove_Stays) {
 TYPED_TEST(AnHourAtRest, RodThatMaySleep_Stays) {
   const double D = 1e-4;
   for (const Pile pile : {Pile::kAcross, Pile::kGroove}) {
-    for (const Seen& seen :
-         {lie<test::SleepyScene<TypeParam>>(pile, D, steps_to_run()),
-          lie<test::SmoothSleepyScene<TypeParam>>(pile, D, steps_to_run())}) {
+    for (const Seen& seen : {lie<test::SleepyScene<TypeParam>>(pile, D, steps_to_run()),
+                             lie<test::SmoothSleepyScene<TypeParam>>(pile, D, steps_to_run())}) {
       expect_sound(seen);
       EXPECT_LT(seen.drift, kMostDrift);
       EXPECT_LT(seen.awake, 2 * Scene::kSleepSteps);

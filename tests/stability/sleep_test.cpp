@@ -24,7 +24,9 @@ class Asleep : public ::testing::Test {
       ASSERT_GT(test::least_gap<test::SleepyScene<S>>(world), 0);
     }
   }
-  bool sleeps(int slot) const { return world.is_asleep(world.id_at(static_cast<std::uint16_t>(slot))); }
+  bool sleeps(int slot) const {
+    return world.is_asleep(world.id_at(static_cast<std::uint16_t>(slot)));
+  }
   Body<S>& body(int slot) { return world.get(world.id_at(static_cast<std::uint16_t>(slot)))->body; }
 };
 using Scalars = ::testing::Types<float, double>;

@@ -23,7 +23,8 @@ struct Slide {
     (void)world.add(rod);
     for (const double side : {-0.35, 0.35}) {
       auto blade = test::post_at<SceneT>({side, 0, 0}, Vec3<double>::UnitY());
-      blade.capsule_B.axis = {test::vector<S>(0, -kBladeHalf, 0), test::vector<S>(0, kBladeHalf, 0)};
+      blade.capsule_B.axis = {test::vector<S>(0, -kBladeHalf, 0),
+                              test::vector<S>(0, kBladeHalf, 0)};
       (void)world.add(blade);
     }
   }

@@ -99,9 +99,9 @@ Capsule<double> seen(const Actor<SceneT>& actor) {
   const Pose<double> pose{actor.body.X_WB.p_W.template cast<double>(),
                           actor.body.X_WB.q_WB.template cast<double>()};
   const auto& axis = actor.capsule_B.axis;
-  return to_world(pose, Capsule<double>{
-                            {axis.a.template cast<double>(), axis.b.template cast<double>()},
-                            static_cast<double>(actor.capsule_B.radius)});
+  return to_world(pose,
+                  Capsule<double>{{axis.a.template cast<double>(), axis.b.template cast<double>()},
+                                  static_cast<double>(actor.capsule_B.radius)});
 }
 
 template <class SceneT>

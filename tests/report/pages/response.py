@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Separation distance against penetration, jitter and cost; keyframe grids against their size."""
+"""Separation distance against penetration, jitter and cost; bodies at rest; keyframe grids against their size."""
 
 import math
 
 from markdown import number, percent, share, table, times
 from plot import Panel, Series, draw
 
-TITLE = "Separation distance, and keyframe grids"
-FILES = ["separation", "keyframes"]
+TITLE = "Separation distance, bodies at rest, and keyframe grids"
+FILES = ["separation", "resting", "keyframes"]
 
 PLAYS = ["rest", "slide", "bridge", "press"]
 SEARCHES = ["advancement", "stepping"]
@@ -94,6 +94,55 @@ def _separation_table(rows, only_default):
     return table(SEPARATION_HEADER, [_separation_cells(row) for row in chosen])
 
 
+# Title, value of a row of resting.csv.
+RESTING_PANELS = [
+    ("jitter: lowest to highest, m", lambda row: row["jitter_m"]),
+    ("drift sideways in 4 s, m", lambda row: row["drift_m"]),
+    ("distance evaluations per simulated second", lambda row: 1000 * row["evaluations"] / row["steps"]),
+    ("time per step over one plain segment distance", lambda row: row["time_step_in_plain"]),
+]
+PILES = ["across", "groove"]
+SETTLING = "settling"
+
+
+def _resting_series(rows, value, scalar):
+    """Settling against D; what knows no D as a level line."""
+    ends = (1e-6, 1e-2)
+    methods = list(dict.fromkeys(row["method"] for row in rows.rows))
+    for pile_number, pile in enumerate(PILES):
+        for number, method in enumerate(methods):
+            chosen = rows.where(scalar=scalar, pile=pile, method=method)
+            points = _curve(chosen, value)
+            if method != SETTLING:
+                points = [(x, y) for _, y in points[:1] for x in ends]
+            yield Series(f"{method}, {pile}", points, 2 * number + pile_number, dashed=method != SETTLING,
+                         marks=method == SETTLING)
+
+
+def _resting_picture(rows, folder, scalar):
+    panels = [Panel(title, "D, m", "", list(_resting_series(rows, value, scalar)), x_range=(1e-6, 1e-2))
+              for title, value in RESTING_PANELS]
+    return draw(folder, f"response_resting_{scalar}", f"A rod at rest on two posts, {scalar}", panels)
+
+
+RESTING_HEADER = ["method", "rod", "scalar", "D, m", "deepest overlap, m", "least gap, m", "jitter, m", "drift in 4 s, m",
+                  "answers per step", "frozen per step", "evaluations per simulated second", "at most in a step",
+                  "steps in which something did not fit", "time"]
+
+
+def _resting_cells(row):
+    steps = row["steps"]
+    distance = row["distance"] if row["method"] == SETTLING else "-"
+    return [row["method"], row["pile"], row["scalar"], distance, number(row["penetration_m"]), number(row["least_gap_m"]),
+            number(row["jitter_m"]), number(row["drift_m"]), number(row["answers"] / steps), number(row["frozen"] / steps),
+            number(1000 * row["evaluations"] / steps), number(row["most_evaluations"]),
+            share(row["incomplete"], steps), times(row["time_step_in_plain"])]
+
+
+def _resting_table(rows):
+    return table(RESTING_HEADER, [_resting_cells(row) for row in rows.rows if row["steps"]])
+
+
 def slope(points):
     """Of the straight line through (log x, log y), by least squares."""
     logs = [(math.log(x), math.log(y)) for x, y in points]
@@ -168,6 +217,17 @@ it, and where it is held for most of a step it overshoots. Times are multiples o
 In float, D is raised to what rounding allows (src/world/encounter.md); contacts that end and begin anew tell that it was.
 """
 
+RESTING_TEXT = """
+### Bodies at rest
+
+A rod, 1.02 m long and 2 cm thick, lies under its weight on two posts, across them or in the groove between them, with friction 0.5,
+and is stepped by 1 ms. *Settling* (`RestingContact::kSettling`): what is left of an approach is taken out without restitution
+and the gap is restored to D. *Micro-collisions*, the alternative that the paper names (Mirtich and Canny): the same world with
+`RestingContact::kNone`, every contact an impulse, with restitution 0 and 0.5. The rod falls through its gap again and again: D is
+its jitter, and what it needs of D it saves in searches. Where many impulses follow each other in one step they do not all fit, and
+the bodies are held for the rest of it (the column that tells so).
+"""
+
 KEYFRAME_TEXT = """
 ### Keyframe grids
 
@@ -179,13 +239,15 @@ roundings on one side to a few on the other, they jump by rounding.
 
 
 def page(tables, folder):
-    separation, keyframes = tables["separation"], tables["keyframes"]
+    separation, resting, keyframes = tables["separation"], tables["resting"], tables["keyframes"]
     everything = f"# {TITLE}: all distances\n\n{_separation_table(separation, only_default=False)}"
     (folder / "response_all.md").write_text(everything)
     parts = [SEPARATION_TEXT, "\n"]
     parts += [_separation_picture(separation, folder, scalar) + "\n" for scalar in ("float", "double")]
     parts += [f"At D = {DEFAULT_DISTANCE} (all: [response_all.md](response_all.md), data: [separation.csv](separation.csv)):\n\n"]
-    parts += [_separation_table(separation, only_default=True), KEYFRAME_TEXT, "\n"]
+    parts += [_separation_table(separation, only_default=True), RESTING_TEXT, "\n"]
+    parts += [_resting_picture(resting, folder, scalar) + "\n" for scalar in ("float", "double")]
+    parts += ["Data: [resting.csv](resting.csv)\n\n", _resting_table(resting), KEYFRAME_TEXT, "\n"]
     parts += [_keyframe_picture(keyframes, folder), "\n"]
     parts += [table(["slope of the largest error", "place", "turn", "tip"], list(_slope_lines(keyframes))), "\n"]
     parts += [table(["largest jump, wide", "borders looked at", "place, m", "turn, rad", "velocity per unit of stick"],
