@@ -123,9 +123,6 @@ class Duel {
     Actor<SceneType> blade;
   };
 
-  Place& at(Side side) { return places_[index_of(side)]; }
-  const Place& at(Side side) const { return places_[index_of(side)]; }
-  static Result<Seat> seat_for(const Fencer<Scalar>& fencer, const Pose<Scalar>& X_WF);
   /// A referee is a base: where there is none, it takes no room.
   struct Tally : RefereeOf<SceneT> {
     DuelReport report;
@@ -137,6 +134,9 @@ class Duel {
     }
   };
 
+  Place& at(Side side) { return places_[index_of(side)]; }
+  const Place& at(Side side) const { return places_[index_of(side)]; }
+  static Result<Seat> seat_for(const Fencer<Scalar>& fencer, const Pose<Scalar>& X_WF);
   static Status arm(const Fencer<Scalar>& fencer, Seat& seat);
   void take_place(Side side, const Seat& seat, const FencerBuild<Scalar>& build);
   const Actor<SceneType>& blade_of(Side side) const;

@@ -102,7 +102,8 @@ void GeneralWorld<SceneT>::put_to_sleep() {
       continue;
     }
     Body<Scalar>& body = actor_at(slot).body;
-    if (has_left(slot)) {
+    const bool is_struck = this->has_woken(slot) && !is_slow(slot);
+    if (is_struck || has_left(slot)) {
       this->start_over(slot, body.X_WB);
     } else if (this->is_quiet_for_long(slot) && is_supported(slot) &&
                report_.contacts_untracked == 0 && tracks_[slot].course.by_momentum) {
@@ -131,6 +132,23 @@ bool GeneralWorld<SceneT>::has_left(std::size_t slot) const {
     left = left || is_far(axis.a) || is_far(axis.b);
   }
   return left;
+}
+
+/// Whether no part of the body is faster than rest: a sleeper that was struck has not gone far yet.
+template <class SceneT>
+bool GeneralWorld<SceneT>::is_slow(std::size_t slot) const {
+  const ActorType& actor = actor_at(slot);
+  const Twist<Scalar> twist = twist_of(actor.body);
+  const auto is_fast = [&](const Vec3<Scalar>& x_B) {
+    const Vec3<Scalar> v_W = velocity_at(actor.body.X_WB, twist, to_world(actor.body.X_WB, x_B));
+    return v_W.squaredNorm() > rest_speed_ * rest_speed_;
+  };
+  bool fast = false;
+  for (int i = 0; i < parts_of(actor); ++i) {  // Bound: kCapsulesPerBody
+    const Segment<Scalar>& axis = part_of(actor, i).axis;
+    fast = fast || is_fast(axis.a) || is_fast(axis.b);
+  }
+  return !fast;
 }
 
 template <class SceneT>

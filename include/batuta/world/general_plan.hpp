@@ -28,13 +28,14 @@ void GeneralWorld<SceneT>::begin_step(Scalar dt) {
     rest_speed_ = max_of(rest_speed_, max_of(kSteps * g * dt, through_gap));
   }
   for (std::size_t slot = 0; slot < kSlots; ++slot) begin_body(slot);  // Bound: kMaxBodies
-  is_changed_ = true;
+  is_begin_ = is_changed_ = true;
 }
 
 template <class SceneT>
 void GeneralWorld<SceneT>::begin_body(std::size_t slot) {
   Track& track = tracks_[slot];
   track.held_until = 0;
+  track.falls = false;
   track.changed = is_present(slot);
   if (!track.changed && track.present) leave_out(slot);
   if constexpr (SceneT::kSleep) {
@@ -58,7 +59,8 @@ bool GeneralWorld<SceneT>::is_disturbed(std::size_t slot) const {
 template <class SceneT>
 void GeneralWorld<SceneT>::refresh() {
   for (int pass = 0; is_changed_ && pass <= SceneT::kMaxBodies; ++pass) {  // Bound: kMaxBodies + 1
-    const bool is_begin = pass == 0 && !(now_ > Scalar(0)) && contacts_answered_ == 0;
+    const bool is_begin = is_begin_;
+    is_begin_ = false;
     is_changed_ = false;
     drop_watches();
     for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
@@ -117,6 +119,7 @@ bool GeneralWorld<SceneT>::plan_course(std::size_t slot, bool is_begin) {
     track.course = Matter::ask(actor, now_, duration);
     if constexpr (SceneT::kGravity) {
       if (is_begin) Matter::fall(actor.body, track.course, settings_.gravity_W, dt_);
+      track.falls = track.falls || is_begin;
     }
     if (is_valid(track.course.motion)) return true;
     ++report_.courses_invalid;
@@ -173,7 +176,7 @@ template <class SceneT>
 void GeneralWorld<SceneT>::collect(BodyPair pair) {
   const std::size_t a = body_of(pair.first);
   const std::size_t b = body_of(pair.second);
-  if (!may_pair(a, b) || (is_held(a) && is_held(b))) return;
+  if ((is_held(a) && is_held(b)) || !may_pair(a, b)) return;
   WatchType watch;
   watch.pair = pair;
   if (watches_.push(watch)) return;

@@ -145,19 +145,18 @@ void GeneralWorld<SceneT>::bring(std::size_t slot, Scalar elapsed) {
   is_changed_ = true;
 }
 
-/// The body stays where it is now. What is held for longer already stays held.
+/// The body stays where it is now. What is held for longer already stays held. Its weight is
+/// carried for so long: it would else gain the speed of a fall by standing still.
 template <class SceneT>
 void GeneralWorld<SceneT>::hold(std::size_t slot, Scalar until) {
   Track& track = tracks_[slot];
   if (track.start < now_) bring(slot, now_ - track.start);
-  if constexpr (SceneT::kGravity) {
-    // What is held is carried, or its weight would add up from step to step.
-    const bool fell = track.present && !track.stands && !is_held(slot);
-    if (fell && !(until < dt_)) {
-      Matter::fall(actor_at(slot).body, track.course, settings_.gravity_W, now_ - dt_);
-    }
-  }
+  const Scalar held_before = max_of(track.held_until, now_);
   track.held_until = max_of(track.held_until, min_of(until, dt_));
+  if constexpr (SceneT::kGravity) {
+    const Scalar carried = track.falls ? held_before - track.held_until : Scalar(0);
+    Matter::fall(actor_at(slot).body, track.course, settings_.gravity_W, carried);
+  }
   track.course.motion = Matter::standing(actor_at(slot).body, track.course.motion.duration);
   track.changed = true;
   is_changed_ = true;

@@ -138,6 +138,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
     bool changed = false;   ///< its course has to be planned
     bool fresh = false;     ///< its course was planned, its pairs are not collected yet
     bool stands = false;    ///< its course was to stand still for a whole step, and did
+    bool falls = false;     ///< was given its fall of this step
     bool boxed = false;     ///< its boxes are those of its last course
   };
 
@@ -218,6 +219,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
   void put_to_sleep();
   bool has_left(std::size_t slot) const;
   bool is_supported(std::size_t slot) const;
+  bool is_slow(std::size_t slot) const;
 
   ActorType& actor_at(std::size_t slot) { return actors_.at(slot); }
   const ActorType& actor_at(std::size_t slot) const { return actors_.at(slot); }
@@ -247,6 +249,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
   /// What counts as rest in this step, m/s.
   Scalar rest_speed_ = 0;
   int contacts_answered_ = 0;
+  bool is_begin_ = false;    ///< nobody's course of this step is planned yet
   bool is_changed_ = false;  ///< somebody's course has to be planned
 };
 

@@ -19,14 +19,25 @@ class SleepBook {
   bool sleeps(std::size_t slot) const { return rests_[slot].asleep; }
   void fall_asleep(std::size_t slot) { rests_[slot].asleep = true; }
   /// It goes on from its place: if it stays there, it sleeps again at the end of the step.
-  void wake(std::size_t slot) { rests_[slot].asleep = false; }
+  void wake(std::size_t slot) {
+    rests_[slot].woken = rests_[slot].woken || rests_[slot].asleep;
+    rests_[slot].asleep = false;
+  }
+  /// Whether it woke since this was asked last.
+  bool has_woken(std::size_t slot) {
+    const bool woken = rests_[slot].woken;
+    rests_[slot].woken = false;
+    return woken;
+  }
   /// It is some time before it may sleep again.
   void rouse(std::size_t slot) {
     rests_[slot].quiet_steps = 0;
     rests_[slot].asleep = false;
   }
   /// Awake, and from here.
-  void start_over(std::size_t slot, const Pose<Scalar>& X_WB) { rests_[slot] = {X_WB, 0, false}; }
+  void start_over(std::size_t slot, const Pose<Scalar>& X_WB) {
+    rests_[slot] = {X_WB, 0, false, false};
+  }
   const Pose<Scalar>& anchor(std::size_t slot) const { return rests_[slot].anchor; }
   /// One more step at the anchor. @returns whether there were enough of them
   bool is_quiet_for_long(std::size_t slot) {
@@ -45,6 +56,7 @@ class SleepBook {
     Pose<Scalar> anchor;
     std::uint16_t quiet_steps = 0;
     bool asleep = false;
+    bool woken = false;  ///< in this step
   };
   std::array<Rest, static_cast<std::size_t>(SceneT::kMaxBodies)> rests_{};
 };

@@ -63,9 +63,9 @@ struct StraightMatter {
   static MotionType rest_of(const MotionType& motion, Scalar t, Scalar duration) {
     return {position_at(motion, t), motion.v_W, duration};
   }
-  static void fall(BodyType& body, CourseType& course, const Vec3<Scalar>& gravity_W, Scalar dt) {
+  static void fall(BodyType& body, CourseType& course, const Vec3<Scalar>& gravity_W, Scalar time) {
     if (!(body.inverse_mass > Scalar(0))) return;
-    body.momentum_W += (dt / body.inverse_mass) * gravity_W;
+    body.momentum_W += (time / body.inverse_mass) * gravity_W;
     course.motion.v_W = velocity_of(body);
   }
 

@@ -78,10 +78,11 @@ struct TurningMatter {
     rest.duration = duration;
     return rest;
   }
-  /// The course of a body that falls for a whole step, from its momentum, which is changed.
-  static void fall(BodyType& body, CourseType& course, const Vec3<Scalar>& gravity_W, Scalar dt) {
+  /// What `time` of falling adds to a body that its momentum moves, and to its course; a time below
+  /// zero takes it back.
+  static void fall(BodyType& body, CourseType& course, const Vec3<Scalar>& gravity_W, Scalar time) {
     if (!course.by_momentum || !(body.inverse_mass > Scalar(0))) return;
-    body.momentum.p_W += (dt / body.inverse_mass) * gravity_W;
+    body.momentum.p_W += (time / body.inverse_mass) * gravity_W;
     course.motion.twist.v_W = body.inverse_mass * body.momentum.p_W;
   }
 

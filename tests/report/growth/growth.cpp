@@ -3,6 +3,7 @@
 // are sparse, dense, and worse than their room. A row for each crowd and number; the scene has room
 // for just so many bodies. The timed part is World::step() alone.
 
+#include <array>
 #include <chrono>
 #include <memory>
 
@@ -46,28 +47,23 @@ std::uint64_t steps_of(const Options& options, Crowd crowd) {
 }
 
 template <int N>
-Row measure(const Options& options, Crowd crowd, Range runs) {
+void measure(const Options& options, Crowd crowd, std::uint64_t number, Row& row) {
   using Clock = std::chrono::steady_clock;
-  Row row;
   auto run = std::make_unique<CrowdRun<float, N>>();
-  for (std::uint64_t number = runs.first; number < runs.last; ++number) {
-    run->begin(crowd, number);
-    (void)run->step();  // everything is new in the first
-    for (std::uint64_t i = 0; i < steps_of(options, crowd); ++i) {
-      run->turn_back();
-      const auto start = Clock::now();
-      const Status status = run->step();
-      const double ns = std::chrono::duration<double, std::nano>(Clock::now() - start).count();
-      keep(status);
-      row.add(run->world().report(), ns);
-    }
+  run->begin(crowd, number);
+  (void)run->step();  // everything is new in the first
+  for (std::uint64_t i = 0; i < steps_of(options, crowd); ++i) {
+    run->turn_back();
+    const auto start = Clock::now();
+    const Status status = run->step();
+    const double ns = std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+    keep(status);
+    row.add(run->world().report(), ns);
   }
-  return row;
 }
 
 template <int N>
-void write_row(const Options& options, Table& table, Crowd crowd, Range runs) {
-  const Row row = measure<N>(options, crowd, runs);
+void write_row(Table& table, Crowd crowd, const Row& row) {
   table.key("crowd", test::name(crowd)).key("bodies", N);
   table.key("room_pairs", CrowdRun<float, N>::SceneT::kMaxPairs);
   table.key("bytes", static_cast<double>(sizeof(World<typename CrowdRun<float, N>::SceneT>)));
@@ -78,17 +74,25 @@ void write_row(const Options& options, Table& table, Crowd crowd, Range runs) {
   table.end_row();
 }
 
+/// All numbers in turn, and that again: what slows the host down slows down all of them.
 template <int... kNumbers>
 void write_rows(const Options& options, Table& table, Range runs, Progress& progress) {
   for (const Crowd crowd : test::kCrowds) {
-    ((write_row<kNumbers>(options, table, crowd, runs), progress.advance()), ...);
+    std::array<Row, sizeof...(kNumbers)> rows;
+    for (std::uint64_t number = runs.first; number < runs.last; ++number) {
+      std::size_t i = 0;
+      (measure<kNumbers>(options, crowd, number, rows[i++]), ...);
+    }
+    std::size_t i = 0;
+    (write_row<kNumbers>(table, crowd, rows[i++]), ...);
+    progress.advance();
   }
 }
 
 int report_growth(const Options& options) {
   Table table(options, "growth");
-  const Range runs = share_of(options, pick(options, 3, 3, 12));
-  Progress progress("growth", 27);
+  const Range runs = share_of(options, pick(options, 3, 8, 24));
+  Progress progress("growth", std::size(test::kCrowds));
   write_rows<2, 4, 8, 16, 32, 64, 128, 256, 512>(options, table, runs, progress);
   return table.write();
 }

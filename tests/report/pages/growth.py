@@ -83,7 +83,7 @@ step where they were proven free, counted, and safe. Times are those of this hos
 def _part(folder):
     path = folder / PART
     if not path.is_file():
-        return f"\n*Not in this report: there is no {PART}; the workflow `target` counts the instructions of a Cortex-M4F.*\n"
+        return f"\n*There is no {PART}: the workflow `target` counts the instructions of a Cortex-M4F.*\n"
     rows = Rows.read(path).merged()
     return "".join(["\n### Instructions on a Cortex-M4F\n\nCounted under QEMU, thousands a step.\n\n", _verdict(rows), "\n",
                     _picture(rows, folder, "growth_m4f", "Thousands of instructions against bodies, Cortex-M4F", "1000 instructions"),

@@ -149,7 +149,7 @@ void add_rows(Table& table, Pile pile, Range runs) {
   }
   for (const double restitution : kMicroRestitutions) {
     const char* const method =
-        restitution > 0 ? "micro-collisions, e = 0.5" : "micro-collisions, e = 0";
+        restitution > 0 ? "micro-collisions C = 0.5" : "micro-collisions C = 0";
     add_row<MicroScene<S>>(table, method, {pile, 1e-4, restitution}, runs);
   }
 }

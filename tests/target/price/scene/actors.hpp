@@ -49,7 +49,7 @@ Actor<SceneT> actor_of(int i) {
     actor.body = turning_blade(i, !SceneT::Search::kForStraightFlight);
     put_shape(actor, {0, 0, kBladeHalf}, kBladeRadius);
   } else {
-    const Start start = SceneT::kMaxBodies == kBalls ? ball_start(i) : blade_start(i);
+    const Start& start = SceneT::kMaxBodies == kBalls ? ball_start(i) : blade_start(i);
     actor.body = straight_body(start);
     put_shape(actor, kBladeHalf * start.axis_W, kBladeRadius);
   }

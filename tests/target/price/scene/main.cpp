@@ -15,10 +15,10 @@ batuta::price::Start start;
 
 }  // namespace
 
-batuta::price::Start batuta::price::blade_start(int /*i*/) {
+const batuta::price::Start& batuta::price::blade_start(int /*i*/) {
   return start;
 }
-batuta::price::Start batuta::price::ball_start(int /*i*/) {
+const batuta::price::Start& batuta::price::ball_start(int /*i*/) {
   return start;
 }
 

@@ -21,13 +21,13 @@ struct Start {
   Vec3<float> w_W;
 };
 
-/// Where the i-th blade or ball begins: in a bench that of the run (bench/starts.cpp), in an image
-/// nowhere in particular, so that the run is not counted.
-Start blade_start(int i);
-Start ball_start(int i);
+/// Where the i-th blade or ball begins, until the next is asked for: in a bench that of the run
+/// (bench/starts.cpp), in an image nowhere in particular, so that the run is not counted.
+const Start& blade_start(int i);
+const Start& ball_start(int i);
 
 inline Body<float> turning_blade(int i, bool spins) {
-  const Start start = blade_start(i);
+  const Start& start = blade_start(i);
   Body<float> body;
   body.X_WB = {start.p_W, start.q_WB};
   body.inverse_mass = 2;
