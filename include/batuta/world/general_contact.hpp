@@ -55,6 +55,9 @@ void GeneralWorld<SceneT>::answer_turning(const WatchType& watch, const Sight& s
   const bool is_tight =
       answer.value.separated && nearest.contact.gap + opened(answer.value) < margin;
   charge(watch.pair, answer.value, is_last || is_tight);
+  if constexpr (kSettles) {
+    if (is_tight) stop_pair(watch.pair);
+  }
   tell_driver(a, answer.value, answer.value.separation.shift_A_W);
   tell_driver(b, answer.value, answer.value.separation.shift_B_W);
   record(watch, nearest, answer.value);
@@ -120,6 +123,19 @@ void GeneralWorld<SceneT>::charge(BodyPair pair, const EncounterAnswer<Scalar>& 
     if (!freezes) return;
     ++report_.frozen;
     hold_pair(pair, dt_);
+  }
+}
+
+/// What has no room to move has stopped: of its momentum remains the share of the step in which it
+/// did move. Kept, it would come out again as soon as there is room.
+template <class SceneT>
+void GeneralWorld<SceneT>::stop_pair(BodyPair pair) {
+  const Scalar share = now_ / dt_;
+  for (const Slot proxy : {pair.first, pair.second}) {  // Bound: 2
+    Body<Scalar>& body = actor_at(body_of(proxy)).body;
+    if (!tracks_[body_of(proxy)].course.by_momentum) continue;
+    body.momentum.p_W *= share;
+    body.momentum.b_W *= share;
   }
 }
 

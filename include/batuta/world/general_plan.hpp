@@ -216,7 +216,7 @@ void GeneralWorld<SceneT>::search(WatchType& watch) {
   watch.outcome = sight.outcome();
   watch.since = now_;
   watch.free_for = sight.t_free();
-  watch.hit_after = sight.t_hit();
+  watch.near_after = sight.near_after();
   if (watch.outcome != Outcome::kFree) sights_.offer(watch.pair, watch.free_until());
 }
 

@@ -191,6 +191,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
   bool uses_up_answers(BodyPair pair);
   static Scalar opened(const EncounterAnswer<Scalar>& answer);
   void charge(BodyPair pair, const EncounterAnswer<Scalar>& answer, bool freezes);
+  void stop_pair(BodyPair pair);
   EncounterOptions<Scalar> options_for(Scalar margin) const;
   Scalar margin_of(const Sight& sight, BodyPair pair) const;
   Party<Scalar> party(std::size_t slot);

@@ -91,7 +91,6 @@ class LeanWorld {
     std::size_t pair = 0;
     Outcome outcome = Outcome::kFree;
     Scalar t_free = 0;  ///< s from now
-    Scalar t_hit = 0;
   };
 
   static constexpr Scalar kAbsent = -std::numeric_limits<Scalar>::infinity();
@@ -187,23 +186,23 @@ void LeanWorld<SceneT>::move(std::size_t slot, Scalar t) {
 /// lowest, at that time (src/world/world.md, "Order").
 template <class SceneT>
 typename LeanWorld<SceneT>::Meeting LeanWorld<SceneT>::first_meeting() {
-  std::array<Scalar, kSlots * kSlots> contact_after;
+  std::array<Scalar, kSlots * kSlots> near_after;
   Meeting first;
   first.t_free = left_;
   for (std::size_t pair = 0; pair < kSlots * kSlots; ++pair) {  // Bound: kMaxBodies^2
-    contact_after[pair] = std::numeric_limits<Scalar>::max();
+    near_after[pair] = std::numeric_limits<Scalar>::max();
     if (!may_pair(pair / kSlots, pair % kSlots)) continue;
     const Sight sight = search(pair / kSlots, pair % kSlots);
     ++report_.pairs;
     report_.evaluations += sight.evaluations();
-    if (is_of_contact(sight.outcome())) contact_after[pair] = sight.t_free();
+    if (is_of_contact(sight.outcome())) near_after[pair] = sight.near_after();
     if (sight.outcome() != Outcome::kFree && sight.t_free() < first.t_free) {
-      first = {pair, sight.outcome(), sight.t_free(), sight.t_hit()};
+      first = {pair, sight.outcome(), sight.t_free()};
     }
   }
   if (is_of_contact(first.outcome)) {
     first.pair = 0;
-    while (first.t_hit < contact_after[first.pair]) ++first.pair;  // Bound: kMaxBodies^2
+    while (first.t_free < near_after[first.pair]) ++first.pair;  // Bound: kMaxBodies^2
   }
   return first;
 }

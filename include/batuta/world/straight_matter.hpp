@@ -29,7 +29,9 @@ struct StraightMatter {
 
     Outcome outcome() const { return outcome_; }
     Scalar t_free() const { return t_free_; }
-    Scalar t_hit() const { return t_hit_; }
+    /// From when on the two are within twice of what counts as contact: they come as far before
+    /// t_free as they go after it until they touch.
+    Scalar near_after() const { return t_free_ - (t_hit_ - t_free_); }
     std::uint32_t evaluations() const { return evaluations_; }
   };
   struct Mover {

@@ -34,7 +34,11 @@ struct TurningMatter {
 
     Outcome outcome() const { return search.outcome; }
     Scalar t_free() const { return search.t_free; }
-    Scalar t_hit() const { return search.t_hit; }
+    /// From when on the two are within twice of what counts as contact, to first order.
+    Scalar near_after() const {
+      const bool closes = search.gap_rate < Scalar(0);
+      return closes ? search.t_free + contact_gap / search.gap_rate : search.t_free;
+    }
     std::uint32_t evaluations() const { return search.evaluations; }
   };
   /// One side of a pair: a part and how it moves from now on.

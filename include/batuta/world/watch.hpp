@@ -12,13 +12,13 @@ template <class Scalar>
 struct Watch {
   BodyPair pair;  ///< proxies: body x kCapsulesPerBody + part
   Outcome outcome = Outcome::kInvalid;
-  bool asked = false;    ///< the members below are known
-  Scalar since = 0;      ///< in the step, s: when the search began
-  Scalar free_for = 0;   ///< from then on, s
-  Scalar hit_after = 0;  ///< from then on, s
+  bool asked = false;     ///< the members below are known
+  Scalar since = 0;       ///< in the step, s: when the search began
+  Scalar free_for = 0;    ///< from then on, s
+  Scalar near_after = 0;  ///< from then on, s: a contact is within twice its gap
 
   Scalar free_until() const { return since + free_for; }
-  Scalar hit_at() const { return since + hit_after; }
+  Scalar near_from() const { return since + near_after; }
   bool is_contact() const { return outcome == Outcome::kContact || outcome == Outcome::kTouching; }
 };
 
@@ -43,16 +43,16 @@ struct WatchOrder {
     }
     return first;
   }
-  /// Where contacts are so near to each other in time that their brackets overlap, their order is
-  /// not known, and the lowest pair of them is first: rounding does not decide.
+  /// Contacts that are near already when the first one happens tie with it: their order is below
+  /// what a search resolves. The lowest pair of them is then first: rounding does not decide.
   template <class Watches>
   static int among_ties(const Watches& watches, int earliest) {
     int chosen = earliest;
     if (!watches[earliest].is_contact()) return chosen;
-    const auto until = watches[earliest].hit_at();
+    const auto time = watches[earliest].free_until();
     for (int i = 0; i < watches.size(); ++i) {  // Bound: kMaxPairs
       const auto& watch = watches[i];
-      const bool ties = watch.is_contact() && !(until < watch.free_until());
+      const bool ties = watch.is_contact() && !(time < watch.near_from());
       if (ties && precedes(watch.pair, watches[chosen].pair)) chosen = i;
     }
     return chosen;

@@ -223,9 +223,9 @@ RESTING_TEXT = """
 A rod, 1.02 m long and 2 cm thick, lies under its weight on two posts, across them or in the groove between them, with friction 0.5,
 and is stepped by 1 ms. *Settling* (`RestingContact::kSettling`): what is left of an approach is taken out without restitution
 and the gap is restored to D. *Micro-collisions*, the alternative that the paper names (Mirtich and Canny): the same world with
-`RestingContact::kNone`, every contact an impulse, with restitution 0 and 0.5. The rod falls through its gap again and again: D is
-its jitter, and what it needs of D it saves in searches. Where many impulses follow each other in one step they do not all fit, and
-the bodies are held for the rest of it (the column that tells so).
+`RestingContact::kNone`, every contact an impulse, with restitution 0 and 0.5. A settled rod falls through D again and again: D is
+its jitter and most of its drift, and the longer fall saves searches. Below what a body falls in a step or two (0.02 mm) a
+smaller D brings nothing, and micro-collisions are as good for a single rod. A D of half the rod's thickness lifts it out of the groove.
 """
 
 KEYFRAME_TEXT = """
