@@ -26,7 +26,7 @@ long contacts_to_take() {
 #ifdef BATUTA_CONTACTS
   constexpr long kContacts = BATUTA_CONTACTS;
 #else
-  constexpr long kContacts = 20000;
+  constexpr long kContacts = 5000;
 #endif
   const char* contacts = std::getenv("BATUTA_CONTACTS");
   return contacts != nullptr ? std::atol(contacts) : kContacts;

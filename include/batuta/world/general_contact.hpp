@@ -295,7 +295,7 @@ void GeneralWorld<SceneT>::only_tell(const WatchType& watch) {
   ++contacts_answered_;
   if constexpr (SceneT::kRotation) {
     Sight& sight = sights_.earliest();
-    look(watch.pair, sight);
+    if constexpr (SceneT::kMaxPairs > 1) look(watch.pair, sight);  // the only pair's is known
     EncounterAnswer<Scalar> answer;
     answer.v_rel = sight.search.gap_rate;
     answer.kind = classify(answer.v_rel, settings_.rest_speed);

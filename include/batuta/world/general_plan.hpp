@@ -179,9 +179,12 @@ void GeneralWorld<SceneT>::collect(BodyPair pair) {
   if ((is_held(a) && is_held(b)) || !may_pair(a, b)) return;
   WatchType watch;
   watch.pair = pair;
-  if (watches_.push(watch)) return;
-  ++report_.pairs_dropped;
-  hold_pair(pair, dt_);
+  const bool has_room = watches_.push(watch);
+  if constexpr (kCanOverflow) {
+    if (has_room) return;
+    ++report_.pairs_dropped;
+    hold_pair(pair, dt_);
+  }
 }
 
 /// What is still and cannot be pushed may stand in other such bodies.

@@ -122,6 +122,8 @@ class GeneralWorld : private SeedsOf<SceneT>,
   static constexpr std::size_t kSlots = static_cast<std::size_t>(SceneT::kMaxBodies);
   static constexpr int kParts = SceneT::kCapsulesPerBody;
   static constexpr int kProxies = SceneT::kMaxBodies * kParts;
+  /// There may be more pairs than watches.
+  static constexpr bool kCanOverflow = SceneT::kMaxPairs < kProxies * (kProxies - 1) / 2;
   static constexpr bool kSettles = SceneT::kResting == RestingContact::kSettling;
   /// Bodies are held for a time that ends within the step.
   static constexpr bool kReleases = SceneT::kResting == RestingContact::kSeparation;
