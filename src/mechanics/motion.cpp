@@ -88,17 +88,19 @@ Quat<Scalar> flown(const Body<Scalar>& body, Scalar duration) {
   return q_WB;
 }
 
-/// Flight to an orientation at the end; not valid where the way there might not be the shortest
-/// one.
+/// Whether no part of the angular momentum turns the body by half a turn or more: beyond that, the
+/// way to an orientation might not be the shortest one.
+template <class Scalar>
+bool turns_by_less_than_half(const Body<Scalar>& body, Scalar duration) {
+  constexpr Scalar kHalfTurn = Scalar(3.14159265358979323846);
+  const Scalar fastest = body.inverse_moments.maxCoeff() * length(body.momentum.b_W);
+  return fastest * duration < kHalfTurn;
+}
+
+/// Flight to an orientation at the end.
 template <class Scalar>
 Motion<Scalar> flight_to(const Body<Scalar>& body, const Quat<Scalar>& q_end_WB, Scalar duration) {
-  constexpr Scalar kHalfTurn = Scalar(3.14159265358979323846);
   const Vec3<Scalar> v_W = body.inverse_mass * body.momentum.p_W;
-  const Scalar fastest = body.inverse_moments.maxCoeff() * length(body.momentum.b_W);
-  if (!(fastest * duration < kHalfTurn)) {
-    const Scalar none = std::numeric_limits<Scalar>::quiet_NaN();
-    return {body.X_WB, {v_W, Vec3<Scalar>::Constant(none)}, duration};
-  }
   const Pose<Scalar> end{body.X_WB.p_W + duration * v_W, renewed(q_end_WB)};
   Motion<Scalar> motion = motion_between(body.X_WB, end, duration);
   motion.twist.v_W = v_W;
@@ -134,6 +136,10 @@ Motion<Scalar> free_flight(const Body<Scalar>& body, Scalar duration) {
   if (is_top && !body.spin_shows) twist.w_W = top.inverse_transverse * body.momentum.b_W;
   const bool steady = (is_top && !body.spin_shows) || turns_about_one_axis(body.inverse_moments);
   if (steady || !(duration > Scalar(0))) return {body.X_WB, twist, duration};
+  if (!turns_by_less_than_half(body, duration)) {
+    twist.w_W = Vec3<Scalar>::Constant(std::numeric_limits<Scalar>::quiet_NaN());
+    return {body.X_WB, twist, duration};
+  }
   return flight_to(body, is_top ? flown(body, top, duration) : flown(body, duration), duration);
 }
 

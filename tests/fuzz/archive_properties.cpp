@@ -109,6 +109,14 @@ std::unique_ptr<World<SceneT>> healthy_world() {
 }
 
 template <class SceneT>
+std::unique_ptr<World<SceneT>> copy_of_healthy() {
+  static const std::unique_ptr<World<SceneT>> healthy = healthy_world<SceneT>();
+  auto copy = std::make_unique<World<SceneT>>();
+  copy->restore(*healthy);
+  return copy;
+}
+
+template <class SceneT>
 void apply(World<SceneT>& world, const Push& push) {
   auto* const actor = world.get(world.id_at(push.slot));
   if (actor == nullptr) return;
@@ -148,7 +156,7 @@ int size_of(const Bytes& bytes) {
 /// Takes forged bytes: they are refused or good for all that a world does.
 template <class SceneT>
 void check_snapshot(const Bytes& forged) {
-  const auto world = healthy_world<SceneT>();
+  const auto world = copy_of_healthy<SceneT>();
   const Restored answer = restore(*world, forged.data(), size_of(forged));
   if (answer == Restored::kOk) {
     require(world->size() <= SceneT::kMaxBodies, "as many bodies as there is room for");
@@ -172,7 +180,7 @@ void check_snapshot(const Bytes& forged) {
 
 template <class SceneT>
 Bytes healthy_recording() {
-  const auto world = healthy_world<SceneT>();
+  const auto world = copy_of_healthy<SceneT>();
   std::array<std::uint8_t, Recorder::kRoom<World<SceneT>>> buffer{};
   Bytes bytes(buffer.size() + 1024);
   MemorySink sink(bytes.data(), size_of(bytes));
@@ -260,7 +268,7 @@ void seal_records(Bytes& bytes, std::size_t from) {
 
 template <class SceneT>
 void check(bool whole_run, const std::uint8_t* data, std::size_t size) {
-  static const Bytes snapshot = saved(*healthy_world<SceneT>());
+  static const Bytes snapshot = saved(*copy_of_healthy<SceneT>());
   static const Bytes recording = healthy_recording<SceneT>();
   const std::size_t state = snapshot.size() - kSnapshotHead - kCheckSum;
   Bytes bytes = forged(whole_run ? recording : snapshot, kSnapshotHead, data, size);

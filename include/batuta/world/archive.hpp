@@ -165,6 +165,9 @@ void archive(Archive& ar, WorldSettings<SceneT>& settings) {
   } else {
     ar(settings.search);
   }
+  if (!ar.reading() || validate(settings) == Status::kOk) return;
+  ar.require(false);
+  settings = {};  // a World relies on them
 }
 
 }  // namespace batuta

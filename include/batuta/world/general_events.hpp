@@ -71,6 +71,13 @@ template <class SceneT>
 void GeneralWorld<SceneT>::end_touches() {
   for (int i = this->touches() - 1; i >= 0; --i) {  // Bound: kMaxPairs
     const BodyPair pair = this->touch(i);
+    if constexpr (kParts > 1) {
+      if (!has_part(pair.first) || !has_part(pair.second)) {  // the caller took it off
+        wake_both(pair);
+        this->end_touch(i);
+        continue;
+      }
+    }
     if (sweep_.is_idle(pair.first) && sweep_.is_idle(pair.second)) continue;
     const Nearest<Scalar> now = nearest(pair);
     if (!(now.contact.gap > Scalar(2) * settings_.separation)) continue;
@@ -99,6 +106,7 @@ void GeneralWorld<SceneT>::put_to_sleep() {
     if (!tracks_[slot].present || is_fixed(actor_at(slot).body)) continue;
     if (this->sleeps(slot)) {
       ++report_.asleep;
+      tracks_[slot].stands = true;  // also where it was held, and planned anew for that
       continue;
     }
     Body<Scalar>& body = actor_at(slot).body;
@@ -176,12 +184,25 @@ void GeneralWorld<SceneT>::archive(Archive& ar) {
     ar(stands);
     track.stands = stands;
     track.boxed = false;
+    if constexpr (SceneT::kSleep) read_sleeper(ar, slot);
     if (stands && is_present(slot)) {
       track.course.motion = Matter::standing(actor_at(slot).body, Scalar(0));
     }
   }
   if constexpr (SceneT::kMaxEvents > 0) {
     if (ar.reading()) check_touches(ar);
+  }
+}
+
+/// What sleeps flew by its momentum; and who was disturbed before it was saved stands nowhere.
+template <class SceneT>
+template <class Archive>
+void GeneralWorld<SceneT>::read_sleeper(const Archive& ar, std::size_t slot) {
+  if (!ar.reading()) return;
+  Track& track = tracks_[slot];
+  track.course.by_momentum = this->sleeps(slot);
+  if (!track.stands) {
+    track.course.motion.X_WB.p_W.setConstant(std::numeric_limits<Scalar>::quiet_NaN());
   }
 }
 

@@ -123,6 +123,9 @@ bool GeneralWorld<SceneT>::plan_course(std::size_t slot, bool is_begin) {
     }
     if (is_valid(track.course.motion)) return true;
     ++report_.courses_invalid;
+    if constexpr (SceneT::kGravity) {  // as hold(): what stands still does not fall
+      if (track.falls) Matter::fall(actor.body, track.course, settings_.gravity_W, now_ - dt_);
+    }
     track.held_until = dt_;
     report_.time_held = max_of(report_.time_held, dt_ - now_);
   }

@@ -215,6 +215,8 @@ class GeneralWorld : private SeedsOf<SceneT>,
   void end_touches();
   void wake_both(BodyPair pair);
   template <class Archive>
+  void read_sleeper(const Archive& ar, std::size_t slot);
+  template <class Archive>
   void check_touches(Archive& ar);
   bool has_part(int proxy) const {
     return is_present(body_of(proxy)) && part_at(proxy) < parts_of(actor_at(body_of(proxy)));

@@ -58,7 +58,8 @@ class LeanWorld {
   }
 
   Result<BodyId> add(const ActorType& actor) {
-    return is_usable(actor) ? actors_.make(actor) : failure<BodyId>(Status::kInvalidArgument);
+    const bool is_usable = step_mass(actor) == actor.body.inverse_mass;
+    return is_usable ? actors_.make(actor) : failure<BodyId>(Status::kInvalidArgument);
   }
   Status remove(BodyId id) { return actors_.remove(id); }
   ActorType* get(BodyId id) { return actors_.get(id); }
@@ -93,10 +94,11 @@ class LeanWorld {
     Scalar t_free = 0;  ///< s from now
   };
 
-  static constexpr Scalar kAbsent = -std::numeric_limits<Scalar>::infinity();
+  /// Equals nothing, and no sum with it is above zero.
+  static constexpr Scalar kAbsent = std::numeric_limits<Scalar>::quiet_NaN();
 
-  /// Kept apart: two calls, and no two copies.
-  [[gnu::noinline]] static bool is_usable(const ActorType& actor);
+  /// Kept apart: some calls, and no copies.
+  [[gnu::noinline]] static Scalar step_mass(const ActorType& actor);
   static bool is_of_contact(Outcome outcome) {
     return outcome == Outcome::kContact || outcome == Outcome::kTouching;
   }
@@ -133,40 +135,57 @@ Status LeanWorld<SceneT>::step(Scalar dt) {
   return Status::kOk;
 }
 
-/// Place and velocity are finite: a product is not where a factor is not.
+/// The body's own inverse mass where it can take part; 0 where its speed is beyond the numbers, so
+/// that it is held; else kAbsent.
 template <class SceneT>
-bool LeanWorld<SceneT>::is_usable(const ActorType& actor) {
+typename LeanWorld<SceneT>::Scalar LeanWorld<SceneT>::step_mass(const ActorType& actor) {
   const StraightBody<Scalar>& body = actor.body;
-  Scalar zero = 0;
+  const Scalar inverse_mass = body.inverse_mass;
+  Scalar zero = inverse_mass - inverse_mass;  // NaN where one is not finite
+  Scalar standing = 0;
   for (int i = 0; i < 3; ++i) {  // Bound: 3; by component: expressions double the code
-    const Scalar v = body.inverse_mass * body.momentum_W[i];
-    zero += (body.p_W[i] - body.p_W[i]) + (v - v);
+    const Scalar v = inverse_mass * body.momentum_W[i];
+    zero += (body.p_W[i] - body.p_W[i]) + (body.momentum_W[i] - body.momentum_W[i]);
+    standing += v - v;
   }
-  return zero == Scalar(0) && body.inverse_mass >= Scalar(0) && has_valid_features(actor);
+  const bool is_usable =
+      zero == Scalar(0) && inverse_mass >= Scalar(0) && has_valid_features(actor);
+  if (!is_usable) return kAbsent;
+  return standing == Scalar(0) ? inverse_mass : Scalar(0);
 }
 
+/// What gravity makes too fast stands still with the momentum that it had.
 template <class SceneT>
 void LeanWorld<SceneT>::begin_body(std::size_t slot) {
   inverse_mass_[slot] = kAbsent;
   ActorType* const actor = actors_.at_index(slot);
   if (actor == nullptr) return;
-  if (!is_usable(*actor)) {
-    ++report_.courses_invalid;
-    return;
-  }
-  const Scalar inverse_mass = actor->body.inverse_mass;
-  inverse_mass_[slot] = inverse_mass;
+  StraightBody<Scalar>& body = actor->body;
+  [[maybe_unused]] const Vec3<Scalar> before = body.momentum_W;
   if constexpr (SceneT::kGravity) {
-    if (!(inverse_mass > Scalar(0))) return;
-    actor->body.momentum_W += (left_ / inverse_mass) * settings_.gravity_W;
+    if (body.inverse_mass > Scalar(0)) {
+      body.momentum_W += (left_ / body.inverse_mass) * settings_.gravity_W;
+    }
   }
+  Scalar mass = step_mass(*actor);
+  if (mass != body.inverse_mass) {
+    ++report_.courses_invalid;
+    if constexpr (SceneT::kGravity) {
+      body.momentum_W = before;
+      mass = step_mass(*actor) >= Scalar(0) ? Scalar(0) : kAbsent;
+    }
+    if (mass == Scalar(0)) report_.time_held = left_;
+  }
+  inverse_mass_[slot] = mass;
 }
 
 /// To the first contact, the first search without an answer, or the end of the step.
 template <class SceneT>
 void LeanWorld<SceneT>::run_round() {
   const Meeting meeting = first_meeting();
-  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+  // No time, no way: a blow may have left a speed beyond the numbers, whose search is refused.
+  const bool moves = meeting.t_free > Scalar(0);
+  for (std::size_t slot = 0; moves && slot < kSlots; ++slot) {  // Bound: kMaxBodies
     if (inverse_mass_[slot] > Scalar(0)) move(slot, meeting.t_free);
   }
   left_ -= meeting.t_free;

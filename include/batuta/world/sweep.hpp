@@ -168,8 +168,9 @@ class SweepList
 
 template <class Scalar, int N, int kAxis>
 ManyBoxes<Scalar, N, kAxis>::ManyBoxes() {
-  for (std::size_t i = 0; i < kSlots; ++i)
-    order_[i] = places_[i] = static_cast<Slot>(i);  // Bound: N
+  for (std::size_t i = 0; i < kSlots; ++i) {  // Bound: N
+    order_[i] = places_[i] = static_cast<Slot>(i);
+  }
 }
 
 template <class Scalar, int N, int kAxis>

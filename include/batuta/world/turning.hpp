@@ -58,8 +58,17 @@ struct TurningMatter {
       actor.body.spin_shows = actor.body.spin_shows || !hides_spin(actor.body, part_of(actor, i));
     }
   }
+  /// No valid one where the caller, or bytes that were restored, spoiled the orientation: a driver
+  /// may take it for one.
   static CourseType ask(const ActorType& actor, Scalar t, Scalar duration) {
-    return actor.driver.course(actor.body, t, duration);
+    constexpr Scalar kUnitWithin = Scalar(1) / 512;  // of the squared length, as in archive.cpp
+    const Scalar square = actor.body.X_WB.q_WB.squaredNorm();
+    if (std::abs(square - Scalar(1)) <= kUnitWithin) {
+      return actor.driver.course(actor.body, t, duration);
+    }
+    CourseType none;
+    none.motion = still(actor.body.X_WB, std::numeric_limits<Scalar>::quiet_NaN());
+    return none;
   }
   static MotionType standing(const BodyType& body, Scalar duration) {
     return still(body.X_WB, duration);

@@ -49,6 +49,10 @@ std::string positive_number(const std::string& words) {
   return number && std::isfinite(value) && value > 0 ? "" : words + " is not a number above 0";
 }
 
+std::string file_name(const std::string& words) {
+  return words.empty() ? "a file has a name" : "";
+}
+
 void declare(CLI::App& app, Options& options) {
   CLI::Option* const left = app.add_option("--left", options.left, "who fences on the left");
   left->type_name("SOURCE")->capture_default_str();
@@ -57,7 +61,7 @@ void declare(CLI::App& app, Options& options) {
   CLI::Option* const json =
       app.add_flag("--json", options.json, "print one JSON object a line instead of the log");
   CLI::Option* const svg = app.add_option("--svg", options.svg, "draw the bout into this file");
-  svg->type_name("FILE");
+  svg->type_name("FILE")->check(file_name);
   CLI::Option* const realtime = app.add_flag("--realtime", options.realtime,
                                              "as fast as it happens, not as fast as possible");
   CLI::Option* const seconds =
@@ -65,10 +69,10 @@ void declare(CLI::App& app, Options& options) {
   seconds->type_name("LIMIT")->check(positive_number);
   CLI::Option* const record =
       app.add_option("--record", options.record, "record the bout into this file");
-  record->type_name("FILE");
+  record->type_name("FILE")->check(file_name);
   CLI::Option* const replay = app.add_option(
       "--replay", options.replay, "go through a recorded bout again and compare every step");
-  replay->type_name("FILE");
+  replay->type_name("FILE")->check(file_name);
   for (CLI::Option* other : {left, right, json, svg, realtime, seconds, record}) {
     replay->excludes(other);
   }

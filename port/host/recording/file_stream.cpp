@@ -30,8 +30,15 @@ int FileSink::do_write(const std::uint8_t* bytes, int count) {
   return static_cast<int>(std::fwrite(bytes, 1, static_cast<std::size_t>(count), file_.get()));
 }
 
+/// A folder can be opened, but not read.
 std::string FileSource::open(const std::string& path) {
-  return open_file(path, "rb", file_);
+  std::string error = open_file(path, "rb", file_);
+  if (!error.empty()) return error;
+  const int first = std::fgetc(file_.get());
+  if (first != EOF) return std::ungetc(first, file_.get()) == first ? "" : path + ": not read";
+  error = path + ": " + (std::ferror(file_.get()) != 0 ? std::strerror(errno) : "is empty");
+  file_.reset();
+  return error;
 }
 
 int FileSource::do_read(std::uint8_t* bytes, int capacity) {

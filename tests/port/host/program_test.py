@@ -172,6 +172,10 @@ def replay(folder):
     refuses(["--replay", path, "--record", path], 2, "--record")
     failed = run("--record", os.path.join(folder, "no", "such", "folder"))
     check(failed.returncode == 1, failed.returncode)
+    refuses(["--replay", folder], 2, folder)
+    refuses(["--replay", altered("nothing", b"")], 2, "is empty")
+    for option in "--record", "--replay", "--svg":
+        refuses([option, ""], 2, option)
 
 
 def real(_):

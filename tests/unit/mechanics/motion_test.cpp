@@ -258,6 +258,21 @@ TYPED_TEST(MotionOf, FreeFlightOfHalfATurnInAStep_IsNotValid) {
   EXPECT_FALSE(is_valid(free_flight(body, TypeParam(1.1))));
 }
 
+// As many turns as no sine is there for.
+TYPED_TEST(MotionOf, FreeFlightOfAnyFiniteSpin_IsAnAnswer) {
+  using Limits = std::numeric_limits<TypeParam>;
+  Body<TypeParam> body = make_body<TypeParam>({}, 1, {1, 2, 3}).value;
+  Body<TypeParam> top = make_body<TypeParam>({}, 1, {1, 2, 2}).value;
+  top.spin_shows = true;
+  for (const TypeParam spin : {TypeParam(1e4), TypeParam(1e18), Limits::max()}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      body.momentum.b_W = top.momentum.b_W = spin * Vec3<TypeParam>::Unit(axis);
+      EXPECT_FALSE(is_valid(free_flight(body, TypeParam(1)))) << spin;
+      EXPECT_FALSE(is_valid(free_flight(top, TypeParam(1)))) << spin;
+    }
+  }
+}
+
 TYPED_TEST(MotionOf, FreeFlightOfWhatTurnsAboutOneAxisOnly_KeepsTurning) {
   Body<TypeParam> wheel;
   wheel.inverse_mass = 1;

@@ -348,17 +348,66 @@ TYPED_TEST(Lean, BodyBrokenByTheCaller_IsLeftOutAndCounted) {
   EXPECT_NEAR(world.get(other)->body.p_W.x(), -1, 1e-5);
 }
 
-TYPED_TEST(Lean, SpeedThatOverflows_IsRefusedOrLeftOut) {
+// 1 kg at 1 m/s against what stands there: at 0.8 m they touch.
+TYPED_TEST(Lean, SpeedThatOverflows_IsRefusedOrHeldWhereOthersMeetIt) {
   using S = typename TypeParam::Scalar;
   World<TypeParam> world;
-  auto actor = ball<TypeParam>(0, 0);
-  actor.body.inverse_mass = actor.body.momentum_W.x() = std::numeric_limits<S>::max();
-  EXPECT_EQ(world.add(actor).status, Status::kInvalidArgument);
-  const auto id = world.add(ball<TypeParam>(0, 0)).value;
-  world.get(id)->body = actor.body;
+  WorldSettings<TypeParam> settings;
+  settings.gravity_W.setZero();
+  ASSERT_EQ(world.configure(settings), Status::kOk);
+  auto fast = ball<TypeParam>(1, 0);
+  fast.body.inverse_mass = fast.body.momentum_W.x() = std::sqrt(std::numeric_limits<S>::max()) * 2;
+  EXPECT_EQ(world.add(fast).status, Status::kInvalidArgument);
+  const auto held = world.add(ball<TypeParam>(1, 0)).value;
+  const auto other = world.add(ball<TypeParam>(0, 1)).value;
+  world.get(held)->body = fast.body;
   ASSERT_EQ(world.step(1), Status::kOk);
   EXPECT_EQ(world.report().courses_invalid, 1U);
-  EXPECT_EQ(world.get(id)->body.p_W.x(), S(0));
+  EXPECT_EQ(world.report().time_held, S(1));
+  EXPECT_FALSE(world.report().complete());
+  EXPECT_EQ(world.get(held)->body.p_W, fast.body.p_W);
+  EXPECT_LT(world.get(other)->body.p_W.x(), S(0.80001)) << "not passed through";
+  EXPECT_GT(least_gap(world), -TestFixture::kRounding);
+}
+
+TYPED_TEST(Lean, GravityThatOverflows_HoldsTheBodyWithItsMomentum) {
+  using S = typename TypeParam::Scalar;
+  World<TypeParam> world;
+  auto heavy = ball<TypeParam>(1, 0);
+  heavy.body.inverse_mass = std::numeric_limits<S>::denorm_min();
+  heavy.body.momentum_W.y() = 5;
+  const auto held = world.add(heavy).value;
+  const auto other = world.add(ball<TypeParam>(0, 1)).value;
+  ASSERT_EQ(world.step(1), Status::kOk);
+  EXPECT_EQ(world.report().courses_invalid, 1U);
+  EXPECT_EQ(world.get(held)->body.p_W, heavy.body.p_W);
+  EXPECT_EQ(world.get(held)->body.momentum_W.y(), S(5));
+  EXPECT_EQ(world.get(held)->body.momentum_W.z(), S(0));
+  EXPECT_TRUE(std::isfinite(world.get(other)->body.p_W.norm()));
+}
+
+// A heavy one at the largest speed hits a light one, which would have to be twice as fast.
+TYPED_TEST(Lean, BlowBeyondTheNumbers_LeavesEveryPlaceANumber) {
+  using S = typename TypeParam::Scalar;
+  const S most = std::numeric_limits<S>::max();
+  World<TypeParam> world;
+  WorldSettings<TypeParam> settings;
+  settings.gravity_W.setZero();
+  ASSERT_EQ(world.configure(settings), Status::kOk);
+  auto heavy = ball<TypeParam>(0, 0);
+  heavy.body.inverse_mass = S(0.5);
+  heavy.body.momentum_W.x() = most;
+  auto light = ball<TypeParam>(1, 0);
+  light.body.inverse_mass = 1024;
+  ASSERT_TRUE(world.add(heavy).ok());
+  ASSERT_TRUE(world.add(light).ok());
+  ASSERT_TRUE(world.add(ball<TypeParam>(3, 0)).ok());
+  ASSERT_EQ(world.step(S(4) / most), Status::kOk);
+  for (std::uint16_t slot = 0; slot < 3; ++slot) {
+    const auto& body = world.get(world.id_at(slot))->body;
+    EXPECT_TRUE(std::isfinite(body.p_W.norm())) << slot;
+  }
+  EXPECT_GT(least_gap(world), -TestFixture::kRounding);
 }
 
 TYPED_TEST(Lean, NinthBody_FindsNoRoom) {
