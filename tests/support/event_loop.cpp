@@ -2,6 +2,7 @@
 #include "event_loop.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "batuta/response/impulse.hpp"
 
@@ -51,15 +52,16 @@ CapsuleGap<double> EventLoop::nearest(int a, int b, double t) const {
 
 /// Where the gap goes from above zero to below; `end` if it does not.
 double EventLoop::first_contact(int a, int b, double from, double end, double pace) const {
+  constexpr int kHalvings = 60;
   bool was_open = nearest(a, b, from).gap > 0;
-  for (double t = from; t < end; t += pace) {
-    const double next = std::min(t + pace, end);
-    const bool is_open = nearest(a, b, next).gap > 0;
+  const int last = static_cast<int>(std::ceil((end - from) / pace));
+  for (int i = 1; i <= last; ++i) {
+    double closed = std::min(from + i * pace, end);
+    const bool is_open = nearest(a, b, closed).gap > 0;
     if (was_open && !is_open) {
-      double open = t;
-      double closed = next;
-      for (double middle = (open + closed) / 2; open < middle && middle < closed;
-           middle = (open + closed) / 2) {
+      double open = from + (i - 1) * pace;
+      for (int k = 0; k < kHalvings; ++k) {
+        const double middle = (open + closed) / 2;
         (nearest(a, b, middle).gap > 0 ? open : closed) = middle;
       }
       return open;

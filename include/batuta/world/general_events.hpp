@@ -178,31 +178,32 @@ void GeneralWorld<SceneT>::archive(Archive& ar) {
   this->archive_sleep(ar);
   ar(settings_, actors_, report_);
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    Track& track = tracks_[slot];
+    const Track& track = tracks_[slot];
     bool stands = track.stands && is_present(slot) &&
                   Matter::is_at_start(actor_at(slot).body, track.course.motion);
     ar(stands);
-    track.stands = stands;
-    track.boxed = false;
-    if constexpr (SceneT::kSleep) read_sleeper(ar, slot);
-    if (stands && is_present(slot)) {
-      track.course.motion = Matter::standing(actor_at(slot).body, Scalar(0));
-    }
+    if (ar.reading()) take_stand(slot, stands);
   }
   if constexpr (SceneT::kMaxEvents > 0) {
     if (ar.reading()) check_touches(ar);
   }
 }
 
-/// What sleeps flew by its momentum; and who was disturbed before it was saved stands nowhere.
+/// What was read of a body's course: whether it stood where it is. What sleeps flew by its
+/// momentum; and who was disturbed before it was saved stands nowhere.
 template <class SceneT>
-template <class Archive>
-void GeneralWorld<SceneT>::read_sleeper(const Archive& ar, std::size_t slot) {
-  if (!ar.reading()) return;
+void GeneralWorld<SceneT>::take_stand(std::size_t slot, bool stands) {
   Track& track = tracks_[slot];
-  track.course.by_momentum = this->sleeps(slot);
-  if (!track.stands) {
-    track.course.motion.X_WB.p_W.setConstant(std::numeric_limits<Scalar>::quiet_NaN());
+  track.stands = stands;
+  track.boxed = false;
+  if constexpr (SceneT::kSleep) {
+    track.course.by_momentum = this->sleeps(slot);
+    if (!stands) {
+      track.course.motion.X_WB.p_W.setConstant(std::numeric_limits<Scalar>::quiet_NaN());
+    }
+  }
+  if (stands && is_present(slot)) {
+    track.course.motion = Matter::standing(actor_at(slot).body, Scalar(0));
   }
 }
 

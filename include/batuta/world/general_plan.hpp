@@ -117,20 +117,27 @@ bool GeneralWorld<SceneT>::plan_course(std::size_t slot, bool is_begin) {
   }
   if (!is_held(slot) && !this->sleeps(slot)) {
     track.course = Matter::ask(actor, now_, duration);
-    if constexpr (SceneT::kGravity) {
-      if (is_begin) Matter::fall(actor.body, track.course, settings_.gravity_W, dt_);
-      track.falls = track.falls || is_begin;
-    }
+    if (is_begin) fall(slot, dt_);
     if (is_valid(track.course.motion)) return true;
     ++report_.courses_invalid;
-    if constexpr (SceneT::kGravity) {  // as hold(): what stands still does not fall
-      if (track.falls) Matter::fall(actor.body, track.course, settings_.gravity_W, now_ - dt_);
-    }
+    fall(slot, now_ - dt_);  // as in hold(): what stands still does not fall
     track.held_until = dt_;
     report_.time_held = max_of(report_.time_held, dt_ - now_);
   }
   track.course.motion = Matter::standing(actor.body, duration);
   return true;
+}
+
+/// What a body gains by falling for `time`; below zero, what is taken back of its fall of this
+/// step.
+template <class SceneT>
+void GeneralWorld<SceneT>::fall(std::size_t slot, Scalar time) {
+  if constexpr (SceneT::kGravity) {
+    Track& track = tracks_[slot];
+    track.falls = track.falls || time > Scalar(0);
+    if (!track.falls) return;
+    Matter::fall(actor_at(slot).body, track.course, settings_.gravity_W, time);
+  }
 }
 
 template <class SceneT>

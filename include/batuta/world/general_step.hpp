@@ -100,24 +100,35 @@ void GeneralWorld<SceneT>::answer(const WatchType& watch, Scalar time) {
   const bool is_known = is_own_time && is_same(watch.pair, sights_.pair());
   now_ = time;
   if constexpr (!SceneT::kResponse) return only_tell(watch);
-  for (const Slot proxy : {watch.pair.first, watch.pair.second}) {  // Bound: 2
-    const std::size_t slot = body_of(proxy);
-    const bool is_of_search = is_own_time && tracks_[slot].start == watch.since;
-    bring(slot, is_of_search ? watch.free_for : now_ - tracks_[slot].start);
-  }
+  bring_to(watch, body_of(watch.pair.first), is_own_time);
+  bring_to(watch, body_of(watch.pair.second), is_own_time);
   if (watch.is_contact() && contacts_answered_ < SceneT::kMaxContacts) {
     ++contacts_answered_;
     if constexpr (SceneT::kRotation) {
-      if constexpr (SceneT::kMaxPairs > 1) {  // the only pair's is always known
-        if (!is_known) look(watch.pair, sights_.earliest());
-      }
-      return answer_turning(watch, sights_.earliest());
+      return answer_turning(watch, seen(watch.pair, is_known));
     } else {
       return answer_straight(watch);
     }
   }
   count_cut(watch);
   hold_pair(watch.pair, dt_);
+}
+
+/// What is to be known of a contact; that of the only pair there is, is always known.
+template <class SceneT>
+typename GeneralWorld<SceneT>::Sight& GeneralWorld<SceneT>::seen(BodyPair pair, bool is_known) {
+  if constexpr (SceneT::kMaxPairs > 1) {
+    if (!is_known) look(pair, sights_.earliest());
+  }
+  return sights_.earliest();
+}
+
+/// A body of a watch, to now: by the time that its search found where that is the same, to the last
+/// bit.
+template <class SceneT>
+void GeneralWorld<SceneT>::bring_to(const WatchType& watch, std::size_t slot, bool is_own_time) {
+  const bool is_of_search = is_own_time && tracks_[slot].start == watch.since;
+  bring(slot, is_of_search ? watch.free_for : now_ - tracks_[slot].start);
 }
 
 /// A watch that ends without an answer.
@@ -153,10 +164,7 @@ void GeneralWorld<SceneT>::hold(std::size_t slot, Scalar until) {
   if (track.start < now_) bring(slot, now_ - track.start);
   const Scalar held_before = max_of(track.held_until, now_);
   track.held_until = max_of(track.held_until, min_of(until, dt_));
-  if constexpr (SceneT::kGravity) {
-    const Scalar carried = track.falls ? held_before - track.held_until : Scalar(0);
-    Matter::fall(actor_at(slot).body, track.course, settings_.gravity_W, carried);
-  }
+  fall(slot, held_before - track.held_until);
   track.course.motion = Matter::standing(actor_at(slot).body, track.course.motion.duration);
   track.changed = true;
   is_changed_ = true;

@@ -155,6 +155,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
   void drop_watches();
   void plan(std::size_t slot, bool is_begin);
   bool plan_course(std::size_t slot, bool is_begin);
+  void fall(std::size_t slot, Scalar time);
   void leave_out(std::size_t slot);
   void put_boxes(std::size_t slot, bool idle);
   void collect_all();
@@ -175,6 +176,8 @@ class GeneralWorld : private SeedsOf<SceneT>,
   Scalar next_release() const;
   void release(Scalar time);
   void answer(const WatchType& watch, Scalar time);
+  Sight& seen(BodyPair pair, bool is_known);
+  void bring_to(const WatchType& watch, std::size_t slot, bool is_own_time);
   void count_cut(const WatchType& watch);
   void bring(std::size_t slot, Scalar elapsed);
   void hold(std::size_t slot, Scalar until);
@@ -214,8 +217,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
   ContactEvent<Scalar> event_of(BodyPair pair, const Nearest<Scalar>& nearest) const;
   void end_touches();
   void wake_both(BodyPair pair);
-  template <class Archive>
-  void read_sleeper(const Archive& ar, std::size_t slot);
+  void take_stand(std::size_t slot, bool stands);
   template <class Archive>
   void check_touches(Archive& ar);
   bool has_part(int proxy) const {

@@ -63,9 +63,9 @@ class FewBoxes : public BoxSlots<Scalar, N> {
 
   template <class Found>
   void for_each_pair(const Found& found) const {
-    for (Slot i = 0; i < N; ++i) {  // Bound: N
+    for (Slot i = 0; i < kSlots; ++i) {  // Bound: N
       if (!this->contains(i)) continue;
-      for (Slot k = static_cast<Slot>(i + 1); k < N; ++k) {  // Bound: N
+      for (Slot k = static_cast<Slot>(i + 1); k < kSlots; ++k) {  // Bound: N
         if (this->is_idle(i) && this->is_idle(k)) continue;
         if (this->do_overlap(i, k)) found(BodyPair{i, k});
       }
@@ -74,10 +74,13 @@ class FewBoxes : public BoxSlots<Scalar, N> {
 
   template <class Found>
   void for_each_partner(Slot slot, const Found& found) const {
-    for (Slot k = 0; k < N; ++k) {  // Bound: N
+    for (Slot k = 0; k < kSlots; ++k) {  // Bound: N
       if (k != slot && this->do_overlap(slot, k)) found(k);
     }
   }
+
+ private:
+  static constexpr auto kSlots = static_cast<Slot>(N);
 };
 
 /// Boxes in order along an axis.

@@ -8,43 +8,51 @@
 namespace batuta::host {
 namespace {
 
-std::string open_file(const std::string& path, const char* mode, File& file) {
-  file.reset(std::fopen(path.c_str(), mode));
-  return file ? "" : path + ": " + std::strerror(errno);
+std::string reason(const std::string& path) {
+  return path + ": " + (errno != 0 ? std::strerror(errno) : "cannot be read");
 }
 
 }  // namespace
 
 std::string FileSink::open(const std::string& path) {
-  return open_file(path, "wb", file_);
+  errno = 0;
+  file_.open(path, std::ios::binary | std::ios::trunc);
+  return file_ ? "" : reason(path);
 }
 
 bool FileSink::close() {
-  if (!file_) return false;
-  const bool good = std::ferror(file_.get()) == 0;
-  return std::fclose(file_.release()) == 0 && good;
+  if (!file_.is_open()) return false;
+  file_.close();  // fails where something could not be written, now or before
+  return file_.good();
 }
 
 int FileSink::do_write(const std::uint8_t* bytes, int count) {
-  if (!file_) return 0;
-  return static_cast<int>(std::fwrite(bytes, 1, static_cast<std::size_t>(count), file_.get()));
+  if (!file_.is_open()) return 0;
+  for (int i = 0; i < count; ++i) {  // Bound: count
+    if (!file_.put(static_cast<char>(bytes[i]))) return i;
+  }
+  return count;
 }
 
 /// A folder can be opened, but not read.
 std::string FileSource::open(const std::string& path) {
-  std::string error = open_file(path, "rb", file_);
-  if (!error.empty()) return error;
-  const int first = std::fgetc(file_.get());
-  if (first != EOF) return std::ungetc(first, file_.get()) == first ? "" : path + ": not read";
-  error = path + ": " + (std::ferror(file_.get()) != 0 ? std::strerror(errno) : "is empty");
-  file_.reset();
+  errno = 0;
+  file_.open(path, std::ios::binary);
+  if (!file_) return reason(path);
+  if (file_.peek() != std::ifstream::traits_type::eof()) return "";
+  const std::string error = errno != 0 ? reason(path) : path + ": is empty";
+  file_.close();
   return error;
 }
 
 int FileSource::do_read(std::uint8_t* bytes, int capacity) {
-  if (!file_) return -1;
-  const std::size_t count = std::fread(bytes, 1, static_cast<std::size_t>(capacity), file_.get());
-  return count > 0 ? static_cast<int>(count) : -1;
+  int count = 0;
+  for (; count < capacity; ++count) {  // Bound: capacity
+    const int byte = file_.get();
+    if (byte == std::ifstream::traits_type::eof()) break;
+    bytes[count] = static_cast<std::uint8_t>(byte);
+  }
+  return count > 0 ? count : -1;
 }
 
 }  // namespace batuta::host

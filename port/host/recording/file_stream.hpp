@@ -2,18 +2,12 @@
 #pragma once
 // A file as sink and source of a recording.
 
-#include <cstdio>
-#include <memory>
+#include <fstream>
 #include <string>
 
 #include "batuta/port/byte_stream.hpp"
 
 namespace batuta::host {
-
-struct FileCloser {
-  void operator()(std::FILE* file) const { (void)std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, FileCloser>;
 
 /// Takes everything as long as the disk does.
 class FileSink final : public ByteSink {
@@ -26,7 +20,7 @@ class FileSink final : public ByteSink {
  private:
   int do_write(const std::uint8_t* bytes, int count) override;
 
-  File file_;
+  std::ofstream file_;
 };
 
 class FileSource final : public ByteSource {
@@ -37,7 +31,7 @@ class FileSource final : public ByteSource {
  private:
   int do_read(std::uint8_t* bytes, int capacity) override;
 
-  File file_;
+  std::ifstream file_;
 };
 
 }  // namespace batuta::host
