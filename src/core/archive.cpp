@@ -106,7 +106,7 @@ void Archive::real(double& x) {
   bits = move_long(x == x ? bits : kLongNan);
   double moved = 0;
   std::memcpy(&moved, &bits, sizeof moved);
-  all_sane_ = all_sane_ && std::abs(moved) <= double{kLargestSane};
+  all_sane_ = all_sane_ && std::abs(moved) <= static_cast<double>(kLargestSane);
   if (reading() && ok()) x = moved;
 }
 

@@ -97,6 +97,15 @@ void stir(World<SceneT>& world, std::uint64_t number) {
 template <class S>
 const double kGainOfARounding = 64 * static_cast<double>(kRoundOff<S>);
 
+/// A pair that parts, finds no room for its margin and turns back within the step may overlap by
+/// less than that margin (src/world/world.md, "No room"): twice what its search calls contact, the
+/// slab of 1e-6 S or 96 u S and 72 u S, with S < 10 m beside walls of 4 m. About once in a million
+/// rough contacts one does.
+template <class S>
+const double kTurnedBack = 2 * 10 *
+                           (std::max(1e-6, 96.0 * static_cast<double>(kRoundOff<S>)) +
+                            72.0 * static_cast<double>(kRoundOff<S>));
+
 template <class SceneT>
 void never_grows(double restitution, double friction) {
   using S = typename SceneT::Scalar;
@@ -109,6 +118,7 @@ void never_grows(double restitution, double friction) {
   double most_gain = 0;  // in a step, share
   double all_gains = 0;
   long contacts = 0;
+  std::uint64_t overlaps = 0;
   for (long steps = 0; contacts < wanted; ++steps) {
     ASSERT_LT(steps, 100 * wanted);
     if (steps % 500 == 0) {  // some have lost nearly everything by then
@@ -121,11 +131,13 @@ void never_grows(double restitution, double friction) {
     const double energy = energy_of(world);
     const double gain = before > 0 ? energy / before - 1 : energy;  // all may have stopped
     ASSERT_LE(gain, kGainOfARounding<S> * (1 + world.report().collisions)) << steps;
-    ASSERT_EQ(world.report().deepest_overlap, 0) << steps;
+    ASSERT_LE(static_cast<double>(world.report().deepest_overlap), kTurnedBack<S>) << steps;
+    overlaps += world.report().overlaps_at_start;
     most_gain = std::max(most_gain, gain);
     all_gains += gain > 0 ? gain : 0;
     before = energy;
   }
+  EXPECT_LE(overlaps, static_cast<std::uint64_t>(contacts / 100000)) << "hardly ever";
   std::printf("  %ld contacts: gains of %.1e in all, %.1e at most in a step\n", contacts, all_gains,
               most_gain);
 }

@@ -128,9 +128,10 @@ void pile_up(std::uint32_t number, Recorder& recorder) {
   }
   for (int i = kBars; i < Rack::kMaxBodies; ++i) {  // Bound: kMaxBodies
     const float height = 0.1F + 0.07F * static_cast<float>(i - kBars);
-    const Quat<float> turned = renewed(Quat<float>(1, draw.in(-1, 1), draw.in(-1, 1), 0));
-    auto body =
-        rod<Rack>({{draw.in(-0.2F, 0.2F), draw.in(-0.2F, 0.2F), height}, turned}, 0.25F, 0.02F);
+    const Vec3<float> place = draw.vector(0.2F);  // arguments have no order, statements do
+    const Vec3<float> turn = draw.vector(1.0F);
+    const Quat<float> turned = renewed(Quat<float>(1, turn.x(), turn.y(), 0));
+    auto body = rod<Rack>({{place.x(), place.y(), height}, turned}, 0.25F, 0.02F);
     set_free(body);
     body.restitution = 0.3F;
     body.friction = 0.6F;
