@@ -62,7 +62,7 @@ void run(World<SceneT>& world, std::uint32_t number, Recorder& recorder) {
   }
 }
 
-/// Balls between six others that are fixed.
+/// Six balls in flight, and two that are fixed.
 void fly_straight(std::uint32_t number, Recorder& recorder) {
   static World<StraightSpheres> world;
   Draw draw(1);
