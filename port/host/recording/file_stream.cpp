@@ -40,7 +40,7 @@ std::string FileSource::open(const std::string& path) {
   file_.open(path, std::ios::binary);
   if (!file_) return reason(path);
   if (file_.peek() != std::ifstream::traits_type::eof()) return "";
-  const std::string error = errno != 0 ? reason(path) : path + ": is empty";
+  std::string error = errno != 0 ? reason(path) : path + ": is empty";
   file_.close();
   return error;
 }
