@@ -201,8 +201,8 @@ void LeanWorld<SceneT>::move(std::size_t slot, Scalar t) {
   }
 }
 
-/// The pair that is proven free for the shortest time; of contacts whose brackets overlap, the
-/// lowest, at that time (src/world/world.md, "Order").
+/// The pair that is proven free for the shortest time; of contacts that are near already,
+/// the lowest, at that time (src/world/world.md, "Order").
 template <class SceneT>
 typename LeanWorld<SceneT>::Meeting LeanWorld<SceneT>::first_meeting() {
   std::array<Scalar, kSlots * kSlots> near_after;

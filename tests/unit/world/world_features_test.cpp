@@ -177,6 +177,36 @@ TEST(GravityScene, WhatHasNoMassOrIsHeld_DoesNotFall) {
   EXPECT_EQ(world.get(id)->body.X_WB.p_W.z(), 0);
 }
 
+struct Crowded : Falling {
+  static constexpr int kMaxBodies = 3;
+  static constexpr int kMaxPairs = 1;
+};
+
+// Two pairs of boxes overlap where one has room: the bodies of the other stand still, and must not
+// gather the speed of a fall meanwhile.
+TEST(GravityScene, WhatIsHeldForLackOfRoom_GathersNoSpeed) {
+  World<Crowded> world;
+  for (const float x : {0.0F, 0.15F, -0.15F}) {
+    Actor<Crowded> actor;
+    actor.capsule_B.radius = 0.1F;
+    const Vec3<float> place(x, x == 0 ? 0 : 0.15F, 0);
+    actor.body = make_body<float>({place, Quat<float>::Identity()}, 2, {1, 1, 1}).value;
+    (void)world.add(actor);
+  }
+  for (int i = 0; i < 10; ++i) {
+    ASSERT_EQ(world.step(1e-3F), Status::kOk);
+    EXPECT_EQ(world.report().pairs_dropped, 1U);
+  }
+  int held = 0;
+  for (std::uint16_t slot = 0; slot < 3; ++slot) {
+    const auto& body = world.get(world.id_at(slot))->body;
+    if (body.X_WB.p_W.z() < 0) continue;
+    ++held;
+    EXPECT_NEAR(body.momentum.p_W.z(), 0, 1e-6) << slot;
+  }
+  EXPECT_EQ(held, 2);
+}
+
 // --- filters
 
 struct Filters : StraightSpheres {
