@@ -28,13 +28,16 @@ def aligned(rows):
 
 def show_prices(build):
     print("Prices (instructions are counted by QEMU's -icount: they are no cycles)")
-    measured = {cpu: readme_table.column_of(build / "target" / cpu) for cpu in readme_table.CPUS}
-    columns = dict(column for column in measured.values() if column)
-    markdown = readme_table.table(columns, budgets.read(TARGET / "price" / "budgets.csv"))
-    rows = [[word.strip() for word in line[1:-1].split("|")] for line in markdown.splitlines()]
-    aligned([rows[0], *rows[2:]])  # without the line under the head
-    for cpu, column in measured.items():
-        if not column:
+    prices = {cpu: readme_table.price_of(build / "target" / cpu) for cpu in readme_table.CPUS}
+    measured = [price for price in prices.values() if price["figures"]]
+    limits = budgets.read(TARGET / "price" / "budgets.csv")
+    for rows in readme_table.TABLES.values():
+        markdown = readme_table.table(dict(readme_table.column_of(price, rows) for price in measured), limits, rows)
+        lines = [[word.strip() for word in line[1:-1].split("|")] for line in markdown.splitlines()]
+        aligned([lines[0], *lines[2:]])  # without the line under the head
+        print()
+    for cpu, price in prices.items():
+        if not price["figures"]:
             print(f"{cpu}: not measured")
     for board in BOARDS:
         show_board(board, build / "target" / board)

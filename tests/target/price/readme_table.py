@@ -134,7 +134,8 @@ def renewed(text, prices):
         measured = dict(column_of(price, rows) for price in prices)
         text = filled(text, mark, lambda old, r=rows, m=measured: table({**read_columns(old, r), **m}, limits, r))
     for price in prices:
-        if price["cpu"] == budgets.BOUND_CPU:
+        # Where features were not measured, the table stays as it is.
+        if price["cpu"] == budgets.BOUND_CPU and any(scenes.prices(price["figures"])):
             text = filled(text, "features", lambda _, p=price: feature_table(p["figures"]))
     return text
 
