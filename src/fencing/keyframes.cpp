@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "batuta/fencing/keyframes.hpp"
 
+#include "batuta/geometry/direction.hpp"
+
 namespace batuta {
 namespace {
 
@@ -130,6 +132,7 @@ Status relate_keys(const Pose<Scalar>* poses, const Quat<Scalar>& q_ref, KeyPoin
   for (int i = 0; i < count; ++i) {  // Bound: `count` keys
     const Pose<Scalar>& key = poses[i];
     if (!is_finite(key.p_W) || !is_finite(key.q_WB)) return Status::kInvalidArgument;
+    if (largest_component(key.p_W) > kLargestCoordinate<Scalar>) return Status::kInvalidArgument;
     const Vec3<Scalar> turn = log_map<Scalar>(q_ref.conjugate() * renewed(key.q_WB));
     if (!(turn.norm() <= kMaxKeyTurn<Scalar>)) return Status::kInvalidArgument;
     points[i] << key.p_W, turn;

@@ -18,7 +18,8 @@ constexpr Scalar seconds(std::int32_t time_us) {
 Status validate(const StickSettings& settings) {
   const bool ordered = settings.min_interval_us > 0 &&
                        settings.max_interval_us >= settings.min_interval_us &&
-                       settings.stale_after_us >= settings.max_interval_us;
+                       settings.stale_after_us >= settings.max_interval_us &&
+                       settings.stale_after_us <= kLongestSilenceUs;
   const bool fast_enough =
       is_finite(settings.max_speed) &&
       settings.max_speed * seconds<float>(settings.stale_after_us) >= kFullMovement<float>;

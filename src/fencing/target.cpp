@@ -121,6 +121,7 @@ typename Target<Scalar>::Hull Target<Scalar>::own_hull(std::size_t part) const {
 template <class Scalar>
 MovingCapsule<Scalar> Target<Scalar>::part(BodyPart part) const {
   const auto i = static_cast<std::size_t>(part);
+  BATUTA_ASSERT(i < kParts);
   return between(start_W_[i], shape_W_[i], dt_);
 }
 

@@ -50,9 +50,16 @@ Pose<Scalar> chained(const Pose<Scalar>& X_AB, const Pose<Scalar>& X_BC) {
   return {to_world(X_AB, X_BC.p_W), renewed<Scalar>(X_AB.q_WB * X_BC.q_WB)};
 }
 
+template <class Scalar>
+Pose<Scalar> inverse(const Pose<Scalar>& X_AB) {
+  const Quat<Scalar> q_BA = X_AB.q_WB.conjugate();
+  return {-(q_BA * X_AB.p_W), q_BA};
+}
+
 #define BATUTA_INSTANTIATE(S)                                   \
   template Result<WeaponBody<S>> weapon_body(const Weapon<S>&); \
-  template Pose<S> chained(const Pose<S>&, const Pose<S>&);
+  template Pose<S> chained(const Pose<S>&, const Pose<S>&);     \
+  template Pose<S> inverse(const Pose<S>&);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 

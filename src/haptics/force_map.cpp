@@ -7,8 +7,7 @@ namespace batuta {
 template <class Scalar>
 Wrench<Scalar> moved(const Wrench<Scalar>& about_from, const Vec3<Scalar>& p_from_W,
                      const Vec3<Scalar>& p_to_W) {
-  return {about_from.force_W,
-          about_from.moment_W + (p_from_W - p_to_W).cross(about_from.force_W)};
+  return {about_from.force_W, about_from.moment_W + (p_from_W - p_to_W).cross(about_from.force_W)};
 }
 
 template <class Scalar>
@@ -22,8 +21,8 @@ Vec2<Scalar> stick_force(const StickJacobian<Scalar>& jacobian, const Wrench<Sca
   return force;
 }
 
-#define BATUTA_INSTANTIATE(S)                                                                   \
-  template Wrench<S> moved(const Wrench<S>&, const Vec3<S>&, const Vec3<S>&);                   \
+#define BATUTA_INSTANTIATE(S)                                                 \
+  template Wrench<S> moved(const Wrench<S>&, const Vec3<S>&, const Vec3<S>&); \
   template Vec2<S> stick_force(const StickJacobian<S>&, const Wrench<S>&);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE

@@ -75,6 +75,13 @@ class Duel {
   const KeyedPose<Scalar>& hand(Side side) const {
     return at(side).hand;
   }  ///< pose and Jacobian of the hand
+  /// Where a hand is that holds the blade as it is now; hand() is where the stick wants it.
+  /// @pre configured; the scene has kHaptics
+  template <class S = SceneT>
+  Pose<Scalar> held_hand_W(Side side) const {
+    static_assert(S::kHaptics, "Duel: without kHaptics there is no held_hand_W()");
+    return chained(blade_of(side).body.X_WB, inverse(at(side).weapon.X_HB));
+  }
   /// @pre configured
   Capsule<Scalar> blade_W(Side side) const;
   /// @pre the scene has kTargets

@@ -82,10 +82,11 @@ Result<typename Duel<Scalar, SearchT, SceneT>::Seat> Duel<Scalar, SearchT, Scene
   }
   typename FencerGrid<Scalar>::Keys keys_WH;
   for (std::size_t i = 0; i < keys_WH.size(); ++i) {  // Bound: nine keys
-    // A NaN goes on to set_keys().
-    const bool far = fencer.keys_FH[i].p_W.cwiseAbs().maxCoeff() > kLargestReach<Scalar>;
-    if (far) return failure<Seat>(Status::kInvalidArgument);
-    keys_WH[i] = chained(X_WF, fencer.keys_FH[i]);
+    const Pose<Scalar>& key_FH = fencer.keys_FH[i];
+    // A place that is NaN goes on to set_keys(); an orientation that is would be renewed.
+    const bool far = key_FH.p_W.cwiseAbs().maxCoeff() > kLargestReach<Scalar>;
+    if (far || !is_finite(key_FH.q_WB)) return failure<Seat>(Status::kInvalidArgument);
+    keys_WH[i] = chained(X_WF, key_FH);
   }
   const auto weapon = weapon_body(fencer.weapon);
   Seat seat;

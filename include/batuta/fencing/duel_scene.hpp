@@ -29,6 +29,8 @@ struct DuelScene : Scene {
   static constexpr bool kGrip = true;
   /// Off: blades only, nobody can be touched; Fencer::build is not looked at.
   static constexpr bool kTargets = true;
+  /// Off: Duel::held_hand_W() is absent, and what needs it: nothing of room haptics is linked.
+  static constexpr bool kHaptics = true;
 };
 
 /// Where a blade was when a contact of the step was answered, for the touches of the same step.

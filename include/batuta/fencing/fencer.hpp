@@ -43,8 +43,9 @@ enum class Side : std::uint8_t { kLeft, kRight };
 constexpr Side other(Side side) {
   return side == Side::kLeft ? Side::kRight : Side::kLeft;
 }
+/// 0 or 1; as for other(), what is not kLeft counts as kRight.
 constexpr std::size_t index_of(Side side) {
-  return static_cast<std::size_t>(side);
+  return side == Side::kLeft ? 0 : 1;
 }
 
 /// Where the fencers stand. W: x along the piste from the left fencer to the right one, origin

@@ -48,8 +48,8 @@ struct KeyGridView {
 };
 
 /// Turns key poses into points relative to the central one.
-/// @returns kOk | kInvalidArgument (a key is not finite, or turned by more than kMaxKeyTurn against
-/// the central key);
+/// @returns kOk | kInvalidArgument (a key is not finite, beyond kLargestCoordinate, or turned by more
+/// than kMaxKeyTurn against the central key);
 ///   `points` may then be partly written
 /// Bound: `count` keys.
 template <class Scalar>

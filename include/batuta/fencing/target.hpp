@@ -18,8 +18,10 @@ inline constexpr int kTargetK = 6;
 /// Which parts a search may leave out.
 using PartMask = std::uint32_t;
 inline constexpr PartMask kAllParts = (PartMask{1} << kBodyParts) - 1;
+/// No part for what is none of the kBodyParts.
 constexpr PartMask mask_of(BodyPart part) {
-  return PartMask{1} << static_cast<unsigned>(part);
+  const auto i = static_cast<unsigned>(part);
+  return i < static_cast<unsigned>(kBodyParts) ? PartMask{1} << i : PartMask{0};
 }
 
 /// The first touch of a blade, and how far the answer reaches. A blade whose way of a step is
@@ -84,9 +86,11 @@ class Target {
   /// Where the body is at the end of the step.
   const BodyShape<Scalar>& shape() const { return shape_W_; }
   /// The part's motion over the step; of duration 0 where the body has only been placed.
+  /// @pre one of the kBodyParts
   MovingCapsule<Scalar> part(BodyPart part) const;
-  /// Holds the part and all that it carries during the whole step.
+  /// Holds the part and all that it carries during the whole step. @pre one of the kBodyParts
   const Kdop<Scalar, kTargetK>& hull(BodyPart part) const {
+    BATUTA_ASSERT(static_cast<std::size_t>(part) < kParts);
     return hulls_[static_cast<std::size_t>(part)];
   }
 

@@ -42,4 +42,8 @@ Result<WeaponBody<Scalar>> weapon_body(const Weapon<Scalar>& weapon);
 template <class Scalar>
 Pose<Scalar> chained(const Pose<Scalar>& X_AB, const Pose<Scalar>& X_BC);
 
+/// X_BA of X_AB.
+template <class Scalar>
+Pose<Scalar> inverse(const Pose<Scalar>& X_AB);
+
 }  // namespace batuta

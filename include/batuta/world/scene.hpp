@@ -78,7 +78,7 @@ struct Scene {
   static constexpr bool kGrip = false;
   /// Fencers have bodies that can be touched, in a hierarchy of k-DOPs.
   static constexpr bool kTargets = false;
-  /// Force feedback: reserved, there is none yet.
+  /// What a hand feels can be asked for (haptics/hand_force.hpp).
   static constexpr bool kHaptics = false;
 
   // Searching.

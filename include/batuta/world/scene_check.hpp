@@ -61,7 +61,9 @@ struct SceneCheck {
                 "Scene: kSleep takes kMaxEvents > 0: what a sleeper lies on has to be followed");
   static_assert(!SceneT::kGrip || SceneT::kRotation, "Scene: kGrip takes kRotation = true");
   static_assert(!SceneT::kTargets || SceneT::kRotation, "Scene: kTargets takes kRotation = true");
-  static_assert(!SceneT::kHaptics, "Scene: kHaptics has to be false: there is no room haptics yet");
+  static_assert(!SceneT::kHaptics || SceneT::kRotation, "Scene: kHaptics takes kRotation = true");
+  static_assert(!SceneT::kHaptics || SceneT::kMaxEvents > 0,
+                "Scene: kHaptics takes kMaxEvents > 0: events tell the blows that a hand feels");
   static constexpr bool kIsPossible = true;
 };
 

@@ -28,6 +28,7 @@ struct Quiet : DuelScene<float, Advancement<float>> {
   static constexpr bool kRestitution = false;
   static constexpr int kMaxContacts = 3;
   static constexpr int kMaxEvents = 0;
+  static constexpr bool kHaptics = false;
   static constexpr RestingContact kResting = RestingContact::kNone;
 };
 

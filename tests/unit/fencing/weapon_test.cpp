@@ -90,6 +90,12 @@ TEST(WeaponBody, BadParts_AreRefused) {
   }
 }
 
+TEST(Inverse, TakesAPoseBack) {
+  const Pose<double> A{{1, -2, 3}, exp_map(Vec3<double>(0.3, -1, 0.7))};
+  const Vec3<double> x(0.4, 5, -6);
+  EXPECT_LE((to_world(inverse(A), to_world(A, x)) - x).norm(), 1e-14);
+}
+
 TEST(Chained, IsOnePoseAfterTheOther) {
   const Pose<double> A{{1, 2, 3}, exp_map(Vec3<double>(0.3, -0.2, 1))};
   const Pose<double> B{{-1, 0.5, 2}, exp_map(Vec3<double>(1.3, 0.2, -0.4))};

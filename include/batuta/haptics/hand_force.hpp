@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// What the stick of a fencer feels: the coupling of the hand to the blade that collisions hold
+// back, and the blows that the blade takes, on the stick's two coordinates. Positive along +x, +y
+// of the stick. Where it ends: haptics/output_stage.hpp, the only way to an actuator.
+// Frames: W world, H the hand. SI units; N m for each unit of the stick.
+
+#include "batuta/fencing/duel.hpp"
+#include "batuta/haptics/coupling.hpp"
+#include "batuta/haptics/transient.hpp"
+
+namespace batuta {
+
+template <class Scalar>
+struct HandForceSettings {
+  CouplingSettings<Scalar> coupling;
+  TransientSettings<Scalar> transient;
+};
+
+/// @returns kOk | kInvalidArgument: out of range
+template <class Scalar>
+Status validate(const HandForceSettings<Scalar>& settings);
+
+/// A hand after a step.
+template <class Scalar>
+struct HandState {
+  KeyedPose<Scalar> commanded;  ///< where the stick wants the hand
+  Pose<Scalar> held_W;          ///< where a hand is that holds the blade as it is
+  /// Of the step's blows on the blade, and its moment about the commanded hand's origin.
+  Momentum<Scalar> blow;
+};
+
+/// The impulse that `side`'s blade took in a step, and its moment about the point `p_W`: the sum
+/// over the contact events. The normal of a contact points out of body B (the right blade) towards
+/// body A (the left one). Of friction, which events do not tell, nothing. Bound: the events.
+template <class Scalar, class Events>
+Momentum<Scalar> blow_about(const Vec3<Scalar>& p_W, Side side, const Events& events) {
+  Momentum<Scalar> blow;
+  const Scalar sign = side == Side::kLeft ? Scalar(1) : Scalar(-1);
+  for (const auto& event : events) {  // Bound: the capacity of the list
+    const Vec3<Scalar> impulse_W = (sign * event.impulse) * event.contact.normal_BA_W;
+    blow.p_W += impulse_W;
+    blow.b_W += (event.contact.point_W - p_W).cross(impulse_W);
+  }
+  return blow;
+}
+
+/// What a duel's last step was to one of the hands. @pre configured; the scene keeps events
+template <class DuelT>
+auto hand_state(const DuelT& duel, Side side) {
+  using Scalar = typename DuelT::WorldType::Scalar;
+  HandState<Scalar> state;
+  state.commanded = duel.hand(side);
+  state.held_W = duel.held_hand_W(side);
+  state.blow = blow_about(state.commanded.X_WH.p_W, side, duel.world().events());
+  return state;
+}
+
+/// Of one hand. Velocities are those of the two poses over the step. Allocates: never.
+template <class Scalar>
+class HandForce {
+ public:
+  /// Starts anew: no blow, nothing known of an earlier step.
+  /// @returns kOk | kInvalidArgument (nothing changed)
+  Status configure(const HandForceSettings<Scalar>& settings);
+
+  /// After a step of length dt: the force of the step to come. Of the blow what fits the
+  /// actuator's limit (TransientSettings::max_force), and of the coupling what room the blow
+  /// leaves.
+  /// @returns within that limit along both coordinates; zero, and nothing is kept of the step,
+  ///   where a number is not finite
+  /// @pre dt > 0, s. Bound: no loop.
+  Vec2<Scalar> advance(const HandState<Scalar>& state, Scalar dt);
+
+  const ImpactTransient<Scalar>& transient() const { return transient_; }
+
+ private:
+  Wrench<Scalar> pull(const HandState<Scalar>& state, Scalar dt) const;
+
+  HandForceSettings<Scalar> settings_;
+  ImpactTransient<Scalar> transient_;
+  Pose<Scalar> commanded_W_;  ///< at the end of the last step
+  Pose<Scalar> held_W_;
+  bool started_ = false;  ///< there was a last step
+};
+
+}  // namespace batuta

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+
+#include "batuta/haptics/hand_force.hpp"
+
+namespace batuta {
+namespace {
+
+template <class Scalar>
+bool is_finite_pose(const Pose<Scalar>& X) {
+  return is_finite(X.p_W) && is_finite(X.q_WB);
+}
+
+template <class Scalar>
+bool is_finite_state(const HandState<Scalar>& state) {
+  return is_finite_pose(state.commanded.X_WH) && is_finite_pose(state.held_W) &&
+         is_finite(state.commanded.jacobian) && is_finite(state.blow.p_W) &&
+         is_finite(state.blow.b_W);
+}
+
+}  // namespace
+
+template <class Scalar>
+Status validate(const HandForceSettings<Scalar>& settings) {
+  const Status coupling = validate(settings.coupling);
+  return coupling == Status::kOk ? validate(settings.transient) : coupling;
+}
+
+template <class Scalar>
+Status HandForce<Scalar>::configure(const HandForceSettings<Scalar>& settings) {
+  if (validate(settings) != Status::kOk) return Status::kInvalidArgument;
+  *this = {};
+  settings_ = settings;
+  return transient_.configure(settings.transient);
+}
+
+template <class Scalar>
+Wrench<Scalar> HandForce<Scalar>::pull(const HandState<Scalar>& state, Scalar dt) const {
+  const auto moving = [dt, this](const Pose<Scalar>& before, const Pose<Scalar>& now) {
+    MovingFrame<Scalar> frame = {now, {}};
+    if (started_) frame.twist = motion_between(before, now, dt).twist;
+    return frame;
+  };
+  return coupling_wrench(settings_.coupling, moving(commanded_W_, state.commanded.X_WH),
+                         moving(held_W_, state.held_W));
+}
+
+template <class Scalar>
+Vec2<Scalar> HandForce<Scalar>::advance(const HandState<Scalar>& state, Scalar dt) {
+  if (!is_finite_state(state)) {
+    started_ = false;
+    return Vec2<Scalar>::Zero();
+  }
+  const StickJacobian<Scalar>& jacobian = state.commanded.jacobian;
+  (void)transient_.strike(stick_force<Scalar>(jacobian, {state.blow.p_W, state.blow.b_W}));
+  const Vec2<Scalar> coupling = stick_force(jacobian, pull(state, dt));
+  commanded_W_ = state.commanded.X_WH;
+  held_W_ = state.held_W;
+  started_ = true;
+  return mixed(transient_.advance(dt), coupling, settings_.transient.max_force);
+}
+
+#define BATUTA_INSTANTIATE(S)                            \
+  template Status validate(const HandForceSettings<S>&); \
+  template class HandForce<S>;
+BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
+#undef BATUTA_INSTANTIATE
+
+}  // namespace batuta

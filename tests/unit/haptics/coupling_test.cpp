@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+
+#include "batuta/haptics/coupling.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "batuta/mechanics/motion.hpp"
+
+namespace batuta {
+namespace {
+
+using Frame = MovingFrame<double>;
+
+Vec3<double> any_vector(double size) {
+  const auto number = [size] { return size * (*rc::gen::inRange(-1000000, 1000001)) * 1e-6; };
+  const double x = number();
+  const double y = number();
+  const double z = number();
+  return {x, y, z};
+}
+
+Frame any_frame(double turn) {
+  const Vec3<double> p = any_vector(0.3);
+  const Quat<double> q = exp_map(any_vector(turn));
+  const Vec3<double> v = any_vector(5);
+  const Vec3<double> w = any_vector(20);
+  return {{p, q}, {v, w}};
+}
+
+/// The coupling with limits that nothing here comes near.
+CouplingSettings<double> unlimited() {
+  CouplingSettings<double> settings;
+  settings.max_force = 1e9;
+  settings.max_moment = 1e9;
+  return settings;
+}
+
+Frame after(const Frame& frame, double h) {
+  return {pose_at(Motion<double>{frame.X_W, frame.twist, h}, h), frame.twist};
+}
+
+/// What the springs hold.
+double potential(const CouplingSettings<double>& settings, const Frame& a, const Frame& b) {
+  const double turn = to_axis_angle(Quat<double>(b.X_W.q_WB * a.X_W.q_WB.conjugate())).angle;
+  return (settings.stiffness * (b.X_W.p_W - a.X_W.p_W).squaredNorm() +
+          settings.turn_stiffness * turn * turn) /
+         2;
+}
+
+double power_of(const Wrench<double>& wrench, const Frame& frame) {
+  return wrench.force_W.dot(frame.twist.v_W) + wrench.moment_W.dot(frame.twist.w_W);
+}
+
+/// Into both sides together.
+double power_of_both(const CouplingSettings<double>& settings, const Frame& a, const Frame& b) {
+  const Wrench<double> on_a = coupling_wrench(settings, a, b);
+  const Wrench<double> on_b = moved<double>({-on_a.force_W, -on_a.moment_W}, a.X_W.p_W, b.X_W.p_W);
+  return power_of(on_a, a) + power_of(on_b, b);
+}
+
+TEST(Coupling, StretchedAlongX_PullsTheHandToTheBlade) {
+  Frame hand;
+  Frame blade;
+  blade.X_W.p_W.x() = 0.05;
+  const auto wrench = coupling_wrench(CouplingSettings<double>{}, hand, blade);
+  EXPECT_DOUBLE_EQ(wrench.force_W.x(), 20);  // 400 N/m
+  EXPECT_EQ(wrench.force_W.y(), 0);
+  EXPECT_EQ(wrench.moment_W.norm(), 0);
+}
+
+TEST(Coupling, TurnedAboutZ_TurnsTheHandAfterTheBlade) {
+  Frame hand;
+  Frame blade;
+  blade.X_W.q_WB = exp_map(Vec3<double>(0, 0, 0.5));
+  const auto wrench = coupling_wrench(CouplingSettings<double>{}, hand, blade);
+  EXPECT_NEAR(wrench.moment_W.z(), 2, 1e-12);  // 4 N m/rad
+  EXPECT_EQ(wrench.force_W.norm(), 0);
+}
+
+RC_GTEST_PROP(Coupling, Springs_GiveBackExactlyWhatTheyTook, ()) {
+  auto settings = unlimited();
+  settings.damping = 0;
+  settings.turn_damping = 0;
+  const Frame a = any_frame(0.6);
+  const Frame b = any_frame(0.6);
+  const double h = 1e-6;
+  const double stored = potential(settings, after(a, h), after(b, h)) -
+                        potential(settings, after(a, -h), after(b, -h));
+  // Central difference: third order in h, with rates of a few hundred 1/s in the worst draw.
+  RC_ASSERT(std::abs(power_of_both(settings, a, b) + stored / (2 * h)) < 1e-4);
+}
+
+RC_GTEST_PROP(Coupling, Dampers_OnlyTake, ()) {
+  auto settings = unlimited();
+  settings.stiffness = 0;
+  settings.turn_stiffness = 0;
+  const Frame a = any_frame(1);
+  const Frame b = any_frame(1);
+  const Vec3<double> v = velocity_at(b.X_W, b.twist, a.X_W.p_W) - a.twist.v_W;
+  const double taken = settings.damping * v.squaredNorm() +
+                       settings.turn_damping * (b.twist.w_W - a.twist.w_W).squaredNorm();
+  RC_ASSERT(std::abs(power_of_both(settings, a, b) + taken) <= 1e-12 * (1 + taken));
+}
+
+RC_GTEST_PROP(Coupling, Limits_KeepTheDirection, ()) {
+  const CouplingSettings<double> settings;
+  const Frame a = any_frame(1.5);
+  const Frame b = any_frame(1.5);
+  const auto free = coupling_wrench(unlimited(), a, b);
+  const auto kept = coupling_wrench(settings, a, b);
+  RC_ASSERT(kept.force_W.norm() <= settings.max_force * (1 + 1e-14));
+  RC_ASSERT(kept.moment_W.norm() <= settings.max_moment * (1 + 1e-14));
+  RC_ASSERT(kept.force_W.cross(free.force_W).norm() <= 1e-9 * free.force_W.norm());
+  RC_ASSERT(kept.force_W.norm() == free.force_W.norm() ||
+            std::abs(kept.force_W.norm() - settings.max_force) < 1e-12);
+}
+
+TEST(Coupling, NotFinite_PullsNothing) {
+  Frame hand;
+  Frame blade;
+  blade.X_W.p_W.x() = std::numeric_limits<double>::quiet_NaN();
+  const auto wrench = coupling_wrench(CouplingSettings<double>{}, hand, blade);
+  EXPECT_EQ(wrench.force_W, Vec3<double>::Zero());
+  EXPECT_EQ(wrench.moment_W, Vec3<double>::Zero());
+  Body<double> body = make_body({}, 1.0, Vec3<double>(1, 1, 1)).value;
+  EXPECT_EQ(couple(CouplingSettings<double>{}, blade, body, 1e-3).status, Status::kInvalidArgument);
+  EXPECT_EQ(body.momentum.p_W, Vec3<double>::Zero());
+}
+
+TEST(Coupling, SettingsOutOfRange_AreRefused) {
+  const auto refuses = [](auto change) {
+    CouplingSettings<float> settings;
+    change(settings);
+    return validate(settings) == Status::kInvalidArgument;
+  };
+  EXPECT_EQ(validate(CouplingSettings<float>{}), Status::kOk);
+  EXPECT_TRUE(refuses([](auto& s) { s.stiffness = -1; }));
+  EXPECT_TRUE(refuses([](auto& s) { s.damping = -1; }));
+  EXPECT_TRUE(refuses([](auto& s) { s.turn_stiffness = INFINITY; }));
+  EXPECT_TRUE(refuses([](auto& s) { s.turn_damping = NAN; }));
+  EXPECT_TRUE(refuses([](auto& s) { s.max_force = 0; }));
+  EXPECT_TRUE(refuses([](auto& s) { s.max_moment = 0; }));
+}
+
+/// Energy of a body on its spring.
+double energy(const CouplingSettings<double>& settings, const Frame& hand,
+              const Body<double>& body) {
+  return kinetic_energy(body) + potential(settings, {body.X_WB, {}}, hand);
+}
+
+RC_GTEST_PROP(CoupledBody, HeldByAStillHand_NeverGainsEnergy, ()) {
+  auto settings = unlimited();
+  const auto power_of_ten = [](int low, int high) {
+    return std::pow(10.0, *rc::gen::inRange(low, high + 1));
+  };
+  settings.stiffness = power_of_ten(-2, 9);
+  settings.damping = *rc::gen::element(0, 1) * power_of_ten(-3, 6);
+  settings.turn_stiffness = 0;
+  settings.turn_damping = 0;
+  const double mass = power_of_ten(-6, 6);
+  const double dt = power_of_ten(-5, 0);
+  Body<double> body =
+      make_body({any_vector(1), Quat<double>::Identity()}, mass, Vec3<double>(1, 1, 1)).value;
+  body.momentum.p_W = mass * any_vector(3);
+  const Frame hand;
+  double before = energy(settings, hand, body);
+  for (int i = 0; i < 200; ++i) {
+    RC_ASSERT(couple(settings, hand, body, dt).ok());
+    body.X_WB = pose_at(free_flight(body, dt), dt);
+    const double now = energy(settings, hand, body);
+    RC_ASSERT(now <= before * (1 + 1e-12));
+    before = now;
+  }
+}
+
+TEST(CoupledBody, TurnedAgainstAStillHand_NeverGainsEnergy) {
+  for (const double stiffness : {0.1, 10.0, 1e6}) {
+    auto settings = unlimited();
+    settings.stiffness = 0;
+    settings.damping = 0;
+    settings.turn_stiffness = stiffness;
+    settings.turn_damping = 0;
+    Body<double> body = make_body({Vec3<double>::Zero(), exp_map(Vec3<double>(0.3, -0.5, 1))}, 1.0,
+                                  Vec3<double>(1e-3, 1e-3, 1e-3))
+                            .value;
+    const Frame hand;
+    double before = energy(settings, hand, body);
+    for (int i = 0; i < 2000; ++i) {
+      ASSERT_TRUE(couple(settings, hand, body, 1e-3).ok());
+      body.X_WB = pose_at(free_flight(body, 1e-3), 1e-3);
+      const double now = energy(settings, hand, body);
+      EXPECT_LE(now, before * (1 + 1e-12)) << stiffness << " step " << i;
+      before = now;
+    }
+  }
+}
+
+TEST(CoupledBody, BothSides_TakeTheSameImpulse) {
+  Body<double> body = make_body({}, 0.5, Vec3<double>(1e-3, 2e-3, 3e-3)).value;
+  Frame hand{{{0.02, -0.01, 0.03}, exp_map(Vec3<double>(0.1, 0.2, -0.3))}, {{1, 2, 3}, {4, 5, 6}}};
+  const auto felt = couple(CouplingSettings<double>{}, hand, body, 1e-3);
+  ASSERT_TRUE(felt.ok());
+  EXPECT_LT((body.momentum.p_W + 1e-3 * felt.value.force_W).norm(), 1e-18);
+  EXPECT_LT((body.momentum.b_W + 1e-3 * felt.value.moment_W).norm(), 1e-18);
+  EXPECT_GT(felt.value.force_W.norm(), 1);
+  EXPECT_GT(felt.value.moment_W.norm(), 0.1);
+}
+
+TEST(CoupledBody, Fixed_IsFeltAndDoesNotMove) {
+  const double infinite = std::numeric_limits<double>::infinity();
+  Body<double> body = make_body({}, infinite, Vec3<double>(infinite, infinite, infinite)).value;
+  Frame hand;
+  hand.X_W.p_W.x() = 0.1;
+  const auto felt = couple(CouplingSettings<double>{}, hand, body, 1e-3);
+  ASSERT_TRUE(felt.ok());
+  EXPECT_DOUBLE_EQ(felt.value.force_W.x(), -40);
+  EXPECT_EQ(body.momentum.p_W, Vec3<double>::Zero());
+}
+
+TEST(CoupledBody, StepOfNoLength_IsRefused) {
+  Body<float> body = make_body({}, 1.0F, Vec3<float>(1, 1, 1)).value;
+  for (const float dt : {0.0F, -1.0F, NAN, INFINITY}) {
+    EXPECT_EQ(couple(CouplingSettings<float>{}, MovingFrame<float>{}, body, dt).status,
+              Status::kInvalidArgument);
+  }
+}
+
+}  // namespace
+}  // namespace batuta

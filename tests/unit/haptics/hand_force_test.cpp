@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// What a stick feels: of states made by hand, and of a duel in which one blade beats the other.
+
+#include "batuta/haptics/hand_force.hpp"
+
+#include <gtest/gtest.h>
+
+namespace batuta {
+namespace {
+
+using State = HandState<double>;
+constexpr double kStep = 1e-3;
+
+/// The stick moves the hand along x and y of W, 1 m for each unit.
+State plain_state() {
+  State state;
+  state.commanded.jacobian(0, 0) = 1;
+  state.commanded.jacobian(1, 1) = 1;
+  return state;
+}
+
+HandForce<double> hand_force(const HandForceSettings<double>& settings = {}) {
+  HandForce<double> force;
+  EXPECT_EQ(force.configure(settings), Status::kOk);
+  return force;
+}
+
+TEST(HandForce, BladeInTheHand_IsNotFelt) {
+  HandForce<double> force = hand_force();
+  EXPECT_EQ(force.advance(plain_state(), kStep), Vec2<double>::Zero());
+}
+
+TEST(HandForce, BladeHeldBack_PullsTheStickBack) {
+  HandForce<double> force = hand_force();
+  State state = plain_state();
+  state.held_W.p_W.x() = -0.02;
+  EXPECT_DOUBLE_EQ(force.advance(state, kStep).x(), -8);  // 400 N/m
+  EXPECT_EQ(force.advance(state, kStep).y(), 0);
+}
+
+TEST(HandForce, HandThatMovesAwayFromItsBlade_IsBraked) {
+  HandForceSettings<double> settings;
+  settings.coupling.stiffness = 0;
+  HandForce<double> force = hand_force(settings);
+  State state = plain_state();
+  EXPECT_EQ(force.advance(state, kStep).x(), 0);            // nothing is known of a velocity yet
+  state.commanded.X_WH.p_W.x() = 0.003;                     // 3 m/s
+  EXPECT_NEAR(force.advance(state, kStep).x(), -6, 1e-12);  // 2 N s/m
+}
+
+TEST(HandForce, Blow_IsPlayedWhole) {
+  HandForce<double> force = hand_force();
+  State state = plain_state();
+  state.blow.p_W = {0.1, -0.05, 7};
+  Vec2<double> area = kStep * force.advance(state, kStep);
+  state.blow = {};
+  for (int i = 0; i < 10; ++i) area += kStep * force.advance(state, kStep);
+  EXPECT_NEAR(area.x(), 0.1, 1e-15);
+  EXPECT_NEAR(area.y(), -0.05, 1e-15);
+}
+
+TEST(HandForce, BlowAtTheLimit_LeavesTheCouplingNoRoom) {
+  HandForce<double> force = hand_force();
+  State state = plain_state();
+  state.blow.p_W.x() = 10;
+  state.held_W.p_W.y() = -0.02;
+  state.held_W.p_W.x() = -0.02;  // against the blow: has all the room
+  const Vec2<double> against = force.advance(state, kStep);
+  EXPECT_NEAR(against.x(), 40 - 8, 1e-12);
+  EXPECT_NEAR(against.y(), -8, 1e-12);
+  state.held_W.p_W.x() = 0.02;  // along it: none
+  const Vec2<double> along = force.advance(state, kStep);
+  EXPECT_EQ(along.x(), 40);
+  EXPECT_EQ(along.y(), 0);
+}
+
+TEST(HandForce, StateThatIsNotFinite_IsNotFeltAndNotKept) {
+  HandForce<double> force = hand_force();
+  State state = plain_state();
+  (void)force.advance(state, kStep);
+  State bad = state;
+  bad.held_W.p_W.x() = NAN;
+  EXPECT_EQ(force.advance(bad, kStep), Vec2<double>::Zero());
+  bad = state;
+  bad.blow.b_W.z() = INFINITY;
+  EXPECT_EQ(force.advance(bad, kStep), Vec2<double>::Zero());
+  EXPECT_EQ(force.advance(state, kStep), Vec2<double>::Zero());
+}
+
+TEST(HandForce, SettingsOutOfRange_AreRefused) {
+  HandForce<double> force;
+  HandForceSettings<double> settings;
+  settings.coupling.stiffness = -1;
+  EXPECT_EQ(force.configure(settings), Status::kInvalidArgument);
+  settings = {};
+  settings.transient.duration = 0;
+  EXPECT_EQ(force.configure(settings), Status::kInvalidArgument);
+}
+
+/// A duel in which the left stick beats to the left, and stays there; the right one holds guard.
+class Beat : public ::testing::Test {
+ protected:
+  Duel<double> duel;
+  HandForce<double> left;
+  HandForce<double> right;
+  InputSample sample;
+
+  void SetUp() override {
+    ASSERT_EQ(
+        duel.configure(duel_settings<double>(), first_fencer<double>(), second_fencer<double>()),
+        Status::kOk);
+    ASSERT_EQ(left.configure({}), Status::kOk);
+    ASSERT_EQ(right.configure({}), Status::kOk);
+  }
+
+  void step(float x, float y) {
+    sample.time += 1000;
+    ++sample.sequence;
+    sample.x = x;
+    sample.y = y;
+    InputSample guard = sample;
+    guard.x = 0;
+    guard.y = 0;
+    ASSERT_EQ(duel.step(&sample, &guard), Status::kOk);
+  }
+  /// Where the hand of the coupling went in the step: the power of the force on the stick.
+  static double power(const Vec2<double>& force, const Vec2<double>& rate) {
+    return force.dot(rate);
+  }
+};
+
+TEST_F(Beat, OnGuard_NothingIsFeltBeyondRounding) {
+  for (int i = 0; i < 200; ++i) {
+    step(0, 0);
+    EXPECT_LT(left.advance(hand_state(duel, Side::kLeft), kStep).norm(), 1e-6) << i;
+  }
+}
+
+TEST_F(Beat, HeldHandIsTheCommandedOne_UntilTheBladesMeet) {
+  for (int i = 0; i < 300 && duel.report().blows == 0; ++i) {
+    const auto state = hand_state(duel, Side::kLeft);
+    EXPECT_LT((state.held_W.p_W - state.commanded.X_WH.p_W).norm(), 1e-9) << i;
+    EXPECT_LT(state.held_W.q_WB.angularDistance(state.commanded.X_WH.q_WB), 1e-7) << i;
+    step(-std::min(1.0F, 0.01F * static_cast<float>(i)),
+         -0.5F * std::min(1.0F, 0.01F * static_cast<float>(i)));
+  }
+  EXPECT_GT(duel.report().blows, 0U);
+}
+
+TEST_F(Beat, BothHandsFeelTheBlow_AndItBrakesTheOneThatBeats) {
+  double work = 0;
+  double area = 0;
+  double felt_right = 0;
+  for (int i = 0; i < 150; ++i) {
+    const float way = std::min(1.0F, 0.02F * static_cast<float>(i));
+    step(-way, -0.5F * way);
+    const Vec2<double> rate = duel.stick(Side::kLeft).velocity();
+    work += kStep * power(left.advance(hand_state(duel, Side::kLeft), kStep), rate);
+    const Vec2<double> on_right = right.advance(hand_state(duel, Side::kRight), kStep);
+    felt_right = std::max(felt_right, on_right.norm());
+    area += left.transient().left().norm();
+  }
+  EXPECT_GT(duel.report().blows, 0U);
+  EXPECT_LT(work, -1e-3);  // J
+  EXPECT_GT(area, 0);
+  EXPECT_GT(felt_right, 0.5);
+}
+
+}  // namespace
+}  // namespace batuta
