@@ -1,20 +1,21 @@
 # SPDX-License-Identifier: MIT
 # Combinations that no scene can have: each fails with the sentence of scene_check.hpp that says what to change.
 set(scene impossible_scene.cpp)
+set(use -include ${prepared})
 
 # batuta_impossible_scene(<name> <regular expression of the message> [macro of the case...])
 function(batuta_impossible_scene name message)
   list(TRANSFORM ARGN PREPEND -D)
-  batuta_must_not_compile(Scene_${name} ${scene} ${message} ${ARGN})
+  batuta_must_not_compile(Scene_${name} ${scene} ${message} ${use} ${ARGN})
 endfunction()
 
 # The bases, and what the cases change where it is possible.
 foreach(base Scene Straight Silent Unrested Settling Sleepy Spherical Crowd)
-  batuta_must_compile(Control_Scene_${base} ${scene} -DBASE=${base})
+  batuta_must_compile(Control_Scene_${base} ${scene} ${use} -DBASE=${base})
 endforeach()
-batuta_must_compile(Control_Scene_FrictionThatSettles ${scene} -DBASE=Settling -DON=kFriction)
-batuta_must_compile(Control_Scene_FrictionWithoutRest ${scene} -DBASE=Unrested -DON=kFriction)
-batuta_must_compile(Control_Scene_TwoCapsules ${scene} -DNUMBER=kCapsulesPerBody -DVALUE=2)
+batuta_must_compile(Control_Scene_FrictionThatSettles ${scene} ${use} -DBASE=Settling -DON=kFriction)
+batuta_must_compile(Control_Scene_FrictionWithoutRest ${scene} ${use} -DBASE=Unrested -DON=kFriction)
+batuta_must_compile(Control_Scene_TwoCapsules ${scene} ${use} -DNUMBER=kCapsulesPerBody -DVALUE=2)
 
 batuta_impossible_scene(OfIntegers "Scene::Scalar: choose float or double" SCALAR=int)
 foreach(count 1 1025)

@@ -14,7 +14,8 @@ if(MODE STREQUAL "installed")
   run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
   set(how -DCMAKE_PREFIX_PATH=${WORK}/prefix)
 else()
-  set(how -DBATUTA_SOURCE=${SOURCE})
+  # As firmware does: float alone, and each room as one source, which is quick.
+  set(how -DBATUTA_SOURCE=${SOURCE} -DBATUTA_WITH_DOUBLE=OFF -DBATUTA_UNITY_ROOMS=ON)
 endif()
 
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/project -B ${WORK}/build -G ${GENERATOR}

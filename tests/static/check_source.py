@@ -22,6 +22,7 @@ FORBIDDEN = [
     ("clock or thread", r"<(?:chrono|ctime|time\.h|thread|mutex|random)>"),
     ("libm", r"\bstd::(?:a?(?:sin|cos|tan)h?|atan2|exp2?|log(?:2|10|1p)?|pow|hypot|cbrt|fma|fmod|remainder)\b"),
     ("jump", r"\bgoto\b|\bsetjmp\b"),
+    ("reserved name", r"\b_[A-Z]\w*|\b(?!__builtin_)\w*__\w*(?<!__)\b"),
 ]
 FLOAT_LITERAL = re.compile(r"(?<![\w.])(?:\d+\.\d*|\.\d+|\d+(?=[eE]))(?:[eE][+-]?\d+)?(?![\w.])")
 DEVIATION = re.compile(r"\bdeviation: ([\w-]+)")
@@ -92,7 +93,8 @@ def check_arrows(root):
 
 
 # What stands in port/ for every port to use, and which of its like each may read itself.
-SHARED_PARTS = {"link": set(), "cortex_m": {"link"}, "firmware": {"link"}}
+SHARED_PARTS = {"link": set(), "cortex_m": {"link"}, "firmware": {"link"}, "pid": {"link"},
+                "simulated": set()}
 
 
 def check_port_arrows(root):
