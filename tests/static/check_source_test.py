@@ -84,7 +84,7 @@ class Words(Tree):
     def test_forbidden_words_are_found(self):
         lines = ["auto* a = new int;", "delete a;", "void* b = malloc(3);", "std::vector<int> c;", "throw 1;",
                  "try {", "#include <iostream>", "printf(0);", "x = std::sin(x);", "Eigen::MatrixXf m;",
-                 "dynamic_cast<A*>(b);", "#include <chrono>", "goto end;"]
+                 "dynamic_cast<A*>(b);", "#include <chrono>", "goto end;", "int _Frame;", "int a__b;"]
         self.put("src/core/a.cpp", "\n".join(lines) + "\n")
         findings = self.check()
         found_lines = {finding.split(":")[1] for finding in findings}
