@@ -103,9 +103,11 @@ Status Application::restart() {
   past_silences_ = silences();
   order_ = {};
   paused_ = 0;
-  const Status status = link_ramp_.configure(settings_.bout.force.ramp);
-  link_ramp_.open();  // the bout's own ramps begin at zero
-  return status == Status::kOk ? bout_.start(settings_.bout) : status;
+  const float dt = static_cast<float>(settings_.bout.step_us) * kSecondsPerUs<float>;
+  const Status status = stage_.configure(stage_settings(settings_.bout.force, dt));
+  if (status != Status::kOk) return status;
+  (void)stage_.enable();  // unless stopped: a new bout ends no emergency stop
+  return bout_.start(settings_.bout);
 }
 
 /// The next step, or the last one once more; at most one of them is answered in a tick.
@@ -192,16 +194,22 @@ void Application::send_report(bool repeated) {
   (void)sender_.send(message);
 }
 
-/// The impulses of a step are its mean force over one step's length: the motor gets it in the tick
-/// that made the step, once, and nothing in a tick without a step, nor after the bout. What comes
-/// back after a silence comes slowly.
+/// The force of a step is for one step's length: the motor gets it in the tick that made the step,
+/// once, and nothing in a tick without a step, nor after the bout: so a pulse keeps its area. What
+/// comes back after a silence comes slowly.
 void Application::command_force(bool stepped) {
-  link_ramp_.advance(stepped);
-  const Vec2<float> whole = bout_.forces().of(settings_.own_side).share;
-  const float share = stepped && !bout_.is_over() ? link_ramp_.share() : 0.0F;
-  force_ = {watch_.begun(), share * whole.x(), share * whole.y()};
-  if (board_.force == nullptr) return;
-  if (board_.force->write(force_) != Status::kOk) ++report_.force_failures;
+  const Side own = settings_.own_side;
+  const auto& stick = bout_.duel().stick(own);
+  const StickForce& force = bout_.forces().of(own);
+  StageInput input;
+  input.time = watch_.begun();
+  input.position = stick.position();
+  if (stepped) input.velocity = stick.velocity();
+  if (stepped && !bout_.is_over()) input.demanded = force.demanded;
+  input.allowed = force.allowed;
+  input.fresh_sample = stepped && bout_.used(own) != nullptr;
+  input.fresh_command = stepped;
+  if (stage_.step(input) != Status::kOk) ++report_.force_failures;
 }
 
 }  // namespace batuta::firmware

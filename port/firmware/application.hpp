@@ -8,8 +8,8 @@
 // after a bout the next one begins. A host's Hello opens a session: a new bout, paced or free. In a
 // session the device waits after the bout until the host opens another one.
 
-#include "batuta/port/force.hpp"
 #include "firmware/frame_reader.hpp"
+#include "firmware/stage_settings.hpp"
 #include "firmware/stepped_bout.hpp"
 #include "firmware/tick_watch.hpp"
 #include "link/sender.hpp"
@@ -41,7 +41,8 @@ struct ApplicationSettings {
 struct ApplicationReport {
   std::uint32_t steps_refused = 0;   ///< Step and StickSample that were not obeyed
   std::uint32_t stick_invalid = 0;   ///< samples of the own stick outside its square
-  std::uint32_t force_failures = 0;  ///< the force device did not take a command
+  std::uint32_t force_failures = 0;  ///< ticks in which the force device took no command: it is
+                                     ///< gone, or the emergency stop is on
 };
 
 /// One object, placed by main. RAM: sizeof; nothing beside it. Allocates: never. From one context.
@@ -53,7 +54,7 @@ class Application {
   static constexpr int kFramesPerTick = 4;
 
   Application(const Board& board, const LastFault& last_fault)
-      : board_(board), last_fault_(last_fault) {}
+      : board_(board), last_fault_(last_fault), stage_(motor_of(board_)) {}
   Application(const Application&) = delete;
   Application& operator=(const Application&) = delete;
 
@@ -77,10 +78,20 @@ class Application {
   /// 0: alone.
   std::uint32_t session() const { return session_; }
   /// What the force device was told last.
-  const ForceCommand& force() const { return force_; }
+  const ForceCommand& force() const { return stage_.told(); }
+  /// The own side's way to the motor: counts since the bout began, and what held the force back.
+  const OutputStage& stage() const { return stage_; }
+  /// Emergency stop: no force from now on, whatever a host does. May interrupt tick() where the
+  /// motor's driver allows it, see OutputStage::stop().
+  void stop_force(Microseconds now) { stage_.stop(now); }
+  /// Ends it: the force fades in. @returns kOk | kInvalidArgument: not started
+  Status release_force() {
+    stage_.reset();
+    return stage_.enable();
+  }
   /// Times that the force was taken back, since start(): no sample, or no step, for too long.
   std::uint32_t silences() const {
-    return past_silences_ + bout_.forces().silences() + link_ramp_.silences();
+    return past_silences_ + bout_.forces().silences() + stage_.report().command_silences;
   }
 
  private:
@@ -95,6 +106,14 @@ class Application {
     }
   };
 
+  /// Where a board has no motor.
+  class NoMotor final : public ForceDevice {
+    Status do_write(const ForceCommand& /*command*/) override { return Status::kOk; }
+  };
+
+  ForceDevice& motor_of(const Board& board) {
+    return board.force == nullptr ? no_motor_ : *board.force;
+  }
   void listen();
   bool obey(const link::Frame& frame);
   void open(const link::Hello& hello);
@@ -112,16 +131,16 @@ class Application {
   void send_report(bool repeated);
   void command_force(bool stepped);
 
+  NoMotor no_motor_;
   Board board_;
   LastFault last_fault_;
+  OutputStage stage_;  ///< by ticks
   ApplicationSettings settings_;
   ApplicationReport report_;
   SteppedBout bout_;
   FrameReader<link::End::kDevice> reader_;
   link::Sender<kSendBytes> sender_;
   TickWatch watch_;
-  ForceRamp link_ramp_;  ///< by ticks: counts the host's silences, and limits what comes after one
-  ForceCommand force_;
   Order order_;
   std::uint32_t session_ = 0;
   link::Mode mode_ = link::Mode::kFree;

@@ -2,13 +2,25 @@
 
 #include "firmware/stick_forces.hpp"
 
+#include "batuta/haptics/force_share.hpp"
+
 namespace batuta::firmware {
+namespace {
+
+HandForceSettings<float> feel_of(const ForceSettings& settings) {
+  HandForceSettings<float> feel = settings.feel;
+  feel.transient.max_force = settings.full_scale;
+  return feel;
+}
+
+}  // namespace
 
 Status validate(const ForceSettings& settings) {
-  if (!(settings.full_scale > 0.0F) || !is_finite(settings.full_scale)) {
-    return Status::kInvalidArgument;
-  }
-  return validate(settings.ramp);
+  const bool good = is_positive(settings.full_scale) && is_positive(settings.gain().x()) &&
+                    validate(settings.ramp) == Status::kOk &&
+                    validate(settings.speed_limit) == Status::kOk &&
+                    validate(feel_of(settings)) == Status::kOk;
+  return good ? Status::kOk : Status::kInvalidArgument;
 }
 
 Status StickForces::configure(const ForceSettings& settings) {
@@ -16,7 +28,8 @@ Status StickForces::configure(const ForceSettings& settings) {
   settings_ = settings;
   forces_ = {};
   stale_steps_ = 0;
-  for (ForceRamp& ramp : ramps_) (void)ramp.configure(settings.ramp);  // Bound: 2; valid
+  for (ForceRamp& ramp : ramps_) (void)ramp.configure(settings.ramp);             // Bound: 2; valid
+  for (HandForce<float>& hand : hands_) (void)hand.configure(feel_of(settings));  // Bound: 2; valid
   return Status::kOk;
 }
 
@@ -24,14 +37,24 @@ void StickForces::advance(const DuelType& duel, const std::array<bool, 2>& fresh
   for (const Side side : {Side::kLeft, Side::kRight}) {  // Bound: 2
     ForceRamp& ramp = ramps_[index_of(side)];
     ramp.advance(fresh[index_of(side)]);
-    const KeyedPose<float>& hand = duel.hand(side);
-    const Momentum<float> blow = blow_about(hand.X_WH.p_W, side, duel.world().events());
-    const ForceShare force =
-        as_share(stick_force(hand.jacobian, blow, duel.dt()), settings_.full_scale);
-    const float share = ramp.share();
-    forces_[index_of(side)] = {share * force.share, force.limited, ramp.is_silent(), share < 1.0F};
+    Vec2<float> demanded = hands_[index_of(side)].advance(hand_state(duel, side), duel.dt());
+    const float least = kLeastShare * settings_.full_scale;
+    for (int i = 0; i < 2; ++i) {  // Bound: the stick's coordinates
+      if (std::abs(demanded[i]) < least) demanded[i] = 0.0F;
+    }
+    forces_[index_of(side)] = told(demanded, ramp);
   }
   if (forces_[0].silent || forces_[1].silent) ++stale_steps_;
+}
+
+/// By the output stage's own first step, and its watchdog over the samples.
+StickForce StickForces::told(const Vec2<float>& demanded, const ForceRamp& ramp) const {
+  const Vec2<float> whole = scaled(demanded, settings_.gain());
+  const bool usable = is_finite(whole);
+  const ForceShare force = usable ? clipped(whole) : ForceShare{};
+  const float left = ramp.share();
+  return {demanded,         left,       left * force.share, !usable || force.is_clipped(),
+          ramp.is_silent(), left < 1.0F};
 }
 
 }  // namespace batuta::firmware

@@ -1,30 +1,49 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The forces on both sticks after each step of a duel. Whoever makes the same steps with the same
-// samples, device or host, gets the same bits.
+// The forces on both sticks after each step of a duel, as far as the duel and its samples decide
+// them. Whoever makes the same steps with the same samples, device or host, gets the same bits.
+// What a motor is told comes from its output stage, which knows the ticks and the motor, too.
 
 #include <array>
 
-#include "firmware/blow_force.hpp"
-#include "firmware/force_ramp.hpp"
+#include "batuta/haptics/force_ramp.hpp"
+#include "batuta/haptics/hand_force.hpp"
+#include "batuta/haptics/speed_limiter.hpp"
 
 namespace batuta::firmware {
 
+using DuelType = Duel<float>;
+
+/// A demand that takes less of the range than this is none: a motor driver of 12 bits would not
+/// show it, and the rounding of poses in hand and blade comes to a tenth of it.
+inline constexpr float kLeastShare = 1.0F / 4096;
+
 struct ForceSettings {
   /// The force on a stick's coordinate that takes all that the actuator has, N m for each unit of
-  /// the stick, > 0 and finite. The hardest blows of the recordings come to 40 ... 80.
-  float full_scale = 100;
-  RampSettings ramp;  ///< what silence of a fencer's samples does
+  /// the stick, > 0 and finite. The hardest blows of the recordings come to half of it.
+  float full_scale = 40;
+  /// What silence of a fencer's samples, or of the host, does.
+  RampSettings ramp{};
+  /// Of the motor alone: the forces told to a host are without it.
+  SpeedLimitSettings speed_limit{};
+  /// Coupling and pulses; the pulses' limit is full_scale, whatever it says. What is stable is the
+  /// device's: check() of haptics/gain_advisor.hpp.
+  HandForceSettings<float> feel{};
+
+  Vec2<float> gain() const { return Vec2<float>::Constant(1.0F / full_scale); }
 };
 
 /// @returns kOk | kInvalidArgument: out of range
 Status validate(const ForceSettings& settings);
 
 struct StickForce {
+  /// What the duel demands, N m for each unit of the stick, before the stage's limits.
+  Vec2<float> demanded = Vec2<float>::Zero();
+  float allowed = 0;  ///< share that the silence of the samples leaves, 0 ... 1
   Vec2<float> share = Vec2<float>::Zero();  ///< of the actuator's range, each in [-1, 1]
-  bool limited = false;                     ///< the blow was harder than the range
+  bool limited = false;                     ///< the demand was larger than the range, or no number
   bool silent = true;                       ///< no sample for too long, see RampSettings
-  bool ramped = false;                      ///< the share is less than the blow's
+  bool ramped = false;                      ///< the share is less than what was demanded
 };
 
 class StickForces {
@@ -44,7 +63,10 @@ class StickForces {
   std::uint32_t stale_steps() const { return stale_steps_; }
 
  private:
+  StickForce told(const Vec2<float>& demanded, const ForceRamp& ramp) const;
+
   ForceSettings settings_;
+  std::array<HandForce<float>, 2> hands_;
   std::array<ForceRamp, 2> ramps_;
   std::array<StickForce, 2> forces_;
   std::uint32_t stale_steps_ = 0;

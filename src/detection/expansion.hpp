@@ -96,12 +96,13 @@ ClosestPoints<Scalar> in_metres(ClosestPoints<Scalar> closest, Scalar scale) {
 }
 
 /// How long until a gap that falls at `rate` and bends up by `bend` is zero, or
-/// least where it is not going to be; 0 for a gap that does not fall.
+/// least where it is not going to be; 0 for a gap that does not fall, never less:
+/// where both products underflow, `bend` may have either sign.
 template <class Scalar>
 Scalar time_to_contact(Scalar gap, Scalar rate, Scalar bend) {
   if (!(rate < Scalar(0)) || !(gap > Scalar(0))) return Scalar(0);
   const Scalar square = rate * rate - 2 * (bend * gap);
-  return square > Scalar(0) ? 2 * gap / (std::sqrt(square) - rate) : -rate / bend;
+  return square > Scalar(0) ? 2 * gap / (std::sqrt(square) - rate) : max_of(Scalar(0), -rate / bend);
 }
 
 /// How far an end swings, and what of that its derivatives see.

@@ -97,8 +97,9 @@ bool is_valid(const MovingPair<Scalar>& pair) {
 
 template <class Scalar>
 Status validate(const SteppingOptions<Scalar>& options) {
-  const bool good = is_positive(options.epsilon) && options.max_steps >= 1 &&
-                    options.halvings >= 0 && options.halvings <= kMaxHalvings;
+  const bool good = is_positive(options.epsilon) && options.unit <= EpsilonIn::kMetres &&
+                    options.max_steps >= 1 && options.halvings >= 0 &&
+                    options.halvings <= kMaxHalvings;
   return good ? Status::kOk : Status::kInvalidArgument;
 }
 

@@ -25,6 +25,13 @@ bool is_valid(const Capsule<Scalar>& capsule) {
 }
 
 template <class Scalar>
+bool can_hold(const Vec3<Scalar>& place, const Capsule<Scalar>& capsule_B) {
+  const Segment<Scalar>& axis = capsule_B.axis;
+  const Scalar reach = max_of(largest_component(axis.a), largest_component(axis.b));
+  return can_hold<Scalar>(place, reach + capsule_B.radius);
+}
+
+template <class Scalar>
 CapsuleGap<Scalar> capsule_gap(const ClosestPoints<Scalar>& axes, Scalar radius_A,
                                Scalar radius_B) {
   CapsuleGap<Scalar> result;
@@ -82,6 +89,7 @@ Sphere<Scalar> bounding_sphere(const Capsule<Scalar>& capsule) {
 
 #define BATUTA_INSTANTIATE(Scalar)                                                           \
   template bool is_valid(const Capsule<Scalar>&);                                            \
+  template bool can_hold(const Vec3<Scalar>&, const Capsule<Scalar>&);                       \
   template CapsuleGap<Scalar> capsule_gap(const Capsule<Scalar>&, const Capsule<Scalar>&);   \
   template CapsuleGap<Scalar> capsule_gap(const ClosestPoints<Scalar>&, Scalar, Scalar);     \
   template bool overlaps(const Capsule<Scalar>&, const Capsule<Scalar>&);                    \

@@ -38,6 +38,14 @@ Wrench<Scalar> within_limits(const CouplingSettings<Scalar>& settings,
           limited(wrench.moment_W, settings.max_moment)};
 }
 
+/// Of a spring that pulls no harder than `limit`.
+template <class Scalar>
+Scalar spring_energy(Scalar stiffness, Scalar limit, Scalar stretch) {
+  const Scalar pull = stiffness * stretch;
+  if (!(pull > limit)) return pull * stretch / 2;
+  return limit * (stretch - limit / stiffness / 2);
+}
+
 template <class Scalar>
 bool is_finite_wrench(const Wrench<Scalar>& wrench) {
   return is_finite(wrench.force_W) && is_finite(wrench.moment_W);
@@ -76,6 +84,14 @@ Wrench<Scalar> coupling_wrench(const CouplingSettings<Scalar>& settings,
 }
 
 template <class Scalar>
+Scalar stored_energy(const CouplingSettings<Scalar>& settings, const Pose<Scalar>& commanded_W,
+                     const Pose<Scalar>& actual_W) {
+  const Stretch<Scalar> stretch = stretch_of<Scalar>({commanded_W, {}}, {actual_W, {}});
+  return spring_energy(settings.stiffness, settings.max_force, length(stretch.p_W)) +
+         spring_energy(settings.turn_stiffness, settings.max_moment, length(stretch.r_W));
+}
+
+template <class Scalar>
 Result<Wrench<Scalar>> couple(const CouplingSettings<Scalar>& settings,
                               const MovingFrame<Scalar>& commanded_W, Body<Scalar>& body,
                               Scalar dt) {
@@ -103,6 +119,7 @@ Result<Wrench<Scalar>> couple(const CouplingSettings<Scalar>& settings,
   template Status validate(const CouplingSettings<S>&);                                 \
   template Wrench<S> coupling_wrench(const CouplingSettings<S>&, const MovingFrame<S>&, \
                                      const MovingFrame<S>&);                            \
+  template S stored_energy(const CouplingSettings<S>&, const Pose<S>&, const Pose<S>&); \
   template Result<Wrench<S>> couple(const CouplingSettings<S>&, const MovingFrame<S>&, Body<S>&, S);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE

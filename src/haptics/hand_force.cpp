@@ -48,11 +48,13 @@ template <class Scalar>
 Vec2<Scalar> HandForce<Scalar>::advance(const HandState<Scalar>& state, Scalar dt) {
   if (!is_finite_state(state)) {
     started_ = false;
+    stored_ = 0;
     return Vec2<Scalar>::Zero();
   }
   const StickJacobian<Scalar>& jacobian = state.commanded.jacobian;
   (void)transient_.strike(stick_force<Scalar>(jacobian, {state.blow.p_W, state.blow.b_W}));
   const Vec2<Scalar> coupling = stick_force(jacobian, pull(state, dt));
+  stored_ = stored_energy(settings_.coupling, state.commanded.X_WH, state.held_W);
   commanded_W_ = state.commanded.X_WH;
   held_W_ = state.held_W;
   started_ = true;

@@ -100,9 +100,8 @@ Vec3<Scalar> torque_of(const Pose<Scalar>& X_WB, const Vec3<Scalar>& force_W,
 template <class Scalar>
 Status apply(Body<Scalar>& body, const Vec3<Scalar>& force_W, const Vec3<Scalar>& torque_W,
              Scalar dt) {
-  if (!is_finite(force_W) || !is_finite(torque_W) || !(dt >= Scalar(0))) {
-    return Status::kInvalidArgument;
-  }
+  const bool inputs = is_finite(force_W) && is_finite(torque_W) && is_finite(dt);
+  if (!inputs || dt < Scalar(0)) return Status::kInvalidArgument;
   Momentum<Scalar> next = body.momentum;
   if (body.inverse_mass != Scalar(0)) next.p_W += dt * force_W;
   if (body.inverse_moments != Vec3<Scalar>::Zero()) next.b_W += dt * torque_W;

@@ -72,7 +72,9 @@ Result<MassProperties<Scalar>> mass_of_parts(const CapsulePart<Scalar>* parts, i
     if (!part.ok()) return part;
     sum = success(i == 0 ? part.value : sum.value + part.value);
   }
-  return sum;
+  const MassProperties<Scalar>& all = sum.value;
+  const bool sound = is_finite(all.mass) && is_finite(all.center_S) && is_finite(all.inertia_S);
+  return sound ? sum : failure<MassProperties<Scalar>>(Status::kInvalidArgument);
 }
 
 template <class Scalar>

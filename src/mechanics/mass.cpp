@@ -144,6 +144,8 @@ Result<MassProperties<Scalar>> solid_capsule(const Capsule<Scalar>& capsule, Sca
     const Vec3<Scalar> e = along / core;
     whole.inertia_S += (moments.axial - moments.transverse) * (e * e.transpose());
   }
+  // Of the two moments the axial one vanishes first.
+  if (!(moments.axial > Scalar(0))) whole.mass = Scalar(0);
   return usable_or_invalid(whole);
 }
 

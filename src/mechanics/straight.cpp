@@ -32,8 +32,9 @@ Vec3<Scalar> position_at(const StraightMotion<Scalar>& motion, Scalar t) {
 
 template <class Scalar>
 bool is_valid(const StraightMotion<Scalar>& motion) {
-  return is_finite(motion.p_W) && is_finite(motion.v_W) && is_finite(motion.duration) &&
-         motion.duration >= Scalar(0);
+  // What is not finite makes it so: infinity times zero is NaN.
+  const Vec3<Scalar> end = motion.p_W + motion.duration * motion.v_W;
+  return is_finite(end) && motion.duration >= Scalar(0);
 }
 
 #define BATUTA_INSTANTIATE(Scalar)                                                       \

@@ -3,9 +3,15 @@
 
 #include "batuta/port/input.hpp"
 
-#include "unit_range.hpp"
-
 namespace batuta {
+namespace {
+
+/// False for NaN: every comparison with it is.
+constexpr bool is_in_unit_range(float x) {
+  return x >= -1.0F && x <= 1.0F;
+}
+
+}  // namespace
 
 Status InputDevice::read(Microseconds now, InputSample& sample) {
   InputSample fresh = sample;

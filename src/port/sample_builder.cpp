@@ -42,7 +42,7 @@ Status SampleBuilder::configure(const AxisCalibration& x, const AxisCalibration&
 }
 
 void SampleBuilder::axis(Axis which, std::int32_t counts) {
-  if (discarding_) return;
+  if (discarding_ || which > Axis::kY) return;
   const AxisCalibration& calibration = which == Axis::kX ? x_ : y_;
   std::int32_t& position = which == Axis::kX ? pending_.x : pending_.y;
   const bool relative = calibration.kind == AxisKind::kRelative;

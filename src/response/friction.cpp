@@ -130,13 +130,6 @@ void add(Impulse<Scalar>& hit, const Touch<Scalar>& touch, const Push<Scalar>& d
   push(hit.twist_B, *touch.B, touch.lever_B, d.moment_B, d.d_W, -s);
 }
 
-/// One infinity or NaN spoils the sum.
-template <class Scalar>
-bool is_sound(const Impulse<Scalar>& hit) {
-  const Vec3<Scalar> twists = hit.twist_A.v_W + hit.twist_A.w_W + hit.twist_B.v_W + hit.twist_B.w_W;
-  return is_finite(twists + hit.on_A.p_W + hit.on_A.b_W + hit.on_B.b_W);
-}
-
 /// Adds friction to the paper's impulse. False where the numbers do not suffice.
 template <class Scalar>
 bool rub(Impulse<Scalar>& hit, const Collider<Scalar>& A, const Collider<Scalar>& B,

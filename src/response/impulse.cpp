@@ -51,6 +51,16 @@ bool is_valid(const Contact<Scalar>& contact, Scalar restitution) {
 }  // namespace
 
 template <class Scalar>
+bool is_sound(const Impulse<Scalar>& hit) {
+  Scalar sum = 0;
+  for (int i = 0; i < 3; ++i) {  // Bound: 3; by component: expressions double the code
+    sum += hit.twist_A.v_W[i] + hit.twist_A.w_W[i] + hit.twist_B.v_W[i] + hit.twist_B.w_W[i] +
+           hit.on_A.p_W[i] + hit.on_A.b_W[i] + hit.on_B.b_W[i];
+  }
+  return is_finite(sum);
+}
+
+template <class Scalar>
 Collider<Scalar> collider_of(const Body<Scalar>& body) {
   return {body.X_WB, twist_of(body), body.inverse_mass, body.inverse_moments};
 }
@@ -68,7 +78,6 @@ Result<Impulse<Scalar>> collision_impulse(const Collider<Scalar>& A, const Colli
   const Scalar j = collides ? -(Scalar(1) + restitution) * v_rel / give : Scalar(0);
   if (!is_finite(v_rel) || !is_finite(give) || !is_finite(j)) return result;
 
-  result.status = Status::kOk;
   Impulse<Scalar>& impulse = result.value;
   impulse.magnitude = j;
   impulse.v_rel = v_rel;
@@ -79,10 +88,13 @@ Result<Impulse<Scalar>> collision_impulse(const Collider<Scalar>& A, const Colli
   }
   impulse.twist_A = collides ? pushed(A.twist, yield_A, j) : A.twist;
   impulse.twist_B = collides ? pushed(B.twist, yield_B, -j) : B.twist;
+  result.status = Status::kOk;
+  if (!is_sound(impulse)) result = {};
   return result;
 }
 
 #define BATUTA_INSTANTIATE(Scalar)                            \
+  template bool is_sound(const Impulse<Scalar>&);             \
   template Collider<Scalar> collider_of(const Body<Scalar>&); \
   template Result<Impulse<Scalar>> collision_impulse(         \
       const Collider<Scalar>&, const Collider<Scalar>&, const Contact<Scalar>&, Scalar);

@@ -32,4 +32,8 @@ Momentum<Scalar> impulse_on(const Vec3<Scalar>& arm_W, const Vec3<Scalar>& J_W) 
   return {J_W, arm_W.cross(J_W)};
 }
 
+/// Whether all that a blow comes to is finite: one infinity or NaN spoils the sum.
+template <class Scalar>
+bool is_sound(const Impulse<Scalar>& hit);
+
 }  // namespace batuta

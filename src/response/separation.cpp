@@ -46,11 +46,16 @@ Result<Separation<Scalar>> separate(const Contact<Scalar>& contact, Scalar v_rel
   // keeps no gap on either side.
   if (shift_A < want_A && can_B) shift_B = min_of(options.limit_B, missing - shift_A);
   if (shift_B < want_B && can_A) shift_A = min_of(options.limit_A, missing - shift_B);
-  Separation<Scalar> separation;
+  Result<Separation<Scalar>> made;
+  Separation<Scalar>& separation = made.value;
   separation.shift_A_W = shift_A * contact.normal_BA_W;
   separation.shift_B_W = -shift_B * contact.normal_BA_W;
   separation.duration = max_of(options.min_duration, options.distance / speed / 2);
-  return success(separation);
+  Scalar sum = separation.duration;  // not finite where one of them is not
+  for (int i = 0; i < 3; ++i) sum += separation.shift_A_W[i] - separation.shift_B_W[i];  // Bound: 3
+  made.status = Status::kOk;
+  if (!is_finite(sum)) made = {};
+  return made;
 }
 
 #define BATUTA_INSTANTIATE(S) \

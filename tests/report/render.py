@@ -9,7 +9,8 @@ import sys
 
 import rows
 
-SECTIONS = ["search", "peers", "misses", "climb", "swept", "response", "friction", "footprint", "growth", "worlds"]
+SECTIONS = ["search", "peers", "misses", "climb", "swept", "response", "friction", "stiff", "haptics", "footprint", "growth",
+            "worlds"]
 
 HEAD = """# batuta: error against run time
 

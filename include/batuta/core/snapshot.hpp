@@ -62,9 +62,8 @@ SnapshotHead head_for(const T& state) {
 /// Bound: the members of the state. Allocates: never.
 template <class T>
 Result<int> save(const T& state, std::uint8_t* bytes, int capacity) {
-  const int room = capacity - kSnapshotHead - kCheckSum;
-  if (room < 0) return failure<int>(Status::kPoolFull);
-  ArchiveWriter writer(bytes + kSnapshotHead, room);
+  if (capacity < kSnapshotHead + kCheckSum) return failure<int>(Status::kPoolFull);
+  ArchiveWriter writer(bytes + kSnapshotHead, capacity - kSnapshotHead - kCheckSum);
   writer.look_at(state);
   if (!writer.ok()) return failure<int>(writer.status());
   SnapshotHead head = head_for(state);

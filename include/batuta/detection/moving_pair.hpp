@@ -106,7 +106,7 @@ Scalar gap_rate_at(const MovingPair<Scalar>& pair, const CapsuleGap<Scalar>& wit
 enum class Outcome : std::uint8_t {
   kFree,      ///< no contact in [0, duration], as far as the method can see; t_free = duration
   kContact,   ///< free at t_free, in contact at t_hit
-  kTouching,  ///< in contact at t = 0; t_free = t_hit = 0
+  kTouching,  ///< in contact at t_free = 0; t_hit, where later: the gap is foreseen to vanish
   kBudget,    ///< free up to t_free, unknown after: stop there. Never to be taken for kFree
   kInvalid,   ///< the question makes no sense; nothing else in the answer is meaningful
 };

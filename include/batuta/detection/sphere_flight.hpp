@@ -35,7 +35,8 @@ struct SphereAnswer {
 ///   kTouching: the gap at t = 0 is at most contact_gap_of(); t_free = t_hit = 0;
 ///   kBudget: nothing is known, t_free = 0, where the certificate fails; by sphere_flight.md it
 ///     does not;
-///   kInvalid: not finite; negative radii, duration or slab; S^2 not finite.
+///   kInvalid: not finite (but an infinite slab: all touch); negative radii, duration or slab; S^2
+///     not finite.
 /// Bound: no loop; one evaluation.
 template <class Scalar>
 SphereAnswer<Scalar> search_spheres(const SphereFlight<Scalar>& flight, Scalar slab);

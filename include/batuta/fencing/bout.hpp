@@ -18,6 +18,7 @@ struct Moment {
 };
 
 /// us since the start of the bout: exact to the step, the rest rounded.
+/// @pre moment of a bout with such steps: 0 <= in_step, at most a step
 template <class Scalar>
 std::uint64_t time_us(const Moment<Scalar>& moment, std::int32_t step_us) {
   // 32 bits are plenty for a step; to 64, a target without double converts by way of double.

@@ -48,8 +48,8 @@ struct KeyGridView {
 };
 
 /// Turns key poses into points relative to the central one.
-/// @returns kOk | kInvalidArgument (a key is not finite, beyond kLargestCoordinate, or turned by more
-/// than kMaxKeyTurn against the central key);
+/// @returns kOk | kInvalidArgument (a key is not finite, beyond kLargestCoordinate, or turned by
+/// more than kMaxKeyTurn against the central key);
 ///   `points` may then be partly written
 /// Bound: `count` keys.
 template <class Scalar>
@@ -68,6 +68,9 @@ class KeyframeGrid {
   static_assert(M >= 2 && N >= 2, "KeyframeGrid: at least 2 x 2 keys");
 
  public:
+  /// All keys at the origin, unturned: at() has an answer before there are keys.
+  KeyframeGrid() { points_.fill(KeyPoint<Scalar>::Zero()); }
+
   static constexpr int kColumns = M;
   static constexpr int kRows = N;
   static constexpr std::size_t kKeys = static_cast<std::size_t>(M) * static_cast<std::size_t>(N);
@@ -102,7 +105,7 @@ class KeyframeGrid {
       static_cast<std::size_t>((M - 1) / 2) +
       static_cast<std::size_t>(M) * static_cast<std::size_t>((N - 1) / 2);
 
-  std::array<KeyPoint<Scalar>, kKeys> points_{};
+  std::array<KeyPoint<Scalar>, kKeys> points_;
   Quat<Scalar> q_ref_ = Quat<Scalar>::Identity();
 };
 

@@ -18,9 +18,8 @@ struct StickSettings {
   std::int32_t min_interval_us =
       1000;  ///< shortest time in which the stick goes to a new sample, us, > 0
   std::int32_t max_interval_us = 40000;  ///< longest, us, >= min_interval_us
-  std::int32_t stale_after_us =
-      250000;  ///< silence after which the stick counts as stale, us, >= max_interval_us and at
-               ///< most kLongestSilenceUs
+  std::int32_t stale_after_us = 250000;  ///< silence after which the stick counts as stale, us, >=
+                                         ///< max_interval_us and at most kLongestSilenceUs
   /// Fastest movement along each axis, 1/s, > 0. Whatever the device claims: it bounds the blade's
   /// speed.
   float max_speed = 16;

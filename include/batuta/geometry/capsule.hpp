@@ -46,6 +46,24 @@ struct CapsuleGap {
 template <class Scalar>
 bool is_valid(const Capsule<Scalar>& capsule);
 
+/// Whether numbers are dense enough around a place for something of that size: the size is not lost
+/// when it is added. Beyond that the ends would fall together with the place, and what is there
+/// could neither be beside another one nor move. A point is a point anywhere.
+/// @param size  m, >= 0
+template <class Scalar>
+bool can_hold(const Vec3<Scalar>& place, Scalar size) {
+  bool holds = true;
+  for (int i = 0; i < 3; ++i) {  // Bound: 3; by component: expressions double the code
+    if (place[i] + size == place[i]) holds = size == Scalar(0);
+  }
+  return holds;
+}
+
+/// The same for a capsule that is carried there: for its furthest point.
+/// @param capsule_B  relative to the place, valid
+template <class Scalar>
+bool can_hold(const Vec3<Scalar>& place, const Capsule<Scalar>& capsule_B);
+
 /// Signed distance of two capsules with the witnesses [Kavan eq. 31].
 /// @returns proximity kInvalid for invalid input, never anything else for it
 /// Bound: one closest_points(). Full depth is reported also where the axes cross.

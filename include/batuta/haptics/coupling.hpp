@@ -44,10 +44,18 @@ Wrench<Scalar> coupling_wrench(const CouplingSettings<Scalar>& settings,
                                const MovingFrame<Scalar>& commanded,
                                const MovingFrame<Scalar>& actual);
 
+/// What the springs hold, J: coupling_wrench() without dampers is its slope, also where a limit
+/// holds. Infinite or NaN where a number is not finite. @pre as coupling_wrench()
+template <class Scalar>
+Scalar stored_energy(const CouplingSettings<Scalar>& settings, const Pose<Scalar>& commanded_W,
+                     const Pose<Scalar>& actual_W);
+
 /// Both sides at once, for a body that flies by its momenta (FreeFlight): changes the body's
 /// momenta by what the coupling does to it over the coming step, and returns the mean wrench on the
 /// commanded frame over it, about the *body's* centre of mass. Implicit in the body's motion: for
-/// any stiffness, damping, mass and dt no energy comes from the integration.
+/// any stiffness, damping, mass and dt no energy comes from the integration. What a hand feels of a
+/// body that is held has the gains K / s and (B + K dt) / s, s = 1 + dt (K dt + B) / mass: these
+/// are for check() of gain_advisor.hpp.
 /// @param commanded_W  where B should be, and how it should move, at the start of the step
 /// @returns kInvalidArgument: not finite, also in the result, or dt <= 0; then nothing is changed.
 ///   A body that cannot be moved is not, but is felt.

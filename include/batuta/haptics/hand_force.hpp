@@ -73,6 +73,8 @@ class HandForce {
   Vec2<Scalar> advance(const HandState<Scalar>& state, Scalar dt);
 
   const ImpactTransient<Scalar>& transient() const { return transient_; }
+  /// What the coupling's springs held at the end of the last step, J: for PassivityObserver.
+  Scalar stored() const { return stored_; }
 
  private:
   Wrench<Scalar> pull(const HandState<Scalar>& state, Scalar dt) const;
@@ -81,6 +83,7 @@ class HandForce {
   ImpactTransient<Scalar> transient_;
   Pose<Scalar> commanded_W_;  ///< at the end of the last step
   Pose<Scalar> held_W_;
+  Scalar stored_ = 0;     ///< J
   bool started_ = false;  ///< there was a last step
 };
 

@@ -25,7 +25,8 @@ struct Compound {
 
 /// Mass, centre and inertia of the parts together. Where parts overlap, what they share counts once
 /// for each of them: let the core of one end at the surface of the other if that matters.
-/// @returns kOk | kInvalidArgument (no part, or a part that solid_capsule() refuses)
+/// @returns kOk | kInvalidArgument (no part, a part that solid_capsule() refuses, or sums that are
+/// beyond the numbers)
 /// Bound: count parts.
 template <class Scalar>
 Result<MassProperties<Scalar>> mass_of_parts(const CapsulePart<Scalar>* parts, int count);

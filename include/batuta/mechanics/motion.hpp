@@ -51,7 +51,7 @@ bool hides_spin(const Body<Scalar>& body, const Capsule<Scalar>& capsule_B);
 template <class Scalar>
 Pose<Scalar> pose_at(const Motion<Scalar>& motion, Scalar t);
 
-/// Finite, 0 <= duration, turn |w| duration <= kMaxAngle.
+/// Finite at both ends, 0 <= duration, turn |w| duration <= kMaxAngle.
 template <class Scalar>
 bool is_valid(const Motion<Scalar>& motion);
 

@@ -42,7 +42,7 @@ Scalar kinetic_energy(const StraightBody<Scalar>& body);
 template <class Scalar>
 Vec3<Scalar> position_at(const StraightMotion<Scalar>& motion, Scalar t);
 
-/// Finite, 0 <= duration.
+/// Finite at both ends, 0 <= duration.
 template <class Scalar>
 bool is_valid(const StraightMotion<Scalar>& motion);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Force on the stick, from the library to the device.
+// Force on the stick, from the library to the device. Whoever holds a device may take the force
+// away; a force that is not zero comes through the output stage (haptics/output_stage.hpp), and in
+// no other way.
 
 #include "batuta/core/status.hpp"
 #include "batuta/port/clock.hpp"
@@ -13,14 +15,23 @@ struct ForceCommand {
   float y = 0;            ///< share of the actuator's range, -1 ... 1, positive: up
 };
 
-/// A force actuator. Validation is done once, here; a port implements do_write() only.
+/// What ForceDevice::write() asks for. Only the output stage can make one.
+class ForcePermit {
+  friend class OutputStage;          // of a later room, known here by its name alone
+  explicit ForcePermit() = default;  // explicit: no aggregate, whose ForcePermit{} all could write
+};
+
+/// A force actuator. A port implements do_write(), and keeps it private.
 class ForceDevice {
  public:
+  /// Tells the device zero, at once. @param time  when it was decided
+  /// @returns kOk | kUnavailable: the device is gone
+  Status off(Microseconds time) { return do_write({time, 0.0F, 0.0F}); }
+
   /// Hands a command over; never blocks; the latest one wins.
-  /// @returns kOk | kInvalidArgument: not finite or outside [-1, 1], and the device was told zero
-  /// instead |
-  ///   kUnavailable: the device is gone
-  Status write(const ForceCommand& command);
+  /// @param command  finite, each share in [-1, 1]: the output stage has seen to it
+  /// @returns as off()
+  Status write(const ForceCommand& command, ForcePermit /*permit*/) { return do_write(command); }
 
  protected:
   ForceDevice() = default;

@@ -41,7 +41,7 @@ class InputDevice {
 };
 
 /// True where the last sample is older than `limit_us`, or appears to lie in the future by more
-/// than that.
+/// than that. @pre limit_us >= 0
 constexpr bool is_stale(const InputSample& last, Microseconds now, std::int32_t limit_us) {
   const std::int32_t age_us = elapsed_us(last.time, now);
   return age_us > limit_us || age_us < -limit_us;

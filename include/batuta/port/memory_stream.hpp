@@ -9,10 +9,10 @@
 
 namespace batuta {
 
-/// Gives `size` bytes, then says that it is at its end.
+/// Gives `size` bytes, none where that is below zero, then says that it is at its end.
 class MemorySource final : public ByteSource {
  public:
-  MemorySource(const std::uint8_t* bytes, int size) : bytes_(bytes), size_(size) {}
+  MemorySource(const std::uint8_t* bytes, int size) : bytes_(bytes), size_(max_of(size, 0)) {}
 
  private:
   int do_read(std::uint8_t* bytes, int capacity) override {
@@ -28,10 +28,10 @@ class MemorySource final : public ByteSource {
   int at_ = 0;
 };
 
-/// Takes up to `capacity` bytes, and no more.
+/// Takes up to `capacity` bytes, and no more; none where that is below zero.
 class MemorySink final : public ByteSink {
  public:
-  MemorySink(std::uint8_t* bytes, int capacity) : bytes_(bytes), capacity_(capacity) {}
+  MemorySink(std::uint8_t* bytes, int capacity) : bytes_(bytes), capacity_(max_of(capacity, 0)) {}
   int size() const { return size_; }
 
  private:

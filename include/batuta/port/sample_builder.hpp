@@ -27,9 +27,9 @@ struct AxisCalibration {
   std::int32_t flat = 0;      ///< dead zone: so many counts to either side of the centre are 0
 };
 
-/// min < max, and flat leaves something of the axis.
+/// A kind that there is, min < max, and flat leaves something of the axis.
 constexpr bool is_valid(const AxisCalibration& axis) {
-  return axis.min < axis.max && axis.flat >= 0 &&
+  return axis.kind <= AxisKind::kRelative && axis.min < axis.max && axis.flat >= 0 &&
          2 * std::int64_t{axis.flat} < std::int64_t{axis.max} - axis.min;
 }
 
@@ -50,7 +50,7 @@ class SampleBuilder {
   Status configure(const AxisCalibration& x, const AxisCalibration& y);
 
   /// An event: position or movement in counts, by the axis's kind. Movement beyond the rim is not
-  /// remembered.
+  /// remembered, nor is an axis that there is not.
   void axis(Axis which, std::int32_t counts);
 
   /// @returns kOk | kInvalidArgument: index not in [0, kMaxButtons)

@@ -32,7 +32,8 @@ struct Impulse {
 
 /// @pre contact.normal_BA_W unit; restitution C in [0, 1] [Kavan eq. 25]
 /// @returns kOk (also where nothing can move or v_rel >= 0: magnitude 0, twists unchanged) |
-///   kInvalidArgument (not finite, C outside [0, 1], negative inverse mass or moment)
+///   kInvalidArgument (not finite, also in its result; C outside [0, 1]; negative inverse mass or
+///   moment)
 /// Bound: no loop. Kinetic energy does not grow beyond rounding (src/response/impulse.md).
 template <class Scalar>
 Result<Impulse<Scalar>> collision_impulse(const Collider<Scalar>& A, const Collider<Scalar>& B,

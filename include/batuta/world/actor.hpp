@@ -59,8 +59,8 @@ using BodyOf = std::conditional_t<SceneT::kRotation, Body<typename SceneT::Scala
 template <bool kIsOn, class Feature, int kNumber>
 using FeatureIf = std::conditional_t<kIsOn, Feature, Absent<kNumber>>;
 
-/// The caller may read or change it between steps. What becomes unusable (not finite) is left out
-/// of the steps, and counted in StepReport::courses_invalid.
+/// The caller may read or change it between steps. What becomes unusable (not finite, or too far
+/// away to hold its size) is left out of the steps, and counted in StepReport::courses_invalid.
 template <class SceneT>
 struct Actor : ShapeOf<SceneT>,
                FeatureIf<SceneT::kRotation, Driven<typename SceneT::Driver>, 0>,
@@ -105,7 +105,18 @@ constexpr Scalar pair_friction(Scalar a, Scalar b) {
   return min_of(a, b);
 }
 
-/// Whether what the features add to an actor is in range. Bound: the parts.
+/// Where an actor's own point is, m.
+template <class SceneT>
+const Vec3<typename SceneT::Scalar>& position_of(const Actor<SceneT>& actor) {
+  if constexpr (SceneT::kRotation) {
+    return actor.body.X_WB.p_W;
+  } else {
+    return actor.body.p_W;
+  }
+}
+
+/// Whether what the features add to an actor is in range, and its parts where they are. Bound: the
+/// parts.
 template <class SceneT>
 bool has_valid_features(const Actor<SceneT>& actor) {
   using Scalar = typename SceneT::Scalar;
@@ -117,11 +128,13 @@ bool has_valid_features(const Actor<SceneT>& actor) {
     good = good && is_finite(actor.friction) && actor.friction >= Scalar(0);
   }
   if constexpr (SceneT::Search::kForSpheres) {
-    good = good && is_finite(actor.radius) && actor.radius >= Scalar(0);
+    good = good && is_finite(actor.radius) && actor.radius >= Scalar(0) &&
+           can_hold(position_of(actor), actor.radius);
   } else {
     good = good && parts_of(actor) > 0;
     for (int i = 0; i < parts_of(actor); ++i) {  // Bound: kCapsulesPerBody
-      good = good && is_valid(part_of(actor, i));
+      const auto& part = part_of(actor, i);
+      good = good && is_valid(part) && can_hold(position_of(actor), part);
     }
   }
   return good;

@@ -70,7 +70,8 @@ class GeneralWorld : private SeedsOf<SceneT>,
   void restore(const GeneralWorld& saved);
 
   /// @returns kOk with the id | kPoolFull | kInvalidArgument (not finite, negative radius, no part,
-  /// C outside [0, 1], mu negative)
+  /// C outside [0, 1], mu negative, or so far from the origin that numbers there are further apart
+  /// than the body is large)
   Result<BodyId> add(const ActorType& actor);
 
   /// Takes a body out; its contacts end without an event. @returns kOk | kStaleHandle

@@ -4,6 +4,8 @@
 
 #include <linux/input.h>
 
+#include <limits>
+
 namespace batuta::host {
 namespace {
 
@@ -37,7 +39,7 @@ Result<InputSample> EventDecoder::decode_mark(std::uint16_t code, Microseconds t
   if (code == SYN_DROPPED) builder_.lost();
   if (code == SYN_MT_REPORT) {
     fingers_in_turn_ = true;
-    ++finger_;
+    if (finger_ < std::numeric_limits<int>::max()) ++finger_;  // a slot may have any number
   }
   if (code != SYN_REPORT) return failure<InputSample>(Status::kUnavailable);
   if (fingers_in_turn_) finger_ = 0;

@@ -128,4 +128,23 @@ std::optional<MotionAxes> find_motion_axes(const std::vector<DeviceEvent>& event
   return axes;
 }
 
+std::optional<MotionAxes> find_motion_axes(const Abilities& device) {
+  for (const Candidate& candidate : kCandidates) {  // Bound: kCandidates
+    const bool both = device.has(candidate.type, candidate.code_x) &&
+                      device.has(candidate.type, candidate.code_y);
+    if (!both) continue;
+    MotionAxes axes = uncalibrated(candidate);
+    const bool relative = axes.type == EV_REL;
+    const AxisRange reach{-kRelativeReach, kRelativeReach, 0};
+    const std::optional<AxisRange> x = relative ? reach : device.range(axes.code_x);
+    const std::optional<AxisRange> y = relative ? reach : device.range(axes.code_y);
+    if (!x || !y) continue;
+    const AxisKind kind = relative ? AxisKind::kRelative : AxisKind::kAbsolute;
+    axes.x = calibrate(kind, *x, false);
+    axes.y = calibrate(kind, *y, true);
+    return axes;
+  }
+  return std::nullopt;
+}
+
 }  // namespace batuta::host

@@ -12,6 +12,7 @@
 #include "host/devices/replay_device.hpp"
 #include "host/devices/reported_stick.hpp"
 #include "host/devices/script_device.hpp"
+#include "host/live/open_live.hpp"
 
 namespace batuta::host {
 namespace {
@@ -19,8 +20,8 @@ namespace {
 constexpr std::string_view kSerial = "serial:";
 
 constexpr const char* kKnown =
-    "a recording (.events, .evemu), default, script:guard|parry|attack, or "
-    "serial:LINE[@BAUD][,SOURCE]";
+    "a recording (.events, .evemu), default, script:guard|parry|attack, "
+    "device:/dev/input/eventN, device:sdl[:INDEX|NAME], or serial:LINE[@BAUD][,SOURCE]";
 
 OpenedSource refuse(const std::string& error) {
   OpenedSource refused;
@@ -57,15 +58,13 @@ std::optional<int> baud_of(std::string_view words) {
   return number ? std::optional<int>(baud) : std::nullopt;
 }
 
-/// What needs no device: recordings and scripts.
-OpenedSource open_played(const std::string& words) {
+/// Whatever is not at the other end of a serial line.
+OpenedSource open_here(const std::string& words) {
   if (words == "default") {
     return open_replay(parse_recording(kDefaultRecording, "default", {}), "default");
   }
   if (starts_with(words, "script:")) return open_script(words);
-  if (starts_with(words, "device:")) {
-    return refuse(words + ": live devices are not built into this version");
-  }
+  if (starts_with(words, kLive)) return open_live(words);
   std::error_code error;
   if (!std::filesystem::exists(words, error)) {
     const bool path = words.find_first_of("/.") != std::string::npos;
@@ -92,7 +91,7 @@ OpenedSource open_serial(const std::string& words) {
   } else {
     const std::string inner = words.substr(comma + 1);
     if (starts_with(inner, kSerial)) return refuse(words + ": a device is no stick of a device");
-    opened = open_played(inner);
+    opened = open_here(inner);
   }
   opened.line = line;
   opened.baud = *baud;
@@ -102,7 +101,7 @@ OpenedSource open_serial(const std::string& words) {
 }  // namespace
 
 OpenedSource open_source(const std::string& words) {
-  return starts_with(words, kSerial) ? open_serial(words) : open_played(words);
+  return starts_with(words, kSerial) ? open_serial(words) : open_here(words);
 }
 
 }  // namespace batuta::host

@@ -10,6 +10,9 @@
 
 namespace batuta::host {
 
+class LiveForce;
+struct ForceOptions;
+
 /// An input device of this port: what a program wants to know beside the samples.
 class Source : public InputDevice {
  public:
@@ -24,6 +27,12 @@ class Source : public InputDevice {
   virtual double duration() const = 0;
   /// Samples that could not be made because the device had lost events.
   virtual std::uint32_t losses() const { return 0; }
+  /// It happens now, and cannot be played faster.
+  virtual bool is_live() const { return false; }
+  /// Times that it was unplugged.
+  virtual std::uint32_t unplugs() const { return 0; }
+  /// The way back into the hand, opened when it is first asked for; null: there is none.
+  virtual LiveForce* force(const ForceOptions& /*options*/) { return nullptr; }
 };
 
 /// Rate of a device's line, where the words name none: the STM32 port's (port/stm32f405/board.hpp).
@@ -40,8 +49,9 @@ struct OpenedSource {
   bool own_stick = false;
 };
 
-/// SOURCE: "default", "script:guard|parry|attack", the path of a recording, or
-/// "serial:LINE[@BAUD][,SOURCE]" with one of the former. Opens recordings, but no line.
+/// SOURCE: "default", "script:guard|parry|attack", the path of a recording,
+/// "device:/dev/input/eventN|sdl[:INDEX|NAME]", or "serial:LINE[@BAUD][,SOURCE]" with one of the
+/// former. Opens recordings and devices, but no line.
 OpenedSource open_source(const std::string& words);
 
 }  // namespace batuta::host

@@ -76,6 +76,9 @@ void BoutLog::print_device(const DuelRunner& runner, Side side) {
   if (runner.source(side).losses() > 0) {
     std::fprintf(out_, ", lost by the device %u", runner.source(side).losses());
   }
+  if (runner.source(side).unplugs() > 0) {
+    std::fprintf(out_, ", unplugged %u times", runner.source(side).unplugs());
+  }
   if (device.ended) std::fprintf(out_, "; ended at %.3f s, the stick stayed", device.ended_at);
   std::fputc('\n', out_);
 }

@@ -72,6 +72,7 @@ void add_device(JsonLine& line, const DuelRunner& runner, Side side) {
       .count(key("samples_rejected").c_str(), rejected(runner, side))
       .count(key("samples_overwritten").c_str(), stick.lost)
       .count(key("device_losses").c_str(), runner.source(side).losses())
+      .count(key("unplugs").c_str(), runner.source(side).unplugs())
       .flag(key("source_ended").c_str(), device.ended);
 }
 

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -15,11 +16,13 @@
 #include "host/duel/bout_log.hpp"
 #include "host/duel/device/device_log.hpp"
 #include "host/duel/device/device_setup.hpp"
+#include "host/duel/interrupt.hpp"
 #include "host/duel/json_log.hpp"
 #include "host/duel/options.hpp"
 #include "host/duel/progress_bar.hpp"
 #include "host/duel/replay.hpp"
 #include "host/duel/run_record.hpp"
+#include "host/duel/stick_feedback.hpp"
 #include "host/duel/svg_picture.hpp"
 
 namespace batuta::host {
@@ -35,21 +38,27 @@ int complain(int exit_code, const std::string& what) {
 /// Below this, a replay is over before a bar could be read.
 constexpr double kLongReplay = 600;  // s
 
-/// Where a bout is drawn and recorded, if it is to be.
+/// Where a bout is drawn and recorded, if it is to be, and who feels it.
 struct Outputs {
+  std::array<LiveForce*, 2> forces{};
   std::ofstream svg;
   FileSink record;
 };
 
 Observers make_observers(const Options& options, double limit, Outputs& outputs) {
   Observers observers;
+  auto feedback = std::make_unique<StickFeedback>(outputs.forces);
+  auto force_log = std::make_unique<ForceLog>(stdout, options.json, *feedback);
+  observers.push_back(std::move(feedback));  // the hand first
   if (limit >= kLongReplay && !options.realtime && isatty(STDERR_FILENO) != 0) {
     observers.push_back(std::make_unique<ProgressBar>(stderr));
   }
   if (options.json) {
+    observers.push_back(std::move(force_log));  // the summary is the last line
     observers.push_back(std::make_unique<JsonLog>(stdout));
   } else {
     observers.push_back(std::make_unique<BoutLog>(stdout));
+    observers.push_back(std::move(force_log));
   }
   if (!options.svg.empty()) observers.push_back(std::make_unique<SvgPicture>(outputs.svg));
   if (!options.record.empty()) observers.push_back(std::make_unique<RunRecord>(outputs.record));
@@ -71,7 +80,7 @@ bool run(DuelRunner& runner, const Observers& observers, bool realtime, DevicePa
   const Microseconds start = clock.now();
   for (const auto& observer : observers) observer->on_start(runner);
   bool going_on = true;
-  while (going_on) {  // Bound: the steps up to runner.limit()
+  while (going_on && !is_interrupted()) {  // Bound: the steps up to runner.limit()
     if (device != nullptr && !device->before_step(runner)) return false;
     going_on = runner.step();
     if (runner.status() != Status::kOk) return false;
@@ -163,7 +172,20 @@ int finish(const Options& options, Outputs& outputs) {
   return written ? kExitOk : complain(kExitFailure, "the output cannot be written");
 }
 
-int play(const Options& options) {
+/// The ways back into the hands, where there are some.
+std::array<LiveForce*, 2> open_forces(const Options& options, Source& left, Source& right) {
+  if (options.force == "off") return {};
+  ForceOptions effects;
+  effects.spring.coefficient = options.spring;
+  effects.damper.coefficient = options.damper;
+  std::array<LiveForce*, 2> forces{left.force(effects), right.force(effects)};
+  for (LiveForce*& force : forces) {
+    if (force != nullptr && force->first_kind() == ForceKind::kNone) force = nullptr;
+  }
+  return forces;
+}
+
+int play(Options options) {
   const OpenedSource left = open(options.left);
   if (!left.source) return kExitUsage;
   const OpenedSource right = open(options.right);
@@ -172,6 +194,11 @@ int play(const Options& options) {
   const std::string error = setup.open(left, right);
   if (!error.empty()) return complain(kExitUsage, error);
   Outputs outputs;
+  outputs.forces = open_forces(options, *left.source, *right.source);
+  if (left.source->is_live() || right.source->is_live()) {
+    options.realtime = true;
+    watch_interrupts();
+  }
   if (!options.svg.empty()) {
     outputs.svg.open(options.svg);
     if (!outputs.svg)

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 namespace batuta::host {
 namespace {
@@ -19,10 +20,16 @@ constexpr const char* kFooter = R"(SOURCE is one of
   default                  the synthetic recording that is built into the program
   script:guard, script:parry, script:attack
                            a simple opponent
+  device:/dev/input/eventN a live stick, pad or mouse of the Linux input stack; a path below
+                           /dev/input/by-id is that of the same device after it was unplugged
+  device:sdl, device:sdl:INDEX, device:sdl:NAME
+                           a live stick or pad as SDL finds it: the first, the one at this place
+                           of its list, or the one with this in its name
   serial:LINE[@BAUD]       the fencing firmware at the other end of a serial line, with its own stick;
                            3000000 baud unless the words say otherwise
   serial:LINE[@BAUD],SOURCE
-                           the same, with a recording or a script in place of its stick
+                           the same, with a recording, a script or a live device in place of its
+                           stick
                            (here and there the bout is the same, to the last bit; this is checked
                            after every step)
 The bout ends with a touch, or when the recordings are at their end; with two scripts, after 180 s.
@@ -31,10 +38,16 @@ After one of two recordings has ended, its fencer stays where it is.
 The stick: centre is the guard, up is the lunge, left and right at the centre or below are the
 parries, down is the retreat. Up is where a mouse moves away from you.
 
+A live device is real time: --realtime goes without saying. While it is unplugged its fencer
+stays where it is and has no force; plugged in again, it goes on. Ctrl-C ends the bout.
+Where a live device has force feedback, or at least rumbles, its fencer feels the blows, unless
+--force off. --spring and --damper add effects that the device computes by itself.
+
 With --json each line of the output is an object; "type" is start, contact, touch or, in the last
 line, summary. SI units. Contacts that only persist are counted in the summary, not listed.
 
-With a device, a line of the type "link" before the summary tells what the cable did.
+With a serial device, a line of the type "link" before the summary tells what the cable did; with
+a force, a line of the type "force" how well it came through.
 
 With --replay no source is opened: the samples come from the file, and after every step the state
 of the duel is compared with the recorded one. A recording made on another machine must agree.
@@ -51,6 +64,21 @@ std::string positive_number(const std::string& words) {
 
 std::string file_name(const std::string& words) {
   return words.empty() ? "a file has a name" : "";
+}
+
+/// @returns those that ask for a force
+std::vector<CLI::Option*> declare_force(CLI::App& app, Options& options) {
+  CLI::Option* const force =
+      app.add_option("--force", options.force, "let the hands at live devices feel the bout");
+  force->check(CLI::IsMember({"on", "off"}))->capture_default_str();
+  CLI::Option* const spring = app.add_option("--spring", options.spring,
+                                             "the stick pulls to its centre, share of the range");
+  CLI::Option* const damper =
+      app.add_option("--damper", options.damper, "the stick resists movement, share of the range");
+  for (CLI::Option* share : {spring, damper}) {
+    share->type_name("SHARE")->check(CLI::Range(0.0, 1.0))->capture_default_str();
+  }
+  return {force, spring, damper};
 }
 
 void declare(CLI::App& app, Options& options) {
@@ -73,9 +101,9 @@ void declare(CLI::App& app, Options& options) {
   CLI::Option* const replay = app.add_option(
       "--replay", options.replay, "go through a recorded bout again and compare every step");
   replay->type_name("FILE")->check(file_name);
-  for (CLI::Option* other : {left, right, json, svg, realtime, seconds, record}) {
-    replay->excludes(other);
-  }
+  std::vector<CLI::Option*> others = declare_force(app, options);
+  others.insert(others.end(), {left, right, json, svg, realtime, seconds, record});
+  for (CLI::Option* other : others) replay->excludes(other);
   app.set_version_flag("--version", "batuta-duel " BATUTA_VERSION);
   app.footer(kFooter);
 }

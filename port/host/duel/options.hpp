@@ -21,6 +21,9 @@ struct Options {
   double seconds = std::numeric_limits<double>::infinity();
   bool json = false;
   bool realtime = false;
+  std::string force = "on";  ///< or "off"
+  float spring = 0;          ///< of a force feedback device's own, 0 ... 1
+  float damper = 0;
 };
 
 /// What the command line asks for.

@@ -11,7 +11,6 @@
 namespace batuta::test {
 namespace {
 
-using firmware::RampSettings;
 using link::Mode;
 
 /// A device whose left stick sweeps into the other blade.
@@ -36,6 +35,19 @@ class SweepingStick : public ::testing::Test {
     message.step = ++step;
     message.has_left = true;
     message.left = sweep(step);
+    host.send(message);
+    rig.run(1);
+    ASSERT_EQ(rig.device->bout().steps(), step);
+  }
+  /// One step with a sample of the right stick alone, which sweeps to and fro.
+  void order_of_the_right(int i) {
+    link::Step message;
+    message.step = ++step;
+    message.has_right = true;
+    message.right.time = step * 1000;
+    message.right.sequence = step;
+    message.right.x = 0.5F + 0.5F * std::sin(0.05F * static_cast<float>(i));
+    message.right.y = -0.3F;
     host.send(message);
     rig.run(1);
     ASSERT_EQ(rig.device->bout().steps(), step);
@@ -121,8 +133,9 @@ TEST_F(SweepingStick, WhenTheHostComesBack_TheForceComesBackSlowly_AndTheSilence
   int back = 1;  // steps since the silence
   for (; !is_forced() && back < 49; ++back) order();
   ASSERT_TRUE(is_forced()) << "else nothing was seen";
-  const Vec2<float> whole = rig.device->bout().forces().of(Side::kLeft).share;
-  EXPECT_EQ(rig.motor.last.x, static_cast<float>(back) / 50.0F * whole.x());
+  const Vec2<float> demanded = rig.device->bout().forces().of(Side::kLeft).demanded;
+  const float whole = demanded.x() * rig.settings.bout.force.gain().x();
+  EXPECT_EQ(rig.motor.last.x, static_cast<float>(back) / 50.0F * whole);
 }
 
 TEST_F(SweepingStick, WhenTheOwnStickStops_ItsForceFades_ThoughStepsGoOn) {
@@ -144,6 +157,58 @@ TEST_F(SweepingStick, WhenTheOwnStickStops_ItsForceFades_ThoughStepsGoOn) {
   EXPECT_EQ(std::find(ramped.begin(), ramped.end(), true) - ramped.begin(), 25);
   EXPECT_EQ(rig.device->silences(), 1U);
   EXPECT_EQ(rig.device->bout().steps(), 100U);
+}
+
+/// A beat, and the stick's cable comes out in the middle of it; the opponent goes on beating.
+TEST_F(SweepingStick, UnpluggedMidBeat_TheMotorsForceGoesSmoothly_TheDuelGoesOn_AndItIsCounted) {
+  rig.settings.bout.force.full_scale = 0.01F;  // any blow takes all that there is
+  rig.settings.bout.force.ramp = {10, 1000};
+  rig.start();
+  order_until_forced();
+  while (step < 1100) order();  // until the whole force is there
+  int blows_while_fading = 0;
+  int blows_after = 0;
+  for (int i = 1; i <= 2000; ++i) {
+    order_of_the_right(i);
+    const float left = std::fmax(0.0F, static_cast<float>(1010 - i) / 1000);
+    ASSERT_LE(std::fabs(rig.motor.last.x), left) << i;
+    ASSERT_LE(std::fabs(rig.motor.last.y), left) << i;
+    const bool blow = rig.device->bout().forces().of(Side::kLeft).demanded.norm() > 0;
+    ASSERT_TRUE(i <= 10 || i >= 1010 || is_forced() == blow) << i;
+    if (i > 10 && is_forced()) ++blows_while_fading;
+    if (i > 1010 && blow) ++blows_after;
+  }
+  EXPECT_GT(blows_while_fading, 3);
+  EXPECT_GT(blows_after, 3);
+  EXPECT_EQ(rig.device->silences(), 1U);
+  EXPECT_EQ(rig.device->stage().report().sample_silences, 1U);
+}
+
+TEST_F(SweepingStick, EmergencyStop_IsZeroAtOnce_NoSessionEndsIt_AndTheDuelGoesOn) {
+  rig.start();
+  order_until_forced();
+  rig.device->stop_force(rig.clock.time);
+  EXPECT_FALSE(is_forced()) << "at once";
+  const std::uint32_t failures = rig.device->report().force_failures;
+  host.send(link::Hello{2, Mode::kPaced});
+  rig.run(1);
+  step = 0;
+  while (step < 200) {
+    order();
+    ASSERT_FALSE(is_forced());
+  }
+  EXPECT_EQ(rig.device->report().force_failures, failures + 201);
+  ASSERT_EQ(rig.device->release_force(), Status::kOk);
+  while (!is_forced() && step < 300) order();
+  EXPECT_TRUE(is_forced());
+}
+
+TEST_F(SweepingStick, AMotorThatIsGone_IsCounted_AndTheDuelGoesOn) {
+  rig.start();
+  order_until_forced();
+  rig.motor.broken = true;
+  for (int i = 0; i < 5; ++i) order();
+  EXPECT_EQ(rig.device->report().force_failures, 5U);
 }
 
 TEST_F(SweepingStick, ANewSession_StartsWithoutForce_AndRemembersTheSilences) {

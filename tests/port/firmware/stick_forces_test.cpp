@@ -52,17 +52,34 @@ TEST_F(ABeat, PushesTheStickBackFromWhereItStruck_AndTheOtherAlong) {
   EXPECT_GT(forces.of(Side::kRight).share.x(), 0);
 }
 
-TEST_F(ABeat, WithoutABlow_ThereIsNoForce) {
+TEST_F(ABeat, BeforeTheFirstBlow_ThereIsNoForce) {
   ASSERT_EQ(forces.configure({}), Status::kOk);
   int quiet = 0;
-  for (int i = 0; i < 150; ++i) {
-    step();
-    if (has_blow()) continue;
+  for (step(); !has_blow() && quiet < 150; step()) {
     ++quiet;
     EXPECT_EQ(forces.of(Side::kLeft).share, Vec2<float>(0, 0));
     EXPECT_EQ(forces.of(Side::kRight).share, Vec2<float>(0, 0));
   }
   EXPECT_GT(quiet, 10);
+}
+
+TEST_F(ABeat, HeldAgainstTheOtherBlade_TheStickIsPushedBackForAsLong) {
+  ASSERT_EQ(forces.configure({}), Status::kOk);
+  for (int i = 0; i < 300; ++i) step();
+  for (int i = 0; i < 100; ++i) {
+    step();
+    EXPECT_GT(forces.of(Side::kLeft).share.x(), kLeastShare) << i;
+  }
+}
+
+TEST_F(ABeat, SmallestForces_AreNone) {
+  ForceSettings settings;
+  settings.full_scale = 1e6F;  // of which the coupling is a millionth
+  ASSERT_EQ(forces.configure(settings), Status::kOk);
+  for (int i = 0; i < 300; ++i) {
+    step();
+    EXPECT_EQ(forces.of(Side::kLeft).demanded, Vec2<float>(0, 0)) << i;
+  }
 }
 
 TEST_F(ABeat, TheRampScalesEachSideByItself) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The contract suite on the host's devices.
+#include <memory>
+
 #include "contract_suite.hpp"
 #include "host/clock.hpp"
 #include "host/devices/replay_device.hpp"
 #include "host/devices/script_device.hpp"
+#include "host/live/live_force.hpp"
 
 namespace batuta::test {
 namespace {
@@ -47,6 +50,22 @@ class ScriptRig {
   Microseconds now_ = 0;
 };
 
+/// A live force with its thread; the device behind it takes everything.
+class LiveForceRig {
+ public:
+  ForceDevice& device() { return device_; }
+
+ private:
+  class Willing final : public host::ForceBackend {
+   public:
+    host::ForceKind open() override { return host::ForceKind::kForce; }
+    host::Rendered render(const host::Feel& /*feel*/) override { return host::Rendered::kDone; }
+    bool is_there() override { return true; }
+  };
+
+  host::LiveForce device_{std::make_unique<Willing>(), {}};
+};
+
 struct ClockRig {
   Clock& clock() { return clock_; }
   HostClock clock_;
@@ -55,7 +74,7 @@ struct ClockRig {
 INSTANTIATE_TYPED_TEST_SUITE_P(Replay, InputContract, ::testing::Types<ReplayRig>);
 INSTANTIATE_TYPED_TEST_SUITE_P(Script, InputContract, ::testing::Types<ScriptRig>);
 INSTANTIATE_TYPED_TEST_SUITE_P(Host, ClockContract, ::testing::Types<ClockRig>);
-GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ForceContract);  // no host device pushes back yet
+INSTANTIATE_TYPED_TEST_SUITE_P(Live, ForceContract, ::testing::Types<LiveForceRig>);
 
 }  // namespace
 }  // namespace batuta::test

@@ -60,7 +60,8 @@ def without_timing(line):
 def usage(folder):
     told = run("--help")
     check(told.returncode == 0 and told.stderr == "", told.stderr)
-    for word in ("--left", "--right", "--json", "--svg", "--realtime", "--seconds", "script:", "Exit codes"):
+    for word in ("--left", "--right", "--json", "--svg", "--realtime", "--seconds", "--force", "script:",
+                 "device:/dev/input/", "device:sdl", "Exit codes"):
         check(word in told.stdout, word)
     check(max(map(len, told.stdout.splitlines())) <= 120, "help fits a terminal")
     version = run("--version")
@@ -72,7 +73,11 @@ def usage(folder):
         refuses(["--seconds", number], 2)
     refuses(["--left", "banana"], 2, "banana", "unknown source")
     refuses(["--right", "script:riposte"], 2, "script:riposte")
-    refuses(["--left", "device:/dev/input/event0"], 2, "live devices are not built into this version")
+    refuses(["--left", "device:/nonexistent"], 2, "device:/nonexistent: no such device; found: ")
+    refuses(["--left", "device:/dev/null"], 2, "not an event device")
+    refuses(["--right", "device:sdl:no stick of this name"], 2, "device:sdl:no stick of this name: ")
+    refuses(["--force", "perhaps"], 2, "--force")
+    refuses(["--spring", "1.5"], 2, "--spring")
     refuses(["--left", "serial:/dev/null"], 2, "/dev/null")
     refuses(["--left", "serial:" + os.path.join(folder, "none")], 2, "none")
     refuses(["--left", "serial:/dev/null@12"], 2, "unknown rate of 12 baud")
@@ -102,6 +107,7 @@ def recordings(folder):
     two = objects(run("--left", short, "--right", "script:guard", "--seconds", "1", "--json"))[-1]
     check(two["result"] == "draw" and two["left_source_ended"] is True, two)
     check(two["simulated_seconds"] == 1, two)
+    check(two["left_unplugs"] == 0, two)
     paced = run("--left", short, "--right", "script:guard", "--realtime", "--json")
     objects(paced)
 

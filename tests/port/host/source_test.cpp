@@ -33,7 +33,8 @@ TEST(OpenSource, Refusals_AreOneLineThatNamesTheSource) {
                             "script:riposte",
                             "banana",
                             "none.events",
-                            "device:/dev/input/event0",
+                            "device:/none",
+                            "device:",
                             "serial:",
                             "serial:,script:guard",
                             "serial:/dev/a,serial:/dev/b",
@@ -57,7 +58,7 @@ TEST(OpenSource, Refusals_AreOneLineThatNamesTheSource) {
   }
   EXPECT_THAT(open_source("banana").error, HasSubstr("unknown source"));
   EXPECT_THAT(open_source("none.events").error, HasSubstr("no such file"));
-  EXPECT_THAT(open_source("device:/dev/input/event0").error, HasSubstr("live devices are not"));
+  EXPECT_THAT(open_source("device:/none").error, HasSubstr("no such device; found: "));
 }
 
 TEST(OpenSource, ASerialLine_IsNamed_AndTheDevicesOwnStickStandsForTheSource) {

@@ -7,13 +7,15 @@
 
 #include <limits>
 
+#include "plain_force.hpp"
+
 namespace batuta::stm32f405 {
 namespace {
 
 class BridgeForceTest : public ::testing::Test {
  protected:
   BridgeForceTest() { force_.configure(8400); }
-  Status write(float x, float y) { return force_.write({0, x, y}); }
+  Status write(float x, float y) { return hand_.write({0, x, y}); }
   bool is_silent() const {
     return timer_.ccr[0] + timer_.ccr[1] + timer_.ccr[2] + timer_.ccr[3] == 0;
   }
@@ -23,6 +25,7 @@ class BridgeForceTest : public ::testing::Test {
 
   Tim timer_{};
   BridgeForce force_{timer_};
+  batuta::test::PlainForce hand_{force_};
 };
 
 TEST_F(BridgeForceTest, Configured_IsForcedLow) {

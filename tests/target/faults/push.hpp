@@ -4,10 +4,11 @@
 
 #include "cortex_m/semihosting.hpp"
 #include "mps2/force.hpp"
+#include "plain_force.hpp"
 
 inline void push() {
   batuta::mps2::Force device;
-  (void)device.write({0, 0.5F, -0.5F});
+  (void)batuta::test::PlainForce(device).write({0, 0.5F, -0.5F});
   const batuta::mps2::ForceLevel level = batuta::mps2::force_level();
   batuta::semihosting::write("force before ");
   batuta::semihosting::write_hex(static_cast<std::uint32_t>(level.x));

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+#include <new>
 #include <random>
 
 #include "batuta/fencing/fencer.hpp"
@@ -216,6 +218,17 @@ TEST(KeyframeGrid, Float_FollowsDouble) {
       ASSERT_LE((f.jacobian.cast<double>() - d.jacobian).norm(), 1e-5);
     }
   }
+}
+
+TEST(KeyframeGrid, BeforeThereAreKeys_IsTheOrigin) {
+  // Where there was something else before.
+  alignas(KeyframeGrid<float, 3, 3>) unsigned char place[sizeof(KeyframeGrid<float, 3, 3>)];
+  std::memset(place, 0xA5, sizeof(place));
+  const auto* grid = new (place) KeyframeGrid<float, 3, 3>;
+  const KeyedPose<float> hand = grid->at({0.3F, -0.7F});
+  EXPECT_EQ(hand.X_WH.p_W, Vec3<float>(0, 0, 0));
+  EXPECT_EQ(hand.X_WH.q_WB.coeffs(), Quat<float>::Identity().coeffs());
+  EXPECT_EQ(hand.jacobian.norm(), 0.0F);
 }
 
 }  // namespace

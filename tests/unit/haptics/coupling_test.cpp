@@ -116,6 +116,32 @@ RC_GTEST_PROP(Coupling, Limits_KeepTheDirection, ()) {
             std::abs(kept.force_W.norm() - settings.max_force) < 1e-12);
 }
 
+RC_GTEST_PROP(Coupling, StoredEnergy_IsWhatTheLimitedSpringsTook, ()) {
+  CouplingSettings<double> settings;
+  settings.damping = 0;
+  settings.turn_damping = 0;
+  settings.max_force = 100;  // reached at 0.25 m
+  settings.max_moment = 2;   // at 0.5 rad
+  const Frame a = any_frame(0.6);
+  const Frame b = any_frame(0.6);
+  const double h = 1e-6;
+  const double stored = stored_energy(settings, after(a, h).X_W, after(b, h).X_W) -
+                        stored_energy(settings, after(a, -h).X_W, after(b, -h).X_W);
+  // Second order in h where the limit is passed within it: half the change of slope, k v^2 h.
+  RC_ASSERT(std::abs(power_of_both(settings, a, b) + stored / (2 * h)) < 0.2);
+}
+
+TEST(Coupling, StoredEnergy_IsThatOfTheTextbook) {
+  CouplingSettings<double> settings;
+  Pose<double> actual;
+  actual.p_W.y() = 0.1;
+  EXPECT_DOUBLE_EQ(stored_energy(settings, Pose<double>(), actual), 400 * 0.01 / 2);
+  actual.p_W.y() = 1.15;  // the limit is reached at 0.15 m, with 4.5 J
+  EXPECT_DOUBLE_EQ(stored_energy(settings, Pose<double>(), actual), 4.5 + 60);
+  settings.stiffness = 0;
+  EXPECT_EQ(stored_energy(settings, Pose<double>(), actual), 0);
+}
+
 TEST(Coupling, NotFinite_PullsNothing) {
   Frame hand;
   Frame blade;

@@ -36,6 +36,7 @@ TEST(HandForce, BladeHeldBack_PullsTheStickBack) {
   state.held_W.p_W.x() = -0.02;
   EXPECT_DOUBLE_EQ(force.advance(state, kStep).x(), -8);  // 400 N/m
   EXPECT_EQ(force.advance(state, kStep).y(), 0);
+  EXPECT_DOUBLE_EQ(force.stored(), 0.08);  // 400 x 0.02^2 / 2 J
 }
 
 TEST(HandForce, HandThatMovesAwayFromItsBlade_IsBraked) {

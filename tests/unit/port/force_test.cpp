@@ -3,9 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <limits>
+#include <type_traits>
 #include <vector>
+
+#include "plain_force.hpp"
 
 namespace batuta {
 namespace {
@@ -22,35 +23,30 @@ class FakeDevice final : public ForceDevice {
   }
 };
 
-TEST(ForceDevice, Write_PassesOnWhatIsInRange) {
+TEST(ForceDevice, OfTheOutputStage_IsToldTheCommand) {
   FakeDevice device;
-  EXPECT_EQ(device.write({42, -1.0F, 1.0F}), Status::kOk);
+  test::PlainForce force(device);
+  EXPECT_EQ(force.write({42, -1.0F, 0.25F}), Status::kOk);
+  ASSERT_FALSE(device.told.empty());
+  EXPECT_EQ(device.told.back().time, 42U);
+  EXPECT_EQ(device.told.back().x, -1.0F);
+  EXPECT_EQ(device.told.back().y, 0.25F);
+}
+
+TEST(ForceDevice, Off_TellsZero_AndWhetherTheDeviceIsThere) {
+  FakeDevice device;
+  EXPECT_EQ(device.off(7), Status::kOk);
   ASSERT_EQ(device.told.size(), 1U);
-  EXPECT_EQ(device.told[0].time, 42U);
-  EXPECT_EQ(device.told[0].x, -1.0F);
-  EXPECT_EQ(device.told[0].y, 1.0F);
-}
-
-TEST(ForceDevice, Write_Nonsense_TellsTheDeviceZero) {
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  const float above = std::nextafter(1.0F, 2.0F);
-  for (const float bad : {nan, std::numeric_limits<float>::infinity(), above, -above}) {
-    for (const ForceCommand& command : {ForceCommand{1, bad, 0}, ForceCommand{1, 0, bad}}) {
-      FakeDevice device;
-      EXPECT_EQ(device.write(command), Status::kInvalidArgument);
-      ASSERT_EQ(device.told.size(), 1U);
-      EXPECT_EQ(device.told[0].time, 1U);
-      EXPECT_EQ(device.told[0].x, 0.0F);
-      EXPECT_EQ(device.told[0].y, 0.0F);
-    }
-  }
-}
-
-TEST(ForceDevice, Write_DeviceGone_SaysSo) {
-  FakeDevice device;
+  EXPECT_EQ(device.told[0].time, 7U);
+  EXPECT_EQ(device.told[0].x, 0.0F);
+  EXPECT_EQ(device.told[0].y, 0.0F);
   device.status = Status::kUnavailable;
-  EXPECT_EQ(device.write({1, 0.5F, 0}), Status::kUnavailable);
-  EXPECT_EQ(device.write({1, 2.0F, 0}), Status::kUnavailable);
+  EXPECT_EQ(device.off(8), Status::kUnavailable);
+}
+
+TEST(ForcePermit, IsMadeByNobodyElse) {
+  static_assert(!std::is_default_constructible_v<ForcePermit>);
+  static_assert(!std::is_aggregate_v<ForcePermit>);
 }
 
 }  // namespace

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+
+#include "host/duel/stick_feedback.hpp"
+
+#include "firmware/stage_settings.hpp"
+#include "host/duel/bout_words.hpp"
+#include "host/duel/json_line.hpp"
+
+namespace batuta::host {
+namespace {
+
+Microseconds end_of_step(const DuelRunner& runner) {
+  return static_cast<Microseconds>(std::uint64_t{runner.bout().steps()} * DuelRunner::kStep_us);
+}
+
+}  // namespace
+
+StickFeedback::StickFeedback(const std::array<LiveForce*, 2>& forces) : forces_(forces) {
+  for (std::size_t i = 0; i < forces_.size(); ++i) {  // Bound: 2
+    if (forces_[i] != nullptr) stages_[i].emplace(*forces_[i]);
+  }
+}
+
+void StickFeedback::on_start(const DuelRunner& runner) {
+  const StageSettings settings = firmware::stage_settings({}, runner.duel().dt());
+  for (auto& stage : stages_) {  // Bound: 2
+    if (!stage) continue;
+    const bool ready = stage->configure(settings) == Status::kOk && stage->enable() == Status::kOk;
+    BATUTA_INVARIANT(ready);
+  }
+}
+
+void StickFeedback::on_step(const DuelRunner& runner) {
+  for (const Side side : {Side::kLeft, Side::kRight}) {  // Bound: 2
+    auto& stage = stages_[index_of(side)];
+    if (!stage) continue;
+    const auto& force = runner.bout().forces().of(side);
+    StageInput input;
+    input.time = end_of_step(runner);
+    input.position = runner.duel().stick(side).position();
+    input.velocity = runner.duel().stick(side).velocity();
+    input.demanded = force.demanded;
+    input.allowed = force.allowed;
+    input.fresh_sample = runner.bout().used(side) != nullptr;
+    input.fresh_command = true;
+    (void)stage->step(input);  // an unplugged stick goes without; the stage counts it
+  }
+}
+
+void StickFeedback::on_end(const DuelRunner& runner) {
+  for (auto& stage : stages_) {  // Bound: 2
+    if (stage) stage->stop(end_of_step(runner));
+  }
+}
+
+void ForceLog::on_end(const DuelRunner& /*runner*/) {
+  for (const Side side : {Side::kLeft, Side::kRight}) {  // Bound: 2
+    LiveForce* const force = feedback_.force(side);
+    if (force == nullptr) continue;
+    if (json_) {
+      write_json(side, *force);
+    } else {
+      print(side, *force);
+    }
+  }
+}
+
+void ForceLog::print(Side side, LiveForce& force) const {
+  const ForceReport& report = force.report();
+  std::fprintf(out_, "%-5s  force: %s; effects sent %u", name_of(side), name_of(force.first_kind()),
+               report.sent);
+  if (report.sent > 0) {
+    std::fprintf(out_, ", each %.2f ms (worst %.2f, jitter %.2f), %.2f ms old (worst %.2f)",
+                 1e-3 * report.mean_period_us, 1e-3 * report.worst_period_us,
+                 1e-3 * report.jitter_us, 1e-3 * report.mean_age_us, 1e-3 * report.worst_age_us);
+  }
+  std::fprintf(out_, "; clipped in %.1f %% of the steps, taken away by silence %u times\n",
+               100.0 * static_cast<double>(feedback_.stage(side).report().clipped_share()),
+               report.silences);
+}
+
+void ForceLog::write_json(Side side, LiveForce& force) const {
+  const ForceReport& report = force.report();
+  JsonLine(out_, "force")
+      .text("side", name_of(side))
+      .text("kind", name_of(force.first_kind()))
+      .count("sent", report.sent)
+      .count("silences", report.silences)
+      .count("unplugs", report.unplugs)
+      .count("not_taken", feedback_.stage(side).report().refused)
+      .number("clipped_share", static_cast<double>(feedback_.stage(side).report().clipped_share()))
+      .number("period_mean", 1e-6 * report.mean_period_us)
+      .number("period_max", 1e-6 * report.worst_period_us)
+      .number("jitter", 1e-6 * report.jitter_us)
+      .number("age_mean", 1e-6 * report.mean_age_us)
+      .number("age_max", 1e-6 * report.worst_age_us);
+}
+
+}  // namespace batuta::host

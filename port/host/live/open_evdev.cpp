@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+
+#include <memory>
+
+#include "host/live/evdev_feed.hpp"
+#include "host/live/evdev_force.hpp"
+#include "host/live/live_source.hpp"
+#include "host/live/open_live.hpp"
+
+namespace batuta::host {
+
+OpenedSource open_evdev(const std::string& words, const std::string& path) {
+  OpenedSource opened;
+  auto feed = std::make_unique<EvdevFeed>(path);
+  const std::string problem = feed->open();
+  if (!problem.empty()) {
+    opened.error = words + ": " + problem + found_words(list_evdev());
+    return opened;
+  }
+  opened.source = std::make_unique<LiveSource>(
+      path, std::move(feed), [path] { return std::make_unique<EvdevForce>(path); });
+  return opened;
+}
+
+}  // namespace batuta::host

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+
+#include "host/live/sdl_stick.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cstring>
+#include <optional>
+#include <vector>
+
+namespace batuta::host {
+namespace {
+
+/// The sticks that are open: two fencers do not share one.
+class Taken {
+ public:
+  bool add(SDL_JoystickID instance) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const bool free = std::find(ids_.begin(), ids_.end(), instance) == ids_.end();
+    if (free) ids_.push_back(instance);
+    return free;
+  }
+  void remove(SDL_JoystickID instance) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ids_.erase(std::remove(ids_.begin(), ids_.end(), instance), ids_.end());
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<SDL_JoystickID> ids_;
+};
+
+Taken& taken() {
+  static Taken taken;
+  return taken;
+}
+
+/// SDL's list of joysticks stays as it is.
+class ListLock {
+ public:
+  ListLock() { SDL_LockJoysticks(); }
+  ListLock(const ListLock&) = delete;
+  ListLock& operator=(const ListLock&) = delete;
+  ~ListLock() { SDL_UnlockJoysticks(); }
+};
+
+std::string name_at(int index) {
+  const char* const name = SDL_JoystickNameForIndex(index);
+  return name == nullptr ? "without a name" : name;
+}
+
+std::string lower_case(std::string words) {
+  std::transform(words.begin(), words.end(), words.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return words;
+}
+
+std::optional<int> place_of(const std::string& words) {
+  int place = 0;
+  const char* const end = words.data() + words.size();
+  const std::from_chars_result read = std::from_chars(words.data(), end, place);
+  const bool number = !words.empty() && read.ec == std::errc() && read.ptr == end;
+  return number ? std::optional<int>(place) : std::nullopt;
+}
+
+bool same(const SDL_JoystickGUID& a, const SDL_JoystickGUID& b) {
+  return std::memcmp(a.data, b.data, sizeof a.data) == 0;
+}
+
+}  // namespace
+
+SdlSession::SdlSession() {
+  SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");  // the user's interrupt ends the program
+  SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
+  SDL_SetMainReady();
+  open_ = SDL_InitSubSystem(SDL_INIT_JOYSTICK | SDL_INIT_GAMECONTROLLER) == 0;
+  haptics_ = open_ && SDL_InitSubSystem(SDL_INIT_HAPTIC) == 0;
+  if (!open_) return;
+  // Nobody reads the queue of events: the state is asked for.
+  (void)SDL_JoystickEventState(SDL_IGNORE);
+  (void)SDL_GameControllerEventState(SDL_IGNORE);
+  for (const Uint32 type : {SDL_JOYDEVICEADDED, SDL_JOYDEVICEREMOVED, SDL_CONTROLLERDEVICEADDED,
+                            SDL_CONTROLLERDEVICEREMOVED, SDL_CONTROLLERDEVICEREMAPPED}) {
+    (void)SDL_EventState(type, SDL_IGNORE);
+  }
+}
+
+SdlSession::~SdlSession() {
+  if (haptics_) SDL_QuitSubSystem(SDL_INIT_HAPTIC);
+  if (open_) SDL_QuitSubSystem(SDL_INIT_JOYSTICK | SDL_INIT_GAMECONTROLLER);
+}
+
+bool SdlStick::is_chosen(int index) const {
+  if (known_) return same(SDL_JoystickGetDeviceGUID(index), guid_);
+  if (choice_.empty()) return true;
+  const std::optional<int> place = place_of(choice_);
+  if (place) return index == *place;
+  return lower_case(name_at(index)).find(lower_case(choice_)) != std::string::npos;
+}
+
+bool SdlStick::open() {
+  close();
+  const ListLock lock;
+  const int count = SDL_NumJoysticks();
+  for (int i = 0; i < count; ++i) {  // Bound: the sticks that SDL sees
+    const SDL_JoystickID instance = SDL_JoystickGetDeviceInstanceID(i);
+    if (!is_chosen(i) || !taken().add(instance)) continue;
+    const Handle handle(SDL_JoystickOpen(i), [](SDL_Joystick* stick) {
+      if (stick != nullptr) SDL_JoystickClose(stick);
+    });
+    if (handle == nullptr || SDL_JoystickNumAxes(handle.get()) < 2) {
+      taken().remove(instance);
+      continue;
+    }
+    instance_ = instance;
+    name_ = name_at(i);
+    guid_ = SDL_JoystickGetDeviceGUID(i);
+    known_ = true;
+    if (SDL_IsGameController(i) == SDL_TRUE) {
+      pad_.reset(SDL_GameControllerOpen(i), [](SDL_GameController* pad) {
+        if (pad != nullptr) SDL_GameControllerClose(pad);
+      });
+    }
+    const std::lock_guard<std::mutex> guard(mutex_);
+    handle_ = handle;
+    return true;
+  }
+  return false;
+}
+
+void SdlStick::close() {
+  pad_.reset();
+  if (instance_ >= 0) taken().remove(instance_);
+  instance_ = -1;
+  Handle last;  // closed without mutex_: SDL takes a lock of its own for it
+  const std::lock_guard<std::mutex> guard(mutex_);
+  last.swap(handle_);
+}
+
+SdlStick::Handle SdlStick::handle() const {
+  const std::lock_guard<std::mutex> guard(mutex_);
+  return handle_;
+}
+
+std::string list_sdl() {
+  const ListLock lock;
+  std::string list;
+  const int count = SDL_NumJoysticks();
+  for (int i = 0; i < count; ++i) {  // Bound: the sticks that SDL sees
+    if (i > 0) list += ", ";
+    list += std::to_string(i) + " (" + name_at(i) + ")";
+  }
+  return list;
+}
+
+}  // namespace batuta::host

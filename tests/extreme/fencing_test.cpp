@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+// Settings and data of fencers with a hostile number in every place: refused, with the bout that
+// runs as it was, or a bout that goes on with numbers. Sides, parts and kinds that there are not.
+#include <memory>
+
+#include "batuta/fencing/archive.hpp"
+#include "hostile.hpp"
+
+namespace batuta {
+namespace {
+
+template <class S>
+class Fencing : public testing::Test {};
+TYPED_TEST_SUITE(Fencing, test::Scalars);
+
+template <class S>
+struct Ready {
+  Duel<S> duel;
+  Fencer<S> left = first_fencer<S>();
+  Fencer<S> right = second_fencer<S>();
+
+  Status configure(const DuelSettings<S>& settings = duel_settings<S>()) {
+    return duel.configure(settings, left, right);
+  }
+};
+
+/// Two sticks thrown about for a few steps; all that can be seen stays a number.
+template <class S>
+void fence(Duel<S>& duel, std::uint32_t steps) {
+  for (std::uint32_t k = 0; k < steps; ++k) {
+    InputSample sample;
+    sample.time = 4000U * k;
+    sample.x = k / 60 % 2 == 0 ? -1.0F : 1.0F;
+    sample.y = k % 3 == 0 ? -0.2F : -0.4F;
+    const Status status = duel.step(&sample, &sample);
+    if (status == Status::kUnavailable) return;
+    ASSERT_EQ(status, Status::kOk);
+    for (const Side side : {Side::kLeft, Side::kRight}) {
+      const auto blade = duel.blade_W(side);
+      const bool sound = is_finite(blade.axis.a) && is_finite(blade.axis.b);
+      EXPECT_TRUE(sound || duel.report().incomplete_steps > 0);
+    }
+  }
+}
+
+TYPED_TEST(Fencing, HostileFencer_IsRefusedOrFences) {
+  using S = TypeParam;
+  const auto ready = std::make_unique<Ready<S>>();
+  ASSERT_EQ(ready->configure(), Status::kOk);
+  const Fencer<S> good = ready->left;
+  int fenced = 0;
+  test::for_each_spoiled<S>(good, 500, [&](const Fencer<S>& fencer, bool is_number) {
+    ready->left = fencer;
+    const auto before = hash_of(ready->duel);
+    const Status status = ready->configure();
+    if (!is_number) {
+      ASSERT_EQ(status, Status::kInvalidArgument);
+    }
+    if (status != Status::kOk) {
+      EXPECT_EQ(hash_of(ready->duel), before);
+      return;
+    }
+    ++fenced;
+    if (fenced % 4 == 0) fence(ready->duel, 6);
+  });
+  EXPECT_GT(fenced, 500);
+}
+
+TYPED_TEST(Fencing, HostileGrip_IsRefusedOrHolds) {
+  using S = TypeParam;
+  const auto ready = std::make_unique<Ready<S>>();
+  struct Held {
+    GripSettings<S> grip;
+    S impulse = S(0.1);
+    S lag = S(0.05);
+    S inverse_mass = 2;
+  };
+  test::for_each_spoiled<S>(Held{}, 5000, [&](const Held& held, bool) {
+    const bool good = validate(held.grip) == Status::kOk;
+    EXPECT_TRUE(!good || test::all_finite<S>(held.grip));
+    if (!good) return;
+    const bool asked = held.impulse >= S(0) && held.lag >= S(0) && held.inverse_mass >= S(0);
+    if (!asked) return;  // @pre
+    const S time = regain_time(held.grip, held.impulse, held.lag, held.inverse_mass);
+    EXPECT_TRUE(time == S(0) || (time >= held.grip.min_regain && time <= held.grip.max_regain));
+  });
+  // Strength and times at their ends, through blows.
+  for (const S end : {std::numeric_limits<S>::denorm_min(), std::numeric_limits<S>::min(), S(1e-30),
+                      S(1e30), std::numeric_limits<S>::max()}) {
+    for (int member = 0; member < 4; ++member) {
+      GripSettings<S> grip;
+      if (member == 0) grip.strength = end;
+      if (member == 1) grip.min_regain = grip.max_regain = end;
+      if (member == 2) grip.recover_time = end;
+      if (member == 3) grip.lever = end;
+      SCOPED_TRACE(testing::Message() << "end " << end << " member " << member);
+      ready->left.grip = ready->right.grip = grip;
+      ASSERT_EQ(ready->configure(), Status::kOk);
+      fence(ready->duel, 300);
+      EXPECT_GT(ready->duel.report().blows + ready->duel.report().rests, 0U);
+    }
+  }
+}
+
+TYPED_TEST(Fencing, HostileWeapon_HasABodyOrIsRefused) {
+  using S = TypeParam;
+  const Weapon<S> good = first_fencer<S>().weapon;
+  test::for_each_spoiled<S>(good, 5000, [](const Weapon<S>& weapon, bool is_number) {
+    const auto body = weapon_body(weapon);
+    if (!is_number) {
+      EXPECT_EQ(body.status, Status::kInvalidArgument);
+    }
+    if (body.ok()) {
+      EXPECT_TRUE((test::all_finite<S>(body.value)));
+    }
+  });
+}
+
+TYPED_TEST(Fencing, HostileKeys_AreRefusedAndTheOldStay) {
+  using S = TypeParam;
+  FencerGrid<S> grid;
+  const auto good = first_fencer<S>().keys_FH;
+  ASSERT_EQ(grid.set_keys(good), Status::kOk);
+  test::for_each_spoiled<S>(good, 2000, [&](const auto& keys, bool is_number) {
+    const FencerGrid<S> before = grid;
+    const Status status = grid.set_keys(keys);
+    if (!is_number) {
+      EXPECT_EQ(status, Status::kInvalidArgument);
+    }
+    if (status != Status::kOk) {
+      EXPECT_TRUE(test::same_bytes(grid, before));
+    }
+    for (const S x : {S(-1), S(-0.3), S(0), S(0.7), S(1), S(2), std::numeric_limits<S>::max()}) {
+      const auto pose = grid.at({x, -x});
+      EXPECT_TRUE((test::all_finite<S>(pose))) << x;
+    }
+    ASSERT_EQ(grid.set_keys(good), Status::kOk);
+  });
+}
+
+TYPED_TEST(Fencing, HostileBuild_IsRefusedOrStands) {
+  using S = TypeParam;
+  const FencerBuild<S> good = first_fencer<S>().build;
+  test::for_each_spoiled<S>(good, 2000, [](const FencerBuild<S>& build, bool is_number) {
+    const Status status = validate(build);
+    if (!is_number) {
+      EXPECT_EQ(status, Status::kInvalidArgument);
+    }
+    if (status != Status::kOk) return;
+    Pose<S> X_WH;
+    for (const S x : {S(0), S(0.5), S(-2000)}) {
+      X_WH.p_W.x() = x;
+      EXPECT_TRUE((test::all_finite<S>(pose_body(build, Pose<S>{}, X_WH))));
+    }
+  });
+}
+
+TYPED_TEST(Fencing, HostileDuelSettings_AreRefusedAndTheBoutGoesOn) {
+  using S = TypeParam;
+  const auto ready = std::make_unique<Ready<S>>();
+  ASSERT_EQ(ready->configure(), Status::kOk);
+  fence(ready->duel, 5);
+  const auto before = hash_of(ready->duel);
+  constexpr auto kMost = std::numeric_limits<std::int32_t>::max();
+  for (const std::int32_t bad : {-kMost - 1, -1, 0, 99, 20001, kMost}) {
+    auto settings = duel_settings<S>();
+    settings.step_us = bad;
+    EXPECT_EQ(ready->configure(settings), Status::kInvalidArgument) << bad;
+  }
+  for (const std::int32_t bad : {-kMost - 1, -1, 10000001, kMost}) {
+    auto settings = duel_settings<S>();
+    settings.double_window_us = bad;
+    EXPECT_EQ(ready->configure(settings), Status::kInvalidArgument) << bad;
+  }
+  for (const S number : test::kHostile<S>) {
+    auto settings = duel_settings<S>();
+    settings.salle.distance = number;
+    if (number > S(0) && number <= kLargestReach<S>) continue;
+    EXPECT_EQ(ready->configure(settings), Status::kInvalidArgument) << number;
+  }
+  EXPECT_EQ(hash_of(ready->duel), before);
+  EXPECT_EQ(ready->duel.step(nullptr, nullptr), Status::kOk);
+}
+
+TYPED_TEST(Fencing, SideThatThereIsNot_IsTheRightOne) {
+  using S = TypeParam;
+  const auto ready = std::make_unique<Ready<S>>();
+  ASSERT_EQ(ready->configure(), Status::kOk);
+  for (const int value : {2, 3, 127, 255}) {
+    const auto side = static_cast<Side>(value);
+    EXPECT_EQ(index_of(side), 1U);
+    EXPECT_EQ(other(side), Side::kLeft);
+    EXPECT_EQ(&ready->duel.stick(side), &ready->duel.stick(Side::kRight));
+    EXPECT_EQ(&ready->duel.grip(side), &ready->duel.grip(Side::kRight));
+    EXPECT_EQ(&ready->duel.body_W(side), &ready->duel.body_W(Side::kRight));
+    EXPECT_EQ(ready->duel.blade_W(side).axis.a, ready->duel.blade_W(Side::kRight).axis.a);
+  }
+}
+
+TEST(FencingEnums, PartThatThereIsNot_HasNoBitAndNoPlace) {
+  Target<float> target;
+  for (const int value : {12, 13, 31, 32, 255}) {
+    const auto part = static_cast<BodyPart>(value);
+    EXPECT_EQ(mask_of(part), 0U);
+    EXPECT_STREQ(name_of(part), "unknown");
+    EXPECT_DEATH((void)target.part(part), "");  // @pre, as an index is
+    EXPECT_DEATH((void)target.hull(part), "");
+  }
+}
+
+TEST(FencingEnums, PartsThatThereAreNot_AreNotTouched) {
+  const auto ready = std::make_unique<Ready<float>>();
+  auto settings = duel_settings<float>();
+  settings.target = ~kAllParts;
+  ASSERT_EQ(ready->configure(settings), Status::kOk);
+  fence(ready->duel, 500);
+  EXPECT_FALSE(ready->duel.bout().is_over());
+}
+
+TYPED_TEST(Fencing, LongestSilence_IsReachedInTheShortestSteps) {
+  using S = TypeParam;
+  StickTracker<S> stick;
+  StickSettings settings;
+  for (const std::int32_t us : {kLongestSilenceUs + 1, std::numeric_limits<std::int32_t>::max()}) {
+    settings.stale_after_us = us;
+    EXPECT_EQ(stick.configure(settings), Status::kInvalidArgument);
+  }
+  settings.stale_after_us = kLongestSilenceUs;
+  ASSERT_EQ(stick.configure(settings), Status::kOk);
+  ASSERT_EQ(stick.accept({}), SampleUse::kRestart);
+  std::int32_t steps = 0;
+  for (stick.advance(S(1e-6)); !stick.is_stale() && steps < 2 * kLongestSilenceUs; ++steps) {
+    stick.advance(S(1e-6));
+  }
+  EXPECT_NEAR(static_cast<double>(steps) / kLongestSilenceUs, 1, 0.06);
+}
+
+}  // namespace
+}  // namespace batuta

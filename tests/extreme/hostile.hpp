@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Numbers that no careful caller hands over, put into every place of an argument in turn. An
+// argument is a struct of nothing but scalars, so that every one of its numbers is reached without
+// a list that could be forgotten.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstring>
+#include <limits>
+
+#include "batuta/core/types.hpp"
+#include "draws.hpp"
+
+namespace batuta::test {
+
+/// Not finite first.
+template <class S>
+constexpr std::array<S, 15> kHostile = {
+    std::numeric_limits<S>::quiet_NaN(),
+    std::numeric_limits<S>::infinity(),
+    -std::numeric_limits<S>::infinity(),
+    std::numeric_limits<S>::max(),
+    std::numeric_limits<S>::lowest(),
+    std::numeric_limits<S>::max() / 4,  // beyond kLargestCoordinate
+    std::numeric_limits<S>::max() / 8,  // at it
+    S(1e30),
+    S(-1e20),
+    std::numeric_limits<S>::min(),
+    std::numeric_limits<S>::denorm_min(),
+    -std::numeric_limits<S>::denorm_min(),
+    S(-1),
+    S(0),
+    S(-0.0),
+};
+
+template <class S, class T>
+constexpr std::size_t count_of() {
+  static_assert(std::is_trivially_destructible_v<T> && sizeof(T) % sizeof(S) == 0,
+                "a struct of scalars");
+  return sizeof(T) / sizeof(S);
+}
+
+template <class S, class T>
+void put(T& argument, std::size_t place, S number) {
+  // By way of bytes: the struct is plain data, whatever Eigen's constructors say.
+  std::memcpy(reinterpret_cast<unsigned char*>(&argument) + place * sizeof(S), &number, sizeof(S));
+}
+
+/// Whether every scalar of an answer is finite.
+template <class S, class T>
+bool all_finite(const T& answer) {
+  for (std::size_t i = 0; i < count_of<S, T>(); ++i) {
+    S number;
+    std::memcpy(&number, reinterpret_cast<const unsigned char*>(&answer) + i * sizeof(S),
+                sizeof(S));
+    if (!is_finite(number)) return false;
+  }
+  return true;
+}
+
+/// Whether two objects without padding are the same, byte for byte.
+template <class T>
+bool same_bytes(const T& a, const T& b) {
+  return std::memcmp(static_cast<const void*>(&a), static_cast<const void*>(&b), sizeof(T)) == 0;
+}
+
+/// Calls judge(spoiled, is_number) with each number of kHostile in each place, and `draws` times
+/// with two places spoiled.
+/// @param draws  how many pairs of places are tried
+template <class S, class T, class Judge>
+void for_each_spoiled(const T& good, int draws, const Judge& judge) {
+  for (std::size_t place = 0; place < count_of<S, T>(); ++place) {
+    for (const S number : kHostile<S>) {
+      T spoiled = good;
+      put(spoiled, place, number);
+      SCOPED_TRACE(testing::Message() << "place " << place << " number " << number);
+      judge(spoiled, is_finite(number));
+    }
+  }
+  for (int i = 0; i < draws; ++i) {
+    Draws draw(20061107, 6, static_cast<std::uint64_t>(i));
+    T spoiled = good;
+    for (int k = 0; k < 2; ++k) {
+      const auto place = static_cast<std::size_t>(draw.unit() * count_of<S, T>());
+      put(spoiled, place, kHostile<S>[static_cast<std::size_t>(draw.unit() * kHostile<S>.size())]);
+    }
+    SCOPED_TRACE(testing::Message() << "draw " << i);
+    judge(spoiled, all_finite<S>(spoiled));
+  }
+}
+
+using Scalars = testing::Types<float, double>;
+
+}  // namespace batuta::test

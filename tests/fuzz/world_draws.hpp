@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Worlds drawn from bytes, and what they weigh in double. Every number is drawn on a grid, so that
+// bodies stand in rows, touch, overlap and meet head on; a scene is drawn in any units whose ratios
+// are powers of two, in which all of it is the same to the last bit.
+
+#include <algorithm>
+
+#include "batuta/world/scenes.hpp"
+#include "bytes.hpp"
+#include "oracle.hpp"
+
+namespace batuta::fuzz {
+
+/// Factors from the units that the bytes speak of to those of a world: powers of two.
+struct Units {
+  float length = 1;
+  float time = 1;
+  float mass = 1;
+
+  float speed() const { return length / time; }
+};
+
+/// Rods that fly, rub, lie along each other and are filtered; nothing pulls them.
+struct Rods : Scene {
+  static constexpr int kMaxBodies = 4;
+  static constexpr int kMaxPairs = 6;
+  static constexpr int kMaxContacts = 24;
+  static constexpr bool kFriction = true;
+  static constexpr bool kLineContact = true;
+  static constexpr bool kFilters = true;
+  static constexpr RestingContact kResting = RestingContact::kSettling;
+};
+
+/// Bodies of two capsules that fall on each other and go to sleep, with too little room for all.
+struct Heap : Scene {
+  static constexpr int kMaxBodies = 4;
+  static constexpr int kCapsulesPerBody = 2;
+  static constexpr int kMaxPairs = 10;
+  static constexpr int kMaxEvents = 8;
+  static constexpr int kSleepSteps = 4;
+  static constexpr bool kFriction = true;
+  static constexpr bool kGravity = true;
+  static constexpr bool kSleep = true;
+  static constexpr RestingContact kResting = RestingContact::kSettling;
+};
+
+/// A general world in which nothing turns.
+struct Sliders : Scene {
+  using Search = Translation<float>;
+  static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
+  static constexpr int kMaxBodies = 3;
+  static constexpr int kMaxPairs = 3;
+  static constexpr bool kRotation = false;
+  static constexpr RestingContact kResting = RestingContact::kNone;
+};
+
+/// A capsule along z, so that its body is one of revolution about it.
+inline Capsule<float> draw_shape(Bytes& bytes, const Units& units) {
+  const float half = bytes.share() * units.length;
+  const float radius = bytes.share() * 0.25F * units.length;
+  return {{{0, 0, -half}, {0, 0, half}}, radius};
+}
+
+template <class SceneT>
+void draw_body(Bytes& bytes, const Units& units, Actor<SceneT>& actor) {
+  const float spread = std::ldexp(units.length, -bytes.choice(6));
+  const Vec3<float> place = spread * bytes.vector(Numbers::kGrid);
+  const Quat<float> turn = bytes.turn();
+  const float mass = std::ldexp(units.mass, bytes.choice(21) - 10);
+  const float speed = std::ldexp(units.speed(), bytes.choice(8));
+  const Vec3<float> velocity = speed * bytes.vector(Numbers::kGrid);
+  const bool is_fixed = bytes.choice(4) == 3;
+  if constexpr (SceneT::kRotation) {
+    const float across = mass * units.length * units.length * (0.01F + bytes.share());
+    const float along = across * (0.01F + bytes.share());
+    const auto made = make_body<float>({place, turn}, mass, {across, across, along});
+    require(made.ok(), "ordinary bodies can be made");
+    actor.body = made.value;
+    actor.body.momentum.p_W = mass * velocity;
+    actor.body.momentum.b_W = (across / units.time) * bytes.vector(Numbers::kGrid);
+    if (!is_fixed) return;
+    actor.body.inverse_mass = 0;
+    actor.body.inverse_moments.setZero();
+  } else {
+    actor.body = make_straight_body<float>(place, mass).value;
+    actor.body.momentum_W = mass * velocity;
+    if (is_fixed) actor.body.inverse_mass = 0;
+  }
+}
+
+template <class SceneT>
+Actor<SceneT> draw_actor(Bytes& bytes, const Units& units) {
+  Actor<SceneT> actor;
+  const Capsule<float> shape = draw_shape(bytes, units);
+  if constexpr (SceneT::Search::kForSpheres) {
+    actor.radius = shape.radius;
+  } else if constexpr (SceneT::kCapsulesPerBody == 1) {
+    actor.capsule_B = shape;
+  } else {
+    (void)actor.capsules_B.push(shape);
+    if (bytes.flag()) (void)actor.capsules_B.push(draw_shape(bytes, units));
+  }
+  draw_body<SceneT>(bytes, units, actor);
+  if constexpr (SceneT::kRestitution) actor.restitution = bytes.share();
+  if constexpr (SceneT::kFriction) actor.friction = 4 * bytes.share();
+  if constexpr (SceneT::kOwners) actor.owner = static_cast<std::uint16_t>(bytes.choice(8) / 6);
+  if constexpr (SceneT::kFilters)
+    actor.filter = {1, bytes.choice(8) == 7 ? std::uint16_t{2} : std::uint16_t{0xFFFF}};
+  return actor;
+}
+
+/// The scene's default settings in other units.
+template <class SceneT>
+WorldSettings<SceneT> settings_in(const Units& units) {
+  WorldSettings<SceneT> settings;
+  if constexpr (kKnowsRest<SceneT>) {
+    settings.rest_speed *= units.speed();
+    settings.separation *= units.length;
+    settings.min_separation_time *= units.time;
+  }
+  if constexpr (SceneT::kGravity) settings.gravity_W *= units.speed() / units.time;
+  return settings;
+}
+
+/// What a world's bodies that can move carry together, in double.
+struct Load {
+  Real3 momentum = Real3::Zero();
+  double largest = 0;  ///< |p| of one body
+  double energy = 0;
+  double soft = 0;       ///< the energy if each turned about its softest axis
+  double sharpness = 1;  ///< how much a rounding of a lever counts: 1 + 2 |r| sqrt(m / J)
+};
+
+inline void add_linear(Load& load, const Vec3<float>& momentum, float inverse_mass) {
+  if (!(inverse_mass > 0)) return;
+  const Real3 p = momentum.cast<double>();
+  load.momentum += p;
+  load.largest = std::max(load.largest, p.norm());
+  const double energy = 0.5 * static_cast<double>(inverse_mass) * p.squaredNorm();
+  load.energy += energy;
+  load.soft += energy;
+}
+
+inline void add_body(Load& load, const StraightBody<float>& body, double /*reach*/) {
+  add_linear(load, body.momentum_W, body.inverse_mass);
+}
+
+inline void add_body(Load& load, const Body<float>& body, double reach) {
+  add_linear(load, body.momentum.p_W, body.inverse_mass);
+  const Real3 b = body.momentum.b_W.cast<double>();
+  const Real3 inverse = body.inverse_moments.cast<double>();
+  const Eigen::Quaterniond q = body.X_WB.q_WB.cast<double>().normalized();
+  load.energy += 0.5 * inverse.dot((q.conjugate() * b).cwiseAbs2());
+  load.soft += 0.5 * inverse.maxCoeff() * b.squaredNorm();
+  if (!(body.inverse_mass > 0)) return;
+  const double ratio = inverse.maxCoeff() / static_cast<double>(body.inverse_mass);
+  load.sharpness = std::max(load.sharpness, 1 + 2 * reach * std::sqrt(ratio));
+}
+
+/// The furthest that a surface is from its body's point.
+template <class SceneT>
+double reach_of(const Actor<SceneT>& actor) {
+  double reach = 0;
+  if constexpr (SceneT::Search::kForSpheres) {
+    reach = static_cast<double>(actor.radius);
+  } else {
+    for (int i = 0; i < parts_of(actor); ++i) {
+      const Capsule<float>& part = part_of(actor, i);
+      const float end = max_of(part.axis.a.norm(), part.axis.b.norm());
+      reach = std::max(reach, static_cast<double>(end) + static_cast<double>(part.radius));
+    }
+  }
+  return reach;
+}
+
+template <class SceneT>
+Load load_of(const World<SceneT>& world) {
+  Load load;
+  for (std::uint16_t slot = 0; slot < SceneT::kMaxBodies; ++slot) {
+    const Actor<SceneT>* const actor = world.get(world.id_at(slot));
+    if (actor != nullptr) add_body(load, actor->body, reach_of(*actor));
+  }
+  return load;
+}
+
+}  // namespace batuta::fuzz

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: MIT
+
+#include "fake_event_device.hpp"
+
+#include <fcntl.h>
+#include <sys/ioctl.h>
+#include <sys/socket.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdarg>
+#include <cstring>
+#include <utility>
+
+namespace batuta::test {
+namespace {
+
+struct Registry {
+  std::mutex mutex;
+  std::map<std::string, FakeEventDevice*> by_path;
+  std::map<int, FakeEventDevice*> by_file;
+};
+
+Registry& registry() {
+  static Registry registry;
+  return registry;
+}
+
+FakeEventDevice* device_at(const char* path) {
+  const std::lock_guard<std::mutex> lock(registry().mutex);
+  const auto found = registry().by_path.find(path);
+  return found == registry().by_path.end() ? nullptr : found->second;
+}
+
+FakeEventDevice* device_of(int file) {
+  const std::lock_guard<std::mutex> lock(registry().mutex);
+  const auto found = registry().by_file.find(file);
+  return found == registry().by_file.end() ? nullptr : found->second;
+}
+
+/// @returns whose it was
+FakeEventDevice* forget(int file) {
+  const std::lock_guard<std::mutex> lock(registry().mutex);
+  const auto found = registry().by_file.find(file);
+  if (found == registry().by_file.end()) return nullptr;
+  FakeEventDevice* const device = found->second;
+  registry().by_file.erase(found);
+  return device;
+}
+
+int fail(int error) {
+  errno = error;
+  return -1;
+}
+
+int copy(void* to, std::size_t size, const void* from, std::size_t count) {
+  std::memset(to, 0, size);
+  std::memcpy(to, from, std::min(size, count));
+  return static_cast<int>(std::min(size, count));
+}
+
+}  // namespace
+
+FakeEventDevice::FakeEventDevice(std::string path) : path_(std::move(path)) {
+  const std::lock_guard<std::mutex> lock(registry().mutex);
+  registry().by_path[path_] = this;
+}
+
+FakeEventDevice::~FakeEventDevice() {
+  const std::lock_guard<std::mutex> lock(registry().mutex);
+  registry().by_path.erase(path_);
+  for (const auto& [file, end] : files_) {
+    registry().by_file.erase(file);
+    (void)::syscall(SYS_close, end);
+  }
+}
+
+FakeEventDevice& FakeEventDevice::name(const std::string& name) {
+  name_ = name;
+  return *this;
+}
+
+FakeEventDevice& FakeEventDevice::has(unsigned type, unsigned code) {
+  codes_[type].insert(code);
+  return *this;
+}
+
+FakeEventDevice& FakeEventDevice::axis(unsigned code, const input_absinfo& info) {
+  axes_[code] = info;
+  return has(EV_ABS, code);
+}
+
+FakeEventDevice& FakeEventDevice::room_for_effects(int count) {
+  room_ = count;
+  return *this;
+}
+
+void FakeEventDevice::change(unsigned type, unsigned code, int value) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (type == EV_ABS) axes_[code].value = value;
+  if (type == EV_KEY && value != 0) keys_.insert(code);
+  if (type == EV_KEY && value == 0) keys_.erase(code);
+}
+
+void FakeEventDevice::event(unsigned type, unsigned code, int value, std::uint64_t time_us) {
+  change(type, code, value);
+  input_event event{};
+  event.input_event_sec = static_cast<decltype(event.input_event_sec)>(time_us / 1000000);
+  event.input_event_usec = static_cast<decltype(event.input_event_usec)>(time_us % 1000000);
+  event.type = static_cast<std::uint16_t>(type);
+  event.code = static_cast<std::uint16_t>(code);
+  event.value = value;
+  bytes(&event, sizeof event);
+}
+
+void FakeEventDevice::bytes(const void* data, std::size_t count) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const auto& [file, end] : files_) {
+    if (::send(end, data, count, MSG_NOSIGNAL | MSG_DONTWAIT) < 0) continue;  // its queue is full
+  }
+}
+
+void FakeEventDevice::unplug() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  there_ = false;
+  effects_.clear();
+  playing_.clear();
+}
+
+void FakeEventDevice::plug_in() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  there_ = true;
+  const std::lock_guard<std::mutex> all(registry().mutex);
+  for (const auto& [file, end] : files_) {  // the files of before stay dead
+    registry().by_file.erase(file);
+    (void)::syscall(SYS_close, end);
+  }
+  files_.clear();
+}
+
+void FakeEventDevice::refuse(int error) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  refusal_ = error;
+}
+
+void FakeEventDevice::refuse_effects(int error) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  effect_refusal_ = error;
+}
+
+int FakeEventDevice::open_file() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (refusal_ != 0) return fail(refusal_);
+  if (!there_) return fail(ENOENT);
+  std::array<int, 2> ends{};
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0, ends.data()) != 0) return -1;
+  const std::lock_guard<std::mutex> all(registry().mutex);
+  files_[ends[0]] = ends[1];
+  registry().by_file[ends[0]] = this;
+  return ends[0];
+}
+
+long FakeEventDevice::read_file(int file, void* data, std::size_t count) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!there_) return fail(ENODEV);
+  return ::syscall(SYS_read, file, data, count);
+}
+
+int FakeEventDevice::bits(unsigned type, void* data, std::size_t size) const {
+  std::array<unsigned char, KEY_CNT / 8> map{};
+  const auto set = [&](unsigned bit) {
+    map[bit / 8] = static_cast<unsigned char>(map[bit / 8] | 1U << bit % 8);
+  };
+  if (type == 0) set(EV_SYN);
+  for (const auto& [known, codes] : codes_) {
+    if (type == 0) set(known);
+    if (type == known) std::for_each(codes.begin(), codes.end(), set);
+  }
+  return copy(data, size, map.data(), map.size());
+}
+
+int FakeEventDevice::upload(ff_effect& effect) {
+  if (effect_refusal_ != 0) return fail(effect_refusal_);
+  if (effect.id < 0) {
+    if (static_cast<int>(effects_.size()) >= room_) return fail(ENOSPC);
+    effect.id = static_cast<std::int16_t>(effects_.empty() ? 0 : effects_.rbegin()->first + 1);
+  } else if (effects_.count(effect.id) == 0) {
+    return fail(EINVAL);
+  }
+  effects_[effect.id] = effect;
+  ++uploads_;
+  return 0;
+}
+
+int FakeEventDevice::control(int file, unsigned long request, void* argument) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!there_) return fail(ENODEV);
+  const unsigned number = _IOC_NR(request);
+  const std::size_t size = _IOC_SIZE(request);
+  constexpr unsigned kBits = 0x20;
+  constexpr unsigned kAxes = 0x40;
+  if (request == EVIOCSFF) return upload(*static_cast<ff_effect*>(argument));
+  if (request == EVIOCGEFFECTS) return copy(argument, sizeof(int), &room_, sizeof room_) - 4;
+  if (request == EVIOCRMFF) {
+    drain_writes(file);
+    const auto id = static_cast<int>(reinterpret_cast<std::intptr_t>(argument));
+    playing_.erase(id);
+    return effects_.erase(id) == 1 ? 0 : fail(EINVAL);
+  }
+  if (number == _IOC_NR(EVIOCGNAME(0))) {
+    return copy(argument, size, name_.c_str(), name_.size() + 1);
+  }
+  if (number == _IOC_NR(EVIOCGKEY(0))) {
+    std::array<unsigned char, KEY_CNT / 8> map{};
+    for (const unsigned key : keys_) {
+      map[key / 8] = static_cast<unsigned char>(map[key / 8] | 1U << key % 8);
+    }
+    return copy(argument, size, map.data(), map.size());
+  }
+  if (number >= kAxes && number < kAxes + ABS_CNT) {
+    return copy(argument, size, &axes_[number - kAxes], sizeof(input_absinfo)), 0;
+  }
+  if (number >= kBits && number < kBits + EV_CNT) return bits(number - kBits, argument, size);
+  if (_IOC_DIR(request) == _IOC_READ) std::memset(argument, 0, size);
+  return 0;  // the driver's version, the clock, and the like
+}
+
+void FakeEventDevice::drain_writes(int file) {
+  const auto found = files_.find(file);
+  if (found == files_.end()) return;
+  input_event event{};
+  while (::syscall(SYS_read, found->second, &event, sizeof event) == sizeof event) {
+    if (event.type != EV_FF) continue;
+    if (event.code >= FF_GAIN) {
+      properties_[event.code] = event.value;
+    } else if (event.value != 0) {
+      playing_.insert(event.code);
+    } else {
+      playing_.erase(event.code);
+    }
+  }
+}
+
+std::vector<ff_effect> FakeEventDevice::effects() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::vector<ff_effect> all;
+  for (const auto& [id, effect] : effects_) all.push_back(effect);
+  return all;
+}
+
+bool FakeEventDevice::is_playing(int effect) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const auto& [file, end] : files_) drain_writes(file);
+  return playing_.count(effect) == 1;
+}
+
+int FakeEventDevice::property(unsigned code) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const auto& [file, end] : files_) drain_writes(file);
+  const auto found = properties_.find(code);
+  return found == properties_.end() ? -1 : found->second;
+}
+
+int FakeEventDevice::uploads() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return uploads_;
+}
+
+int FakeEventDevice::open_files() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return static_cast<int>(files_.size());
+}
+
+void FakeEventDevice::close_file(int file) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = files_.find(file);
+  if (found == files_.end()) return;
+  drain_writes(file);
+  (void)::syscall(SYS_close, found->second);
+  files_.erase(found);
+}
+
+}  // namespace batuta::test
+
+// The linker takes these instead of the C library's, for every library of the program.
+extern "C" {
+
+int open(const char* path, int flags, ...) {
+  std::va_list rest;
+  va_start(rest, flags);
+  const mode_t mode = (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(rest, mode_t) : 0;
+  va_end(rest);
+  batuta::test::FakeEventDevice* const device = batuta::test::device_at(path);
+  if (device != nullptr) return device->open_file();
+  return static_cast<int>(::syscall(SYS_openat, AT_FDCWD, path, flags, mode));
+}
+
+int close(int file) {
+  batuta::test::FakeEventDevice* const device = batuta::test::forget(file);
+  if (device != nullptr) device->close_file(file);
+  return static_cast<int>(::syscall(SYS_close, file));
+}
+
+ssize_t read(int file, void* data, std::size_t count) {
+  batuta::test::FakeEventDevice* const device = batuta::test::device_of(file);
+  if (device != nullptr) return device->read_file(file, data, count);
+  return ::syscall(SYS_read, file, data, count);
+}
+
+int ioctl(int file, unsigned long request, ...) noexcept {
+  std::va_list rest;
+  va_start(rest, request);
+  void* const argument = va_arg(rest, void*);
+  va_end(rest);
+  batuta::test::FakeEventDevice* const device = batuta::test::device_of(file);
+  if (device != nullptr) return device->control(file, request, argument);
+  return static_cast<int>(::syscall(SYS_ioctl, file, request, argument));
+}
+}

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// A live stick from the kernel to the bout, and the bout back into the hand; the kernel is a fake.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "fake_stick.hpp"
+#include "host/devices/script_device.hpp"
+#include "host/duel/bout_log.hpp"
+#include "host/duel/json_log.hpp"
+#include "host/duel/stick_feedback.hpp"
+#include "soon.hpp"
+
+namespace batuta::host {
+namespace {
+
+using test::kPath;
+using test::soon;
+using testing::HasSubstr;
+using Stick = test::FakeStick;
+
+TEST(LiveEvdev, FromTheKernelToTheBout_AndBackIntoTheHand) {
+  Stick stick;
+  stick.has(EV_FF, FF_CONSTANT).room_for_effects(16);
+  const OpenedSource opened = open_source(std::string("device:") + kPath);
+  ASSERT_TRUE(opened.source) << opened.error;
+  Source& source = *opened.source;
+  EXPECT_TRUE(source.is_live());
+  EXPECT_EQ(source.description(), "/dev/input/fake0 (Test Stick)");
+  InputSample sample;
+  ASSERT_TRUE(soon([&] { return source.read(0, sample) == Status::kOk; }));
+  EXPECT_EQ(sample.x, 0.0F);
+  stick.event(EV_ABS, ABS_X, 255);
+  stick.sync();
+  ASSERT_TRUE(soon([&] { return source.read(1000, sample) == Status::kOk && sample.x == 1; }));
+  EXPECT_FALSE(is_later(sample.time, 1000)) << "never of the bout's future";
+
+  LiveForce* const force = source.force({});
+  ASSERT_NE(force, nullptr);
+  EXPECT_EQ(force->first_kind(), ForceKind::kForce);
+  EXPECT_EQ(force->off(0), Status::kOk);
+  EXPECT_TRUE(soon([&] { return stick.is_playing(0) && stick.is_playing(1); }));
+
+  stick.unplug();
+  EXPECT_TRUE(soon([&] { return source.unplugs() == 1; }));
+  while (source.read(2000, sample) == Status::kOk) {  // what was on its way
+  }
+  EXPECT_EQ(source.read(3000, sample), Status::kUnavailable);
+  stick.change(EV_ABS, ABS_X, 0);
+  stick.plug_in();
+  ASSERT_TRUE(soon([&] { return source.read(4000, sample) == Status::kOk; }));
+  EXPECT_EQ(sample.x, -1.0F);
+  EXPECT_EQ(source.unplugs(), 1U);
+}
+
+/// A bout in real time, with a live stick on the left.
+class LiveBout {
+ public:
+  explicit LiveBout(Source& left)
+      : runner_(left, right_, 100), feedback_({left.force({}), nullptr}) {
+    EXPECT_EQ(runner_.start(), Status::kOk);
+    feedback_.on_start(runner_);
+  }
+
+  /// @returns whether no step took more of the force's share away than the ramp does
+  bool steps(int count) {
+    bool smooth = true;
+    for (int i = 0; i < count; ++i) {
+      const float before = runner_.bout().forces().of(Side::kLeft).allowed;
+      (void)runner_.step();
+      feedback_.on_step(runner_);
+      EXPECT_EQ(runner_.status(), Status::kOk);
+      const float after = runner_.bout().forces().of(Side::kLeft).allowed;
+      const float most = 1.001F / static_cast<float>(RampSettings{}.length);
+      smooth = smooth && before - after <= most;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return smooth;
+  }
+
+  std::string end(bool json) {
+    feedback_.on_end(runner_);
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> out(std::tmpfile(), &std::fclose);
+    ForceLog forces(out.get(), json, feedback_);
+    forces.on_end(runner_);
+    if (json) JsonLog(out.get()).on_end(runner_);
+    if (!json) BoutLog(out.get()).on_end(runner_);
+    std::rewind(out.get());
+    std::string text(10000, '\0');
+    text.resize(std::fread(text.data(), 1, text.size(), out.get()));
+    return text;
+  }
+
+  const DuelRunner& runner() const { return runner_; }
+
+ private:
+  ScriptDevice right_{*script_named("guard")};
+  DuelRunner runner_;
+  StickFeedback feedback_;
+};
+
+TEST(LiveDuel, UnpluggedAmidTheBout_TheForceGoesSmoothly_TheDuelGoesOn_AndItIsCounted) {
+  Stick stick;
+  stick.has(EV_FF, FF_CONSTANT).room_for_effects(16);
+  const OpenedSource opened = open_source(std::string("device:") + kPath);
+  ASSERT_TRUE(opened.source) << opened.error;
+  LiveBout bout(*opened.source);
+  const auto allowed = [&] { return bout.runner().bout().forces().of(Side::kLeft).allowed; };
+  stick.event(EV_ABS, ABS_X, 200);
+  stick.sync();
+  EXPECT_TRUE(bout.steps(150));
+  EXPECT_EQ(allowed(), 1.0F) << "a stick that is held still is not silent";
+  const float x = bout.runner().duel().stick(Side::kLeft).position().x();
+  EXPECT_GT(x, 0.4F);
+  stick.unplug();
+  EXPECT_TRUE(bout.steps(200));
+  EXPECT_EQ(allowed(), 0.0F);
+  EXPECT_EQ(bout.runner().duel().stick(Side::kLeft).position().x(), x) << "it stays where it was";
+  stick.change(EV_ABS, ABS_X, 0);
+  stick.plug_in();
+  EXPECT_TRUE(bout.steps(500));
+  EXPECT_EQ(allowed(), 1.0F);
+  EXPECT_EQ(bout.runner().duel().stick(Side::kLeft).position().x(), -1.0F);
+  EXPECT_EQ(bout.runner().tally().devices[0].refused, 0U);
+  const std::string json = bout.end(true);
+  EXPECT_THAT(json, HasSubstr("\"left_unplugs\": 1,"));
+  EXPECT_THAT(json, HasSubstr("{\"type\": \"force\", \"side\": \"left\", \"kind\": \"force\""));
+  const std::string words = bout.end(false);
+  EXPECT_THAT(words, HasSubstr(", unplugged 1 times"));
+  EXPECT_THAT(words, HasSubstr("left   force: force; effects sent"));
+  EXPECT_TRUE(soon([&] {
+    const std::vector<ff_effect> effects = stick.effects();
+    return effects.size() == 2 && effects[0].u.constant.level == 0;
+  })) << "the end of the bout leaves no force";
+}
+
+}  // namespace
+}  // namespace batuta::host

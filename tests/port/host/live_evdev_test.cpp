@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// Sticks and mice of the Linux input stack, through libevdev's own code; the kernel below it is a
+// fake.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cerrno>
+
+#include "fake_stick.hpp"
+#include "host/devices/source.hpp"
+#include "host/live/evdev_feed.hpp"
+
+namespace batuta::host {
+namespace {
+
+using test::FakeEventDevice;
+using test::kPath;
+using testing::HasSubstr;
+using testing::Not;
+using Stick = test::FakeStick;
+
+TEST(EvdevFeed, OnOpening_TheSample_IsWhereTheStickIs) {
+  Stick stick;
+  stick.change(EV_ABS, ABS_X, 255);
+  stick.change(EV_KEY, BTN_THUMB, 1);
+  EvdevFeed feed(kPath);
+  ASSERT_EQ(feed.open(), "");
+  EXPECT_EQ(feed.name(), "Test Stick");
+  InputSample sample;
+  ASSERT_EQ(feed.look(sample), News::kSample);
+  EXPECT_EQ(sample.x, 1.0F);
+  EXPECT_EQ(sample.y, 0.0F) << "in the dead zone";
+  EXPECT_EQ(sample.buttons, 2U);
+  EXPECT_EQ(feed.look(sample), News::kNone) << "and it is said once";
+}
+
+TEST(EvdevFeed, AxesHaveTheDevicesRangeAndDeadZone_AndUpIsUp) {
+  Stick stick;
+  EvdevFeed feed(kPath);
+  ASSERT_EQ(feed.open(), "");
+  InputSample sample;
+  (void)feed.look(sample);
+  stick.event(EV_ABS, ABS_X, 0);
+  stick.event(EV_ABS, ABS_Y, 0);
+  stick.event(EV_KEY, BTN_TRIGGER, 1);
+  EXPECT_EQ(feed.look(sample), News::kNone) << "no mark yet: the set is not complete";
+  stick.sync(12345678);
+  ASSERT_EQ(feed.look(sample), News::kSample);
+  EXPECT_EQ(sample.x, -1.0F);
+  EXPECT_EQ(sample.y, 1.0F) << "fewer counts are up";
+  EXPECT_EQ(sample.buttons, 1U);
+  EXPECT_EQ(sample.time, 12345678U) << "the kernel's stamp";
+  stick.event(EV_ABS, ABS_X, 142);
+  stick.sync();
+  ASSERT_EQ(feed.look(sample), News::kSample);
+  EXPECT_EQ(sample.x, 0.0F) << "14.5 counts off the centre";
+  stick.event(EV_ABS, ABS_X, 143);
+  stick.sync();
+  ASSERT_EQ(feed.look(sample), News::kSample);
+  EXPECT_FLOAT_EQ(sample.x, 0.5F / 112.5F) << "half a count beyond the dead zone";
+}
+
+TEST(EvdevFeed, OfManySamples_TheLatestWins) {
+  Stick stick;
+  EvdevFeed feed(kPath);
+  ASSERT_EQ(feed.open(), "");
+  for (int counts = 0; counts <= 255; counts += 5) {
+    stick.event(EV_ABS, ABS_X, counts);
+    stick.sync();
+  }
+  InputSample sample;
+  ASSERT_EQ(feed.look(sample), News::kSample);
+  EXPECT_EQ(sample.x, 1.0F);
+  EXPECT_EQ(feed.look(sample), News::kNone);
+}
+
+TEST(EvdevFeed, AMouse_IsSummedUp_AndHeldAtTheRim) {
+  FakeEventDevice mouse(kPath);
+  mouse.has(EV_REL, REL_X).has(EV_REL, REL_Y).has(EV_KEY, BTN_LEFT);
+  EvdevFeed feed(kPath);
+  ASSERT_EQ(feed.open(), "");
+  InputSample sample;
+  ASSERT_EQ(feed.look(sample), News::kSample);
+  EXPECT_EQ(sample.x, 0.0F) << "wherever it lies is the centre";
+  for (int i = 0; i < 2; ++i) {
+    mouse.event(EV_REL, REL_X, 100);
+    mouse.event(EV_REL, REL_Y, -50);
+    mouse.sync();
+  }
+  ASSERT_EQ(feed.look(sample), News::kSample);
+  EXPECT_EQ(sample.x, 0.5F) << "of the 400 counts to the rim";
+  EXPECT_EQ(sample.y, 0.25F) << "away from the user is up";
+  mouse.event(EV_REL, REL_X, 10000);
+  mouse.sync();
+  mouse.event(EV_REL, REL_X, -400);
+  mouse.sync();
+  ASSERT_EQ(feed.look(sample), News::kSample);
+  EXPECT_EQ(sample.x, 0.0F) << "what went beyond the rim is forgotten";
+}
+
+TEST(EvdevFeed, LostEvents_AreCounted_AndTheStateIsAskedFor) {
+  Stick stick;
+  EvdevFeed feed(kPath);
+  ASSERT_EQ(feed.open(), "");
+  InputSample sample;
+  (void)feed.look(sample);
+  stick.event(EV_ABS, ABS_X, 0);  // of a set that is never completed
+  stick.change(EV_ABS, ABS_X, 255);
+  stick.change(EV_ABS, ABS_Y, 255);
+  stick.change(EV_KEY, BTN_THUMB, 1);
+  stick.event(EV_SYN, SYN_DROPPED, 0);
+  stick.event(EV_ABS, ABS_X, 3);  // the rest of the lost set, to be ignored
+  stick.change(EV_ABS, ABS_X, 255);
+  stick.sync();
+  ASSERT_EQ(feed.look(sample), News::kSample);
+  EXPECT_EQ(sample.x, 1.0F);
+  EXPECT_EQ(sample.y, -1.0F);
+  EXPECT_EQ(sample.buttons, 2U);
+  EXPECT_EQ(feed.losses(), 1U);
+  stick.event(EV_ABS, ABS_X, 0);
+  stick.sync();
+  ASSERT_EQ(feed.look(sample), News::kSample) << "and it goes on";
+  EXPECT_EQ(sample.x, -1.0F);
+  EXPECT_EQ(feed.losses(), 1U);
+}
+
+TEST(EvdevFeed, Unplugged_ItIsGone_AndBackAtTheSamePath) {
+  Stick stick;
+  EvdevFeed feed(kPath);
+  ASSERT_EQ(feed.open(), "");
+  InputSample sample;
+  (void)feed.look(sample);
+  stick.event(EV_ABS, ABS_X, 0);
+  stick.unplug();
+  EXPECT_EQ(feed.look(sample), News::kGone);
+  EXPECT_FALSE(feed.reopen());
+  stick.plug_in();
+  stick.change(EV_ABS, ABS_X, 255);
+  ASSERT_TRUE(feed.reopen());
+  ASSERT_EQ(feed.look(sample), News::kSample);
+  EXPECT_EQ(sample.x, 1.0F) << "where it is now, not where it was";
+}
+
+TEST(EvdevFeed, HalfAnEvent_IsNotUnderstood_AndTheDeviceIsOpenedAnew) {
+  Stick stick;
+  EvdevFeed feed(kPath);
+  ASSERT_EQ(feed.open(), "");
+  InputSample sample;
+  (void)feed.look(sample);
+  stick.bytes("rubbish", 7);
+  EXPECT_EQ(feed.look(sample), News::kGone);
+  EXPECT_TRUE(feed.reopen());
+  EXPECT_EQ(feed.look(sample), News::kSample);
+}
+
+TEST(EvdevFeed, AFlood_DoesNotHoldTheThread) {
+  Stick stick;
+  EvdevFeed feed(kPath);
+  ASSERT_EQ(feed.open(), "");
+  InputSample sample;
+  (void)feed.look(sample);
+  input_event moved{};
+  moved.type = EV_ABS;
+  moved.code = ABS_Y;
+  const std::vector<input_event> flood(3000, moved);
+  stick.bytes(flood.data(), flood.size() * sizeof moved);
+  stick.sync();
+  int looks = 1;
+  while (feed.look(sample) != News::kSample && looks < 10) ++looks;
+  EXPECT_EQ(looks, 3) << "1024 events each";
+}
+
+TEST(OpenEvdev, Refusals_AreOneLine_AndSayWhy) {
+  FakeEventDevice keyboard("/dev/input/fake1");
+  keyboard.name("Keys").has(EV_KEY, KEY_A);
+  FakeEventDevice broken("/dev/input/fake2");
+  broken.axis(ABS_X, {0, 0, 0, 0, 0, 0}).axis(ABS_Y, {0, 0, 0, 0, 0, 0});
+  FakeEventDevice locked("/dev/input/fake3");
+  locked.refuse(EACCES);
+  const std::pair<const char*, const char*> refusals[] = {
+      {"device:/dev/input/fake1", "Keys is no stick, pad or mouse"},
+      {"device:/dev/input/fake2", "is no stick, pad or mouse"},
+      {"device:/dev/input/fake3", "no permission"},
+      {"device:/dev/input/fake4", "no such device"},
+      {"device:/dev/null", "not an event device"},
+      {"device:/", "not an event device"},
+      {"device:", "a live device is device:/dev/input/eventN or device:sdl"},
+      {"device:mouse", "a live device is"},
+      {"device:sdlx", "a live device is"}};
+  for (const auto& [words, reason] : refusals) {
+    const OpenedSource opened = open_source(words);
+    EXPECT_FALSE(opened.source);
+    EXPECT_THAT(opened.error, HasSubstr(words));
+    EXPECT_THAT(opened.error, HasSubstr(reason));
+    EXPECT_THAT(opened.error, Not(HasSubstr("\n")));
+  }
+}
+
+}  // namespace
+}  // namespace batuta::host

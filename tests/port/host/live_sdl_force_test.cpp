@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// Forces through SDL. Its virtual joystick knows none: a fake takes the place of its functions.
+#include <map>
+
+#include "host/live/sdl_force.hpp"
+#include "virtual_stick.hpp"
+
+namespace batuta::host {
+namespace {
+
+using test::Opened;
+using test::VirtualStick;
+
+/// What the functions below are asked for.
+struct FakeHaptic {
+  bool there = false;
+  unsigned features = SDL_HAPTIC_CONSTANT | SDL_HAPTIC_GAIN | SDL_HAPTIC_AUTOCENTER;
+  int room = 16;
+  int axes = 2;
+  bool fails = false;
+  std::map<int, SDL_HapticEffect> effects;
+  std::map<int, bool> playing;
+  int made = 0;
+  int updates = 0;
+  int gain = -1;
+  int autocentre = -1;
+  bool open = false;
+};
+FakeHaptic haptic;
+
+class LiveSdlForce : public test::LiveSdl {
+ protected:
+  LiveSdlForce() { haptic = {}; }
+};
+
+TEST_F(LiveSdlForce, AForce_IsTwoEndlessEffects_OfWhichOnlyTheLevelsChange) {
+  haptic.there = true;
+  VirtualStick stick("Stick");
+  const Opened opened;
+  {
+    SdlForce force(opened.stick);
+    ASSERT_EQ(force.open(), ForceKind::kForce);
+    EXPECT_EQ(haptic.gain, 100);
+    EXPECT_EQ(haptic.autocentre, 0);
+    Feel feel;
+    feel.x = 0.5F;
+    feel.y = 0.25F;
+    ASSERT_EQ(force.render(feel), Rendered::kDone);
+    ASSERT_EQ(haptic.effects.size(), 2U);
+    const SDL_HapticConstant& right = haptic.effects[0].constant;
+    EXPECT_EQ(right.type, SDL_HAPTIC_CONSTANT);
+    EXPECT_EQ(right.length, SDL_HAPTIC_INFINITY);
+    EXPECT_EQ(right.direction.type, SDL_HAPTIC_CARTESIAN);
+    EXPECT_EQ(right.direction.dir[0], -1) << "from the west";
+    EXPECT_EQ(right.direction.dir[1], 0);
+    EXPECT_EQ(right.level, 16384);
+    const SDL_HapticConstant& up = haptic.effects[1].constant;
+    EXPECT_EQ(up.direction.dir[0], 0);
+    EXPECT_EQ(up.direction.dir[1], 1) << "from the south, the user's side";
+    EXPECT_EQ(up.level, 8192);
+    EXPECT_TRUE(haptic.playing[0] && haptic.playing[1]);
+    feel.x = -1;
+    ASSERT_EQ(force.render(feel), Rendered::kDone);
+    EXPECT_EQ(haptic.effects[0].constant.level, -32767);
+    EXPECT_EQ(haptic.made, 2);
+    haptic.fails = true;
+    EXPECT_EQ(force.render(feel), Rendered::kGone) << "the device is gone";
+    haptic.fails = false;
+    EXPECT_EQ(force.open(), ForceKind::kForce);
+    EXPECT_EQ(force.render({}), Rendered::kDone);
+  }
+  EXPECT_TRUE(haptic.effects.empty());
+  EXPECT_FALSE(haptic.open);
+}
+
+TEST_F(LiveSdlForce, TheDirectionOfOneEffect_IsWhereTheForceComesFrom) {
+  haptic.there = true;
+  haptic.room = 1;
+  VirtualStick stick("Stick");
+  const Opened opened;
+  SdlForce force(opened.stick);
+  ASSERT_EQ(force.open(), ForceKind::kForce);
+  const struct {
+    float x, y;
+    int from_x, from_y;
+  } golden[] = {{1, 0, -32767, 0},
+                {-1, 0, 32767, 0},
+                {0, 1, 0, 32767},
+                {0, -1, 0, -32767},
+                {1, 1, -32767, 32767}};
+  for (const auto& push : golden) {
+    Feel feel;
+    feel.x = push.x;
+    feel.y = push.y;
+    ASSERT_EQ(force.render(feel), Rendered::kDone);
+    EXPECT_EQ(haptic.effects[0].constant.direction.dir[0], push.from_x) << push.x << push.y;
+    EXPECT_EQ(haptic.effects[0].constant.direction.dir[1], push.from_y) << push.x << push.y;
+    EXPECT_EQ(haptic.effects[0].constant.level, 32767);
+  }
+}
+
+TEST_F(LiveSdlForce, AWheel_IsPushedToTheRight) {
+  haptic.there = true;
+  haptic.axes = 1;
+  VirtualStick stick("Wheel");
+  const Opened opened;
+  SdlForce force(opened.stick);
+  ASSERT_EQ(force.open(), ForceKind::kForce);
+  Feel feel;
+  feel.x = 1;
+  feel.y = 1;
+  ASSERT_EQ(force.render(feel), Rendered::kDone);
+  ASSERT_EQ(haptic.effects.size(), 1U);
+  EXPECT_EQ(haptic.effects[0].constant.direction.dir[0], -1);
+}
+
+TEST_F(LiveSdlForce, SpringAndDamper_AreConditions) {
+  haptic.there = true;
+  haptic.features |= SDL_HAPTIC_SPRING | SDL_HAPTIC_DAMPER;
+  VirtualStick stick("Stick");
+  const Opened opened;
+  SdlForce force(opened.stick);
+  ASSERT_EQ(force.open(), ForceKind::kForce);
+  Feel feel;
+  feel.spring.coefficient = 0.5F;
+  feel.spring.centre_y = 1;
+  feel.damper.coefficient = 1;
+  ASSERT_EQ(force.render(feel), Rendered::kDone);
+  ASSERT_EQ(haptic.effects.size(), 4U);
+  const SDL_HapticCondition& spring = haptic.effects[2].condition;
+  EXPECT_EQ(spring.type, SDL_HAPTIC_SPRING);
+  EXPECT_EQ(spring.right_coeff[0], 16384);
+  EXPECT_EQ(spring.left_coeff[1], 16384);
+  EXPECT_EQ(spring.center[1], -32767) << "the counts of an axis grow downwards";
+  EXPECT_EQ(spring.right_sat[0], 65535);
+  EXPECT_EQ(haptic.effects[3].condition.type, SDL_HAPTIC_DAMPER);
+  EXPECT_EQ(haptic.effects[3].condition.right_coeff[1], 32767);
+}
+
+}  // namespace
+}  // namespace batuta::host
+
+// The linker takes these instead of SDL's.
+using batuta::host::haptic;
+static SDL_Haptic* const kHandle = reinterpret_cast<SDL_Haptic*>(&haptic);
+
+extern "C" {
+
+int SDL_JoystickIsHaptic(SDL_Joystick* /*stick*/) {
+  return haptic.there ? SDL_TRUE : SDL_FALSE;
+}
+SDL_Haptic* SDL_HapticOpenFromJoystick(SDL_Joystick* /*stick*/) {
+  haptic.open = true;
+  return kHandle;
+}
+void SDL_HapticClose(SDL_Haptic* /*device*/) {
+  haptic.open = false;
+}
+unsigned SDL_HapticQuery(SDL_Haptic* /*device*/) {
+  return haptic.features;
+}
+int SDL_HapticNumEffects(SDL_Haptic* /*device*/) {
+  return haptic.room;
+}
+int SDL_HapticNumAxes(SDL_Haptic* /*device*/) {
+  return haptic.axes;
+}
+int SDL_HapticSetGain(SDL_Haptic* /*device*/, int gain) {
+  haptic.gain = gain;
+  return 0;
+}
+int SDL_HapticSetAutocenter(SDL_Haptic* /*device*/, int autocentre) {
+  haptic.autocentre = autocentre;
+  return 0;
+}
+int SDL_HapticNewEffect(SDL_Haptic* /*device*/, SDL_HapticEffect* effect) {
+  if (haptic.fails || static_cast<int>(haptic.effects.size()) >= haptic.room) return -1;
+  const int id = static_cast<int>(haptic.effects.size());
+  haptic.effects[id] = *effect;
+  ++haptic.made;
+  return id;
+}
+int SDL_HapticUpdateEffect(SDL_Haptic* /*device*/, int id, SDL_HapticEffect* effect) {
+  if (haptic.fails || haptic.effects.count(id) == 0) return -1;
+  haptic.effects[id] = *effect;
+  ++haptic.updates;
+  return 0;
+}
+int SDL_HapticRunEffect(SDL_Haptic* /*device*/, int id, Uint32 /*iterations*/) {
+  haptic.playing[id] = true;
+  return haptic.fails ? -1 : 0;
+}
+void SDL_HapticDestroyEffect(SDL_Haptic* /*device*/, int id) {
+  haptic.effects.erase(id);
+  haptic.playing.erase(id);
+}
+}

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// What an output stage promises whatever goes in: any settings that it takes, any demand, any
+// motion of the stick, any pattern of silences.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "stage_rig.hpp"
+
+namespace batuta {
+namespace {
+
+using test::alive;
+using test::StageRig;
+
+constexpr int kSteps = 120;
+/// A product of two shares rounds once, each of their sums once more.
+constexpr float kRounding = 4 * std::numeric_limits<float>::epsilon();
+
+float number(float most) {
+  return static_cast<float>(*rc::gen::inRange(-1000, 1001)) * most / 1000;
+}
+float positive(float most) {
+  return static_cast<float>(*rc::gen::inRange(1, 1001)) * most / 1000;
+}
+RampSettings any_ramp() {
+  return {*rc::gen::inRange(0, 20), *rc::gen::inRange(1, 30)};
+}
+
+StageSettings any_settings() {
+  StageSettings settings;
+  settings.dt = positive(0.002F);
+  settings.gain = {positive(2), positive(2)};
+  settings.end_stop = {positive(1), std::abs(number(30)), std::abs(number(1))};
+  settings.speed_limit = {positive(20), std::abs(number(1)), std::abs(number(100))};
+  settings.slew_rate = positive(1000);
+  settings.samples = any_ramp();
+  settings.commands = any_ramp();
+  settings.fade = *rc::gen::inRange(1, 60);
+  return settings;
+}
+
+/// Now and then a number that is none, or the largest one.
+float any_number(float most) {
+  constexpr float kLargest = std::numeric_limits<float>::max();
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  switch (*rc::gen::inRange(0, 40)) {
+    case 0:
+      return std::numeric_limits<float>::quiet_NaN();
+    case 1:
+      return kInfinity;
+    case 2:
+      return -kLargest;
+    default:
+      return number(most);
+  }
+}
+
+StageInput any_input() {
+  StageInput input;
+  input.demanded = {any_number(3), any_number(3)};
+  input.position = {any_number(1.2F), any_number(1.2F)};
+  input.velocity = {any_number(40), any_number(40)};
+  input.fresh_sample = *rc::gen::inRange(0, 3) > 0;
+  input.fresh_command = *rc::gen::inRange(0, 3) > 0;
+  return input;
+}
+
+float largest(const Vec2<float>& v) {
+  return std::fmax(std::abs(v.x()), std::abs(v.y()));
+}
+
+/// The most that a share may change in a step: by the slew limit, and by the ramps.
+float fastest(const StageSettings& settings) {
+  const auto shortest =
+      std::min({settings.samples.length, settings.commands.length, settings.fade});
+  return settings.slew_rate * settings.dt + 1.0F / static_cast<float>(shortest) + kRounding;
+}
+
+RC_GTEST_PROP(OutputStage, WhateverGoesIn_IsInRange_AndNoFasterThanAllowed, ()) {
+  const StageSettings settings = any_settings();
+  StageRig rig(settings);
+  Vec2<float> last = rig.last();
+  for (int i = 0; i < kSteps; ++i) {
+    if (*rc::gen::inRange(0, 20) == 0) rig.stage.disable();
+    if (*rc::gen::inRange(0, 10) == 0) (void)rig.stage.enable();
+    (void)rig.stage.step(any_input());
+    const Vec2<float> told = rig.last();
+    RC_ASSERT(is_finite(told));
+    RC_ASSERT(largest(told) <= 1);
+    RC_ASSERT(largest(told - last) <= fastest(settings));
+    last = told;
+  }
+  RC_ASSERT(rig.motor.told.size() == kSteps + 1U);
+}
+
+/// Once all ramps are up, the slew limit alone decides.
+RC_GTEST_PROP(OutputStage, InHealth_TheSlewLimitIsExact, ()) {
+  const StageSettings settings = any_settings();
+  StageRig rig(settings);
+  for (int i = 0; i < 60; ++i) rig.run(1, alive({number(2), number(2)}));
+  Vec2<float> last = rig.last();
+  for (int i = 0; i < kSteps; ++i) {
+    const Vec2<float> told = rig.run(1, alive({number(2), number(2)}));
+    RC_ASSERT(largest(told - last) <= settings.slew_rate * settings.dt + kRounding);
+    last = told;
+  }
+}
+
+RC_GTEST_PROP(OutputStage, Silence_TakesAConstantForceWithoutEverAddingToIt, ()) {
+  StageSettings settings = any_settings();
+  settings.slew_rate = 2 / settings.dt;
+  StageRig rig(settings);
+  StageInput input = alive({number(2), number(2)});
+  input.position = {number(1.2F), number(1.2F)};
+  rig.run(60, input);  // all ramps are up
+  const bool stick = *rc::gen::arbitrary<bool>();
+  (stick ? input.fresh_sample : input.fresh_command) = false;
+  const RampSettings& ramp = stick ? settings.samples : settings.commands;
+  Vec2<float> last = rig.last();
+  for (int i = 1; i <= ramp.silent_after + ramp.length; ++i) {
+    const Vec2<float> told = rig.run(1, input);
+    RC_ASSERT(std::abs(told.x()) <= std::abs(last.x()) && std::abs(told.y()) <= std::abs(last.y()));
+    RC_ASSERT(i > ramp.silent_after || told == last);
+    last = told;
+  }
+  RC_ASSERT(last == Vec2<float>(0, 0));
+}
+
+RC_GTEST_PROP(OutputStage, FadingIn_IsBoundedByItsSteps, ()) {
+  const StageSettings settings = any_settings();
+  StageRig rig(settings);
+  rig.stage.disable();
+  for (int i = 0; i < 60; ++i) (void)rig.stage.step(any_input());
+  RC_ASSERT(rig.last() == Vec2<float>(0, 0));
+  (void)rig.stage.enable();
+  for (int i = 1; i <= settings.fade; ++i) {
+    (void)rig.stage.step(any_input());
+    RC_ASSERT(largest(rig.last()) <= static_cast<float>(i) / static_cast<float>(settings.fade));
+  }
+}
+
+RC_GTEST_PROP(OutputStage, Stopped_NothingBringsTheForceBack, ()) {
+  StageRig rig(any_settings());
+  for (int i = 0; i < 60; ++i) (void)rig.stage.step(any_input());
+  rig.stage.stop(0);
+  for (int i = 0; i < 60; ++i) {
+    (void)rig.stage.enable();
+    RC_ASSERT(rig.stage.step(any_input()) == Status::kUnavailable);
+    RC_ASSERT(rig.last() == Vec2<float>(0, 0));
+  }
+}
+
+/// The same steps, the same bits: nothing is remembered but what configure() resets.
+RC_GTEST_PROP(OutputStage, ConfiguredAgain_IsLikeANewOne, ()) {
+  const StageSettings settings = any_settings();
+  StageRig used(any_settings());
+  for (int i = 0; i < 60; ++i) (void)used.stage.step(any_input());
+  (void)used.stage.configure(settings);
+  (void)used.stage.enable();
+  StageRig fresh(settings);
+  for (int i = 0; i < 60; ++i) {
+    const StageInput input = any_input();
+    (void)used.stage.step(input);
+    (void)fresh.stage.step(input);
+    RC_ASSERT(used.last() == fresh.last());
+  }
+}
+
+}  // namespace
+}  // namespace batuta
