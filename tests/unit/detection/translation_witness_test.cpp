@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A search in closed form looks at no instant outside its step.
+// Where a search in closed form looks: at no instant outside its step, and at the right one.
 #include "batuta/detection/translation.hpp"
 
 #include "advancement_cases.hpp"
@@ -20,6 +20,25 @@ TEST(Translation, NearestAfterTheEnd_WitnessIsOfTheStep) {
   EXPECT_EQ(found.outcome, Outcome::kFree);
   ASSERT_GT(found.evaluations, 0U) << "the line between the middles must not do";
   EXPECT_GT(found.witness.gap, 0.15);
+}
+
+/// Two bars that meet tip to tip, each named by either end first: the closed form knows the
+/// instant.
+TEST(Translation, TipMeetsTip_IsFoundInTwoEvaluations) {
+  const Vec3<double> tail_A{-1, -0.4, 0.1};
+  const Vec3<double> tail_B{1, 0.3, -0.4};
+  for (const bool A_turned : {false, true}) {
+    for (const bool B_turned : {false, true}) {
+      const Capsule64 A{kO, A_turned ? tail_A : kO, A_turned ? kO : tail_A, 0.05};
+      Capsule64 B{{2, 0, 0}, B_turned ? tail_B : kO, B_turned ? kO : tail_B, 0.05};
+      B.v = {-3, 0, 0};
+      const auto asked = ask(moving<double>(A), moving<double>(B));
+      const auto found = search_translation(asked.pair, asked.options);
+      EXPECT_EQ(found.outcome, Outcome::kContact);
+      EXPECT_NEAR(found.t_hit, 1.9 / 3, 1e-5);
+      EXPECT_LE(found.evaluations, 2U) << A_turned << B_turned;
+    }
+  }
 }
 
 }  // namespace
