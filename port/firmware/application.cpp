@@ -207,7 +207,7 @@ void Application::command_force(bool stepped) {
   if (stepped) input.velocity = stick.velocity();
   if (stepped && !bout_.is_over()) input.demanded = force.demanded;
   input.allowed = force.allowed;
-  input.fresh_sample = stepped && bout_.used(own) != nullptr;
+  input.fresh_sample = stepped && bout_.is_alive(own);
   input.fresh_command = stepped;
   if (stage_.step(input) != Status::kOk) ++report_.force_failures;
 }

@@ -11,6 +11,8 @@ Status SteppedBout::start(const BoutSettings& settings) {
   const Status status = duel_.configure(duel, first_fencer<float>(), second_fencer<float>());
   if (status != Status::kOk) return status;
   fresh_ = {};
+  believed_ = {};
+  alive_ = {};
   return forces_.configure(settings.force);
 }
 
@@ -19,13 +21,16 @@ Status SteppedBout::step(const InputSample* left, const InputSample* right) {
   if (status != Status::kOk) return status;
   take(Side::kLeft, left);
   take(Side::kRight, right);
-  forces_.advance(duel_, fresh_);
+  forces_.advance(duel_, alive_);
   return Status::kOk;
 }
 
 void SteppedBout::take(Side side, const InputSample* sample) {
   fresh_[index_of(side)] = sample != nullptr;
   if (sample != nullptr) samples_[index_of(side)] = *sample;
+  const std::uint32_t believed = duel_.stick(side).report().used;
+  alive_[index_of(side)] = believed != believed_[index_of(side)];
+  believed_[index_of(side)] = believed;
 }
 
 }  // namespace batuta::firmware

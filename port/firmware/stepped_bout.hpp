@@ -33,6 +33,9 @@ class SteppedBout {
   const InputSample* used(Side side) const {
     return fresh_[index_of(side)] ? &samples_[index_of(side)] : nullptr;
   }
+  /// The last step had a sample that the stick took for a sign of life: SampleUse::kUsed or
+  /// kRestart. One with an old time stamp is none, however often it comes.
+  bool is_alive(Side side) const { return alive_[index_of(side)]; }
 
  private:
   void take(Side side, const InputSample* sample);
@@ -41,6 +44,8 @@ class SteppedBout {
   StickForces forces_;
   std::array<InputSample, 2> samples_{};
   std::array<bool, 2> fresh_{};
+  std::array<std::uint32_t, 2> believed_{};  ///< StickReport::used after the last step
+  std::array<bool, 2> alive_{};
 };
 
 }  // namespace batuta::firmware

@@ -18,6 +18,15 @@ using DuelType = Duel<float>;
 /// show it, and the rounding of poses in hand and blade comes to a tenth of it.
 inline constexpr float kLeastShare = 1.0F / 4096;
 
+/// What a hand with the grip of the library's fencers (GripSettings::strength, 4 N) can feel of its
+/// blade: a coupling that pulls no harder than twice that.
+inline HandForceSettings<float> soft_feel() {
+  HandForceSettings<float> feel;
+  feel.coupling.max_force = 8;
+  feel.coupling.max_moment = 0.8F;
+  return feel;
+}
+
 struct ForceSettings {
   /// The force on a stick's coordinate that takes all that the actuator has, N m for each unit of
   /// the stick, > 0 and finite. The hardest blows of the recordings come to half of it.
@@ -28,7 +37,7 @@ struct ForceSettings {
   SpeedLimitSettings speed_limit{};
   /// Coupling and pulses; the pulses' limit is full_scale, whatever it says. What is stable is the
   /// device's: check() of haptics/gain_advisor.hpp.
-  HandForceSettings<float> feel{};
+  HandForceSettings<float> feel = soft_feel();
 
   Vec2<float> gain() const { return Vec2<float>::Constant(1.0F / full_scale); }
 };
@@ -52,7 +61,7 @@ class StickForces {
   Status configure(const ForceSettings& settings);
 
   /// @param duel   has just made a step
-  /// @param fresh  whether that step had a new sample of the side
+  /// @param fresh  whether that step had a sign of life of the side's stick
   /// Bound: the contact events of the step, twice.
   void advance(const DuelType& duel, const std::array<bool, 2>& fresh);
 

@@ -27,6 +27,14 @@ int substeps_of(const AxisSettings& settings) {
   return static_cast<int>(turn / kMostTurn) + 1;
 }
 
+/// The series of a period's transition ends where it should. Not (x > y): NaN is beyond.
+bool is_soft_enough(const AxisSettings& settings) {
+  const Oscillator oscillator = oscillator_of(settings);
+  const double span = settings.period;
+  return (oscillator.stiffness * span + oscillator.damping) * span / oscillator.mass <=
+         kStiffestSpan;
+}
+
 }  // namespace
 
 Status validate(const AxisSettings& settings) {
@@ -36,7 +44,8 @@ Status validate(const AxisSettings& settings) {
   const bool hand = is_not_negative(settings.hand_mass) &&
                     is_not_negative(settings.hand_stiffness) &&
                     is_not_negative(settings.hand_damping);
-  const bool good = mechanism && hand && substeps_of(settings) <= kMostSubsteps;
+  const bool good =
+      mechanism && hand && is_soft_enough(settings) && substeps_of(settings) <= kMostSubsteps;
   return good ? Status::kOk : Status::kInvalidArgument;
 }
 

@@ -28,7 +28,8 @@ struct AxisSettings {
 inline constexpr int kMostSubsteps = 64;
 
 /// @returns kOk | kInvalidArgument: out of range, not finite, or with friction so stiff that
-/// kMostSubsteps do not resolve it: sqrt(k_h / M) T > kMostSubsteps / 4
+/// kMostSubsteps do not resolve it: sqrt(k_h / M) T > kMostSubsteps / 4; or, even without, stiffer
+/// than kStiffestSpan of transition.hpp over a period
 Status validate(const AxisSettings& settings);
 
 /// What happens within a span, linear in the state at its beginning and in the force.

@@ -7,10 +7,13 @@
 namespace batuta {
 namespace {
 
+/// Enough for axes that differ by twelve powers of ten: src/haptics/coupling.md.
+constexpr int kEasings = 12;
+
 template <class Scalar>
 Vec3<Scalar> limited(const Vec3<Scalar>& vector, Scalar limit) {
-  const Scalar size = length(vector);
-  return size > limit ? Vec3<Scalar>((limit / size) * vector) : vector;
+  // By way of the direction: limit / length is no number for a spring stretched far enough.
+  return length(vector) > limit ? Vec3<Scalar>(limit * unit(vector)) : vector;
 }
 
 /// How far, and how fast, `from` has to go to be where `to` is. Velocities of both are those of
@@ -26,9 +29,10 @@ struct Stretch {
 template <class Scalar>
 Stretch<Scalar> stretch_of(const MovingFrame<Scalar>& from, const MovingFrame<Scalar>& to) {
   const Vec3<Scalar> v_to_W = velocity_at(to.X_W, to.twist, from.X_W.p_W);
-  return {to.X_W.p_W - from.X_W.p_W, v_to_W - from.twist.v_W,
-          log_map(Quat<Scalar>(to.X_W.q_WB * from.X_W.q_WB.conjugate())),
-          to.twist.w_W - from.twist.w_W};
+  const Quat<Scalar> turn = to.X_W.q_WB * from.X_W.q_WB.conjugate();
+  Vec3<Scalar> r_W = log_map(turn);  // none where the turn is not a number: that has to show
+  if (!is_finite(turn)) r_W.setConstant(std::numeric_limits<Scalar>::quiet_NaN());
+  return {to.X_W.p_W - from.X_W.p_W, v_to_W - from.twist.v_W, r_W, to.twist.w_W - from.twist.w_W};
 }
 
 template <class Scalar>
@@ -40,7 +44,8 @@ Wrench<Scalar> within_limits(const CouplingSettings<Scalar>& settings,
 
 /// Of a spring that pulls no harder than `limit`.
 template <class Scalar>
-Scalar spring_energy(Scalar stiffness, Scalar limit, Scalar stretch) {
+Scalar spring_energy(Scalar stiffness, Scalar limit, const Vec3<Scalar>& stretch_W) {
+  const Scalar stretch = is_finite(stretch_W) ? length(stretch_W) : stretch_W.sum();
   const Scalar pull = stiffness * stretch;
   if (!(pull > limit)) return pull * stretch / 2;
   return limit * (stretch - limit / stiffness / 2);
@@ -51,14 +56,24 @@ bool is_finite_wrench(const Wrench<Scalar>& wrench) {
   return is_finite(wrench.force_W) && is_finite(wrench.moment_W);
 }
 
-/// What a spring and damper does to a mass at the end of the step: the force that, acting over it,
-/// leads to the stretch and the speed from which it comes.
-/// @param yielding  1/kg or 1/(kg m^2): how readily the mass gives way
+/// What a spring and damper that pull no harder than `limit` do to a mass at the end of the step:
+/// the pull that, acting over it, leads to the stretch and the speed from which it comes.
+/// @param rigid  the pull on a mass that does not give way, by axis
+/// @param gives  by how much of the pull the mass has given way at the end, by axis, >= 0
 template <class Scalar>
-Scalar implicit_pull(Scalar stiffness, Scalar damping, Scalar yielding, Scalar dt, Scalar stretch,
-                     Scalar rate) {
-  const Scalar slope = dt * stiffness + damping;
-  return (stiffness * stretch + slope * rate) / (Scalar(1) + dt * slope * yielding);
+Vec3<Scalar> implicit_pull(const Vec3<Scalar>& rigid, const Vec3<Scalar>& gives, Scalar limit) {
+  const auto eased = [&rigid, &gives](Scalar ease) {
+    return Vec3<Scalar>((rigid.array() / (gives.array() + ease)).matrix());
+  };
+  Scalar ease = 1;
+  Vec3<Scalar> pull = eased(ease);
+  for (int i = 0; i < kEasings && length(pull) > limit; ++i) {  // Bound: kEasings
+    const Scalar spread = (unit(pull).array().square() / (gives.array() + ease)).sum();
+    ease += (length(pull) / limit - Scalar(1)) / spread;
+    if (!is_finite(ease)) break;
+    pull = eased(ease);
+  }
+  return limited(pull, limit);
 }
 
 }  // namespace
@@ -87,8 +102,8 @@ template <class Scalar>
 Scalar stored_energy(const CouplingSettings<Scalar>& settings, const Pose<Scalar>& commanded_W,
                      const Pose<Scalar>& actual_W) {
   const Stretch<Scalar> stretch = stretch_of<Scalar>({commanded_W, {}}, {actual_W, {}});
-  return spring_energy(settings.stiffness, settings.max_force, length(stretch.p_W)) +
-         spring_energy(settings.turn_stiffness, settings.max_moment, length(stretch.r_W));
+  return spring_energy(settings.stiffness, settings.max_force, stretch.p_W) +
+         spring_energy(settings.turn_stiffness, settings.max_moment, stretch.r_W);
 }
 
 template <class Scalar>
@@ -100,16 +115,15 @@ Result<Wrench<Scalar>> couple(const CouplingSettings<Scalar>& settings,
   const Quat<Scalar> q_BW = body.X_WB.q_WB.conjugate();
   const Vec3<Scalar> r_B = q_BW * stretch.r_W;
   const Vec3<Scalar> w_B = q_BW * stretch.w_W;
+  const Scalar slope = dt * settings.stiffness + settings.damping;
+  const Scalar turn_slope = dt * settings.turn_stiffness + settings.turn_damping;
+  const Vec3<Scalar> force_W = settings.stiffness * stretch.p_W + slope * stretch.v_W;
+  const Vec3<Scalar> moment_B = settings.turn_stiffness * r_B + turn_slope * w_B;
+  const Vec3<Scalar> gives = Vec3<Scalar>::Constant(dt * slope * body.inverse_mass);
+  const Vec3<Scalar> turn_gives = dt * turn_slope * body.inverse_moments;
   Wrench<Scalar> pull;
-  Vec3<Scalar> moment_B;
-  for (int i = 0; i < 3; ++i) {  // Bound: three axes
-    pull.force_W(i) = implicit_pull(settings.stiffness, settings.damping, body.inverse_mass, dt,
-                                    stretch.p_W(i), stretch.v_W(i));
-    moment_B(i) = implicit_pull(settings.turn_stiffness, settings.turn_damping,
-                                body.inverse_moments(i), dt, r_B(i), w_B(i));
-  }
-  pull.moment_W = body.X_WB.q_WB * moment_B;
-  pull = within_limits(settings, pull);
+  pull.force_W = implicit_pull(force_W, gives, settings.max_force);
+  pull.moment_W = body.X_WB.q_WB * implicit_pull(moment_B, turn_gives, settings.max_moment);
   const Status status = apply(body, pull.force_W, pull.moment_W, dt);
   if (status != Status::kOk) return failure<Wrench<Scalar>>(status);
   return success(Wrench<Scalar>{-pull.force_W, -pull.moment_W});

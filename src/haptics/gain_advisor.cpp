@@ -8,6 +8,13 @@ namespace {
 template <class Scalar>
 constexpr Scalar kRounded = Scalar(1) + Scalar(8) * kRoundOff<Scalar>;
 
+/// What overflows is beyond.
+template <class Scalar>
+bool is_within(Scalar x, Scalar most) {
+  const Scalar rounded = kRounded<Scalar> * most;
+  return is_finite(x) && x <= rounded;
+}
+
 template <class Scalar>
 Scalar magnitude(Scalar x) {
   return x < Scalar(0) ? -x : x;
@@ -28,7 +35,8 @@ bool is_not_negative(Scalar x) {
 template <class Scalar>
 Result<GainLimit<Scalar>> smaller(Scalar by_sampling, Scalar by_encoder) {
   GainLimit<Scalar> limit{by_sampling, GainBound::kSampling};
-  if (by_encoder < by_sampling) limit = {by_encoder, GainBound::kEncoder};
+  // What is left of infinities is not a number, and no bound: it is taken, and refused.
+  if (!(by_encoder >= by_sampling)) limit = {by_encoder, GainBound::kEncoder};
   limit.largest = max_of(limit.largest, Scalar(0));
   if (!is_finite(limit.largest)) return failure<GainLimit<Scalar>>(Status::kInvalidArgument);
   return success(limit);
@@ -39,8 +47,8 @@ Result<GainLimit<Scalar>> smaller(Scalar by_sampling, Scalar by_encoder) {
 template <class Scalar>
 Status validate(const DeviceProfile<Scalar>& profile) {
   const bool mechanism = is_not_negative(profile.damping) && is_not_negative(profile.friction);
-  const bool loop =
-      is_positive(profile.period) && profile.delay >= 0 && is_not_negative(profile.encoder_step);
+  const bool loop = is_positive(profile.period) && profile.delay >= 0 &&
+                    is_positive(age(profile)) && is_not_negative(profile.encoder_step);
   const bool ends = is_positive(profile.force_limit) && is_positive(profile.travel);
   return mechanism && loop && ends ? Status::kOk : Status::kInvalidArgument;
 }
@@ -74,14 +82,11 @@ GainVerdict check(const DeviceProfile<Scalar>& profile, const Gains<Scalar>& gai
   if (!is_not_negative(gains.stiffness) || !is_finite(gains.damping))
     return GainVerdict::kInvalidGains;
   const Scalar spent = magnitude(gains.damping);
-  // Not (x <= y): what overflows to NaN is beyond.
   const Scalar lag = gains.stiffness * age(profile) + spent;
-  const Scalar most_lag = kRounded<Scalar> * profile.damping;
-  if (!(lag <= most_lag)) return GainVerdict::kBeyondSampling;
+  if (!is_within(lag, profile.damping)) return GainVerdict::kBeyondSampling;
   if (profile.encoder_step == Scalar(0)) return GainVerdict::kInside;
   const Scalar jump = profile.encoder_step * (gains.stiffness / Scalar(2) + spent / profile.period);
-  const Scalar most_jump = kRounded<Scalar> * profile.friction;
-  return jump <= most_jump ? GainVerdict::kInside : GainVerdict::kBeyondEncoder;
+  return is_within(jump, profile.friction) ? GainVerdict::kInside : GainVerdict::kBeyondEncoder;
 }
 
 template <class Scalar>

@@ -13,8 +13,8 @@ bool is_finite_pose(const Pose<Scalar>& X) {
 template <class Scalar>
 bool is_finite_state(const HandState<Scalar>& state) {
   return is_finite_pose(state.commanded.X_WH) && is_finite_pose(state.held_W) &&
-         is_finite(state.commanded.jacobian) && is_finite(state.blow.p_W) &&
-         is_finite(state.blow.b_W);
+         is_finite(state.commanded.jacobian) && state.hold >= Scalar(0) &&
+         state.hold <= Scalar(1) && is_finite(state.blow.p_W) && is_finite(state.blow.b_W);
 }
 
 }  // namespace
@@ -40,21 +40,28 @@ Wrench<Scalar> HandForce<Scalar>::pull(const HandState<Scalar>& state, Scalar dt
     if (started_) frame.twist = motion_between(before, now, dt).twist;
     return frame;
   };
-  return coupling_wrench(settings_.coupling, moving(commanded_W_, state.commanded.X_WH),
-                         moving(held_W_, state.held_W));
+  const Wrench<Scalar> whole =
+      coupling_wrench(settings_.coupling, moving(commanded_W_, state.commanded.X_WH),
+                      moving(held_W_, state.held_W));
+  return {state.hold * whole.force_W, state.hold * whole.moment_W};
 }
 
 template <class Scalar>
 Vec2<Scalar> HandForce<Scalar>::advance(const HandState<Scalar>& state, Scalar dt) {
-  if (!is_finite_state(state)) {
+  const StickJacobian<Scalar>& jacobian = state.commanded.jacobian;
+  Vec2<Scalar> coupling = Vec2<Scalar>::Zero();
+  bool finite = is_finite_state(state);
+  if (finite) {
+    coupling = stick_force(jacobian, pull(state, dt));
+    stored_ = state.hold * stored_energy(settings_.coupling, state.commanded.X_WH, state.held_W);
+    finite = is_finite(coupling) && is_finite(stored_);
+  }
+  if (!finite) {
     started_ = false;
     stored_ = 0;
     return Vec2<Scalar>::Zero();
   }
-  const StickJacobian<Scalar>& jacobian = state.commanded.jacobian;
   (void)transient_.strike(stick_force<Scalar>(jacobian, {state.blow.p_W, state.blow.b_W}));
-  const Vec2<Scalar> coupling = stick_force(jacobian, pull(state, dt));
-  stored_ = stored_energy(settings_.coupling, state.commanded.X_WH, state.held_W);
   commanded_W_ = state.commanded.X_WH;
   held_W_ = state.held_W;
   started_ = true;

@@ -51,6 +51,7 @@ Status OutputStage::configure(const StageSettings& settings) {
   (void)fade_.configure(fade_ramp(settings));
   limits_ = {};
   report_ = {};
+  allowed_ = 1;
   enabled_ = false;
   configured_ = true;
   (void)cut(told_.time);  // a device that is gone says so in the first step
@@ -77,13 +78,14 @@ void OutputStage::reset() {
 Status OutputStage::step(const StageInput& input) {
   if (!configured_) return Status::kInvalidArgument;
   const bool usable = is_usable(input, settings_.gain);
+  if (usable) allowed_ = input.allowed;
   const StageInput used = usable ? input : without_demand(input.time);
   ++report_.steps;
   if (!usable) ++report_.invalid;
   limits_ = {};
   const Vec2<float> share = shaped(used);
   const float left = ramped(used);
-  const Status status = hand_over({used.time, left * share.x(), left * share.y()});
+  const Status status = hand_over({used.time, left * share.x(), left * share.y(), left});
   return status == Status::kOk && !usable ? Status::kInvalidArgument : status;
 }
 
@@ -117,7 +119,7 @@ float OutputStage::ramped(const StageInput& input) {
   report_.sample_silences = samples_.silences();
   report_.command_silences = commands_.silences();
   const float alive = min_of(samples_.share(), commands_.share());
-  const float left = min_of(min_of(fade_.share(), input.allowed), alive);
+  const float left = min_of(min_of(fade_.share(), allowed_), alive);
   limits_.ramped = left < 1.0F;
   return left;
 }
@@ -141,7 +143,7 @@ Status OutputStage::hand_over(const ForceCommand& command) {
 
 /// Zero at once. @returns of the device
 Status OutputStage::cut(Microseconds time) {
-  told_ = {time, 0.0F, 0.0F};
+  told_ = {time, 0.0F, 0.0F, 0.0F};
   return device_.off(time);
 }
 

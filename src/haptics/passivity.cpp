@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "batuta/haptics/passivity.hpp"
 
+#include "batuta/geometry/direction.hpp"
+
 namespace batuta {
 namespace {
 
@@ -100,10 +102,13 @@ Result<Vec2<Scalar>> passive_force(const PassivityObserver<Scalar>& observer,
   const Scalar damping = owed_damping(observer);
   Vec2<Scalar> force = demanded;
   if (damping > Scalar(0)) force -= damping / observer.settings().period * observer.moved();
-  const Scalar square = force.squaredNorm();
-  if (!is_finite(square)) return failure<Vec2<Scalar>>(Status::kInvalidArgument);
+  const Vec3<Scalar> flat(force.x(), force.y(), Scalar(0));  // its length at any scale
+  const Scalar size = length(flat);
+  if (!is_finite(force) || !is_finite(size)) {
+    return {Status::kInvalidArgument, Vec2<Scalar>::Zero()};  // failure() would leave it unset
+  }
   const Scalar largest = observer.settings().largest_force;
-  if (square > largest * largest) force *= largest / std::sqrt(square);
+  if (size > largest) force = largest * unit(flat).template head<2>();
   return success(force);
 }
 

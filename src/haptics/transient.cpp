@@ -19,7 +19,8 @@ template <class Scalar>
 Status validate(const TransientSettings<Scalar>& settings) {
   const bool good = is_finite(settings.gain) && settings.gain >= Scalar(0) &&
                     is_positive(settings.duration) && is_finite(settings.longest) &&
-                    settings.longest >= settings.duration && is_positive(settings.max_force);
+                    settings.longest >= settings.duration &&
+                    settings.longest <= kLongestPulse<Scalar> && is_positive(settings.max_force);
   return good ? Status::kOk : Status::kInvalidArgument;
 }
 
@@ -55,7 +56,7 @@ Vec2<Scalar> ImpactTransient<Scalar>::advance(Scalar dt) {
     left_(i) = ends && force(i) == level ? Scalar(0) : left_(i) - dt * force(i);
   }
   age_ += dt;
-  if (age_ + dt / 2 >= settings_.longest) {
+  if (ends && age_ + dt / 2 >= settings_.longest) {  // rounding may find the longest before the end
     lost_ += std::abs(left_.x()) + std::abs(left_.y());
     left_.setZero();
   }

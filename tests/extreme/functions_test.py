@@ -8,7 +8,7 @@ import pathlib
 import re
 import sys
 
-ROOMS = ["core", "geometry", "mechanics", "detection", "response", "world", "fencing", "port"]
+ROOMS = ["core", "geometry", "mechanics", "detection", "response", "world", "fencing", "haptics", "port"]
 # What a scene's type is made of, and the second halves of headers: not called by a user.
 INNER = {"world/" + name + ".hpp" for name in (
     "bound", "event_book", "general_contact", "general_events", "general_plan", "general_step", "scene_check", "scene_cost",

@@ -9,7 +9,9 @@
 #include <array>
 #include <cstring>
 #include <limits>
+#include <vector>
 
+#include "batuta/core/status.hpp"
 #include "batuta/core/types.hpp"
 #include "draws.hpp"
 
@@ -89,6 +91,35 @@ void for_each_spoiled(const T& good, int draws, const Judge& judge) {
     SCOPED_TRACE(testing::Message() << "draw " << i);
     judge(spoiled, all_finite<S>(spoiled));
   }
+}
+
+/// Each number of `good` may be anything above zero, those of `zero_too` also zero, and no other.
+template <class S, class T, class Take>
+void expect_taken(const T& good, const std::vector<bool>& zero_too, const Take& take) {
+  ASSERT_EQ(zero_too.size(), (count_of<S, T>()));
+  ASSERT_EQ(take(good), Status::kOk);
+  for (std::size_t place = 0; place < zero_too.size(); ++place) {
+    for (const S number : kHostile<S>) {
+      T spoiled = good;
+      put(spoiled, place, number);
+      const bool fits = is_finite(number) && (zero_too[place] ? number >= 0 : number > 0);
+      EXPECT_EQ(take(spoiled), fits ? Status::kOk : Status::kInvalidArgument)
+          << "place " << place << " number " << number;
+    }
+  }
+}
+
+/// `count` numbers that belong to `index`: one in three hostile, the others within 3.
+template <class S>
+std::vector<S> some_of(std::size_t count, int index) {
+  Draws draw(20061107, 61, static_cast<std::uint64_t>(index));
+  std::vector<S> numbers;
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool hostile = draw.chance(0.3);
+    const auto which = static_cast<std::size_t>(draw.unit() * kHostile<S>.size());
+    numbers.push_back(hostile ? kHostile<S>[which] : static_cast<S>(draw.between(-3, 3)));
+  }
+  return numbers;
 }
 
 using Scalars = testing::Types<float, double>;

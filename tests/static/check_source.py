@@ -75,7 +75,7 @@ def check_include(room, path, where, target):
 
 
 def check_arrows(root):
-    include = re.compile(r'^\s*#\s*include\s*"([^"]+)"')
+    include = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<(batuta/[^>]+)>)')
     findings = []
     for base in (root / "include" / "batuta", root / "src"):
         for path in sources(base):
@@ -86,7 +86,7 @@ def check_arrows(root):
             for number, line in enumerate(path.read_text().splitlines(), 1):
                 match = include.match(line)
                 finding = match and check_include(room, path, f"{path.relative_to(root)}:{number}",
-                                                  match.group(1))
+                                                  match.group(1) or match.group(2))
                 if finding:
                     findings.append(finding)
     return findings + check_port_arrows(root)

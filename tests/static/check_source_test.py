@@ -40,7 +40,8 @@ class Arrows(Tree):
     def test_downwards_is_found(self):
         self.put("include/batuta/core/a.hpp", '#include "batuta/world/w.hpp"\n')
         self.put("src/geometry/g.cpp", '\n  # include "batuta/mechanics/m.hpp"\n')
-        self.assert_found(self.check(), "a.hpp:2: room core", "g.cpp:3: room geometry")
+        self.put("src/mechanics/m.cpp", '#include <batuta/world/w.hpp>\n')
+        self.assert_found(self.check(), "a.hpp:2: room core", "g.cpp:3: room geometry", "m.cpp:2: room mechanics")
 
     def test_port_and_relative_paths_are_found(self):
         self.put("src/core/a.cpp", '#include "host/trap.hpp"\n#include "../port/host/trap.hpp"\n#include "pool.hpp"\n')

@@ -53,7 +53,8 @@ Scalar stored_energy(const CouplingSettings<Scalar>& settings, const Pose<Scalar
 /// Both sides at once, for a body that flies by its momenta (FreeFlight): changes the body's
 /// momenta by what the coupling does to it over the coming step, and returns the mean wrench on the
 /// commanded frame over it, about the *body's* centre of mass. Implicit in the body's motion: for
-/// any stiffness, damping, mass and dt no energy comes from the integration. What a hand feels of a
+/// any stiffness, damping, mass, limit and dt no energy comes from the integration, but to second
+/// order in the turn of a step. What a hand feels of a
 /// body that is held has the gains K / s and (B + K dt) / s, s = 1 + dt (K dt + B) / mass: these
 /// are for check() of gain_advisor.hpp.
 /// @param commanded_W  where B should be, and how it should move, at the start of the step

@@ -32,7 +32,8 @@ struct Gains {
   Scalar damping = 0;    ///< B, J s/u^2; a negative one costs as much as a positive one
 };
 
-/// @returns kOk | kInvalidArgument: a number is not finite or out of the range stated above
+/// @returns kOk | kInvalidArgument: a number is not finite or out of the range stated above, or the
+/// age of a force, T (n + 1/2), is beyond Scalar
 template <class Scalar>
 Status validate(const DeviceProfile<Scalar>& profile);
 
@@ -70,7 +71,7 @@ enum class [[nodiscard]] GainVerdict : std::uint8_t{
 };
 
 /// Both bounds, the first one that is broken. What largest_stiffness() and largest_damping() give
-/// is inside. No loop.
+/// is inside, but where a term of a bound overflows or is subnormal. No loop.
 template <class Scalar>
 GainVerdict check(const DeviceProfile<Scalar>& profile, const Gains<Scalar>& gains);
 

@@ -26,6 +26,9 @@ template <class Scalar>
 struct HandState {
   KeyedPose<Scalar> commanded;  ///< where the stick wants the hand
   Pose<Scalar> held_W;          ///< where a hand is that holds the blade as it is
+  /// How far the hand has hold of it, 0: a blow has just torn it loose ... 1 (Grip::control()). The
+  /// coupling is as much weaker: a blade that flies pulls at no hand.
+  Scalar hold = 1;
   /// Of the step's blows on the blade, and its moment about the commanded hand's origin.
   Momentum<Scalar> blow;
 };
@@ -52,6 +55,7 @@ auto hand_state(const DuelT& duel, Side side) {
   HandState<Scalar> state;
   state.commanded = duel.hand(side);
   state.held_W = duel.held_hand_W(side);
+  if constexpr (DuelT::SceneType::kGrip) state.hold = duel.grip(side).control();
   state.blow = blow_about(state.commanded.X_WH.p_W, side, duel.world().events());
   return state;
 }
@@ -68,7 +72,7 @@ class HandForce {
   /// actuator's limit (TransientSettings::max_force), and of the coupling what room the blow
   /// leaves.
   /// @returns within that limit along both coordinates; zero, and nothing is kept of the step,
-  ///   where a number is not finite
+  ///   where a number is not finite or hold is outside [0, 1], also the coupling's force or energy
   /// @pre dt > 0, s. Bound: no loop.
   Vec2<Scalar> advance(const HandState<Scalar>& state, Scalar dt);
 

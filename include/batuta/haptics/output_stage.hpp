@@ -100,12 +100,12 @@ class OutputStage final {
   /// A step: the demand through all limits, to the device.
   /// @returns kOk | kInvalidArgument: not configured (nothing is told), or a number is not finite
   /// or out of range:
-  ///   the step is made as one without demand, at rest, and nothing fresh |
+  ///   the step is made as one without demand, at rest, nothing fresh, as much allowed as before |
   ///   kUnavailable: stopped, or the device is gone; the force fades in when it is back
   /// Bound: no loop but over the two axes.
   Status step(const StageInput& input);
 
-  /// What the device was told last.
+  /// What the last step or configure() told the device; zero by a stop() since then is not in it.
   const ForceCommand& told() const { return told_; }
   /// What held the last step's force back.
   const StageLimits& limits() const { return limits_; }
@@ -133,6 +133,7 @@ class OutputStage final {
   ForceCommand told_;
   StageLimits limits_;
   StageReport report_;
+  float allowed_ = 1;  ///< StageInput::allowed of the last step that could be computed with
   std::atomic<bool> stopped_{false};
   bool enabled_ = false;
   bool configured_ = false;

@@ -97,7 +97,8 @@ Scalar owed_damping(const PassivityObserver<Scalar>& observer);
 
 /// The demanded force with owed_damping() against the last motion, cut to largest_force with its
 /// direction kept. To be told to the observer as held once it was.
-/// @returns kOk | kInvalidArgument: not finite
+/// @returns kOk | kInvalidArgument, with a force of zero: not finite, or the length of the sum is
+/// beyond Scalar
 template <class Scalar>
 Result<Vec2<Scalar>> passive_force(const PassivityObserver<Scalar>& observer,
                                    const Vec2<Scalar>& demanded);

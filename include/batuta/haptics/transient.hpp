@@ -11,11 +11,15 @@
 
 namespace batuta {
 
+/// No push is felt as a blow that lasts longer, s.
+template <class Scalar>
+inline constexpr Scalar kLongestPulse = 1;
+
 template <class Scalar>
 struct TransientSettings {
   Scalar gain = 1;                   ///< share of a blow's impulse that is played, >= 0
   Scalar duration = Scalar(0.004F);  ///< of a pulse that fits the actuator, s, > 0
-  Scalar longest = Scalar(0.03F);    ///< s, >= duration: what is left then is let go
+  Scalar longest = Scalar(0.03F);    ///< s, duration ... kLongestPulse: what is left then is let go
   Scalar max_force = 40;             ///< along each coordinate, N m for each unit, > 0
 };
 

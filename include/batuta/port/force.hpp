@@ -13,6 +13,9 @@ struct ForceCommand {
   Microseconds time = 0;  ///< when it was computed
   float x = 0;            ///< share of the actuator's range, -1 ... 1, positive: right
   float y = 0;            ///< share of the actuator's range, -1 ... 1, positive: up
+  /// How much there may be of what a device adds by itself (a spring or damper of its own), 0 ...
+  /// 1: what the ramps of the output stage leave, and nothing after off().
+  float own = 0;
 };
 
 /// What ForceDevice::write() asks for. Only the output stage can make one.
@@ -26,7 +29,7 @@ class ForceDevice {
  public:
   /// Tells the device zero, at once. @param time  when it was decided
   /// @returns kOk | kUnavailable: the device is gone
-  Status off(Microseconds time) { return do_write({time, 0.0F, 0.0F}); }
+  Status off(Microseconds time) { return do_write({time, 0.0F, 0.0F, 0.0F}); }
 
   /// Hands a command over; never blocks; the latest one wins.
   /// @param command  finite, each share in [-1, 1]: the output stage has seen to it

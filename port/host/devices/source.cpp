@@ -71,6 +71,10 @@ OpenedSource open_here(const std::string& words) {
     return refuse(path ? words + ": no such file"
                        : words + ": unknown source; a source is " + kKnown);
   }
+  if (std::filesystem::is_character_file(words, error)) {  // it would be read without an end
+    return refuse(words + ": a device and no recording; write device:" + words +
+                  " or serial:" + words);
+  }
   return open_replay(load_recording(words), std::filesystem::path(words).filename().string());
 }
 

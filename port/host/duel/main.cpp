@@ -185,6 +185,15 @@ std::array<LiveForce*, 2> open_forces(const Options& options, Source& left, Sour
   return forces;
 }
 
+/// Effects that were asked for, and that no device will compute, are worth a word.
+void tell_of_effects(const Options& options, const std::array<LiveForce*, 2>& forces) {
+  bool done = options.spring + options.damper <= 0;
+  for (const LiveForce* force : forces) {  // Bound: 2
+    done = done || (force != nullptr && force->first_kind() == ForceKind::kForce);
+  }
+  if (!done) complain(kExitOk, "--spring and --damper: no device here has a force to do that");
+}
+
 int play(Options options) {
   const OpenedSource left = open(options.left);
   if (!left.source) return kExitUsage;
@@ -195,6 +204,7 @@ int play(Options options) {
   if (!error.empty()) return complain(kExitUsage, error);
   Outputs outputs;
   outputs.forces = open_forces(options, *left.source, *right.source);
+  tell_of_effects(options, outputs.forces);
   if (left.source->is_live() || right.source->is_live()) {
     options.realtime = true;
     watch_interrupts();

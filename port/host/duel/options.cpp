@@ -32,14 +32,15 @@ constexpr const char* kFooter = R"(SOURCE is one of
                            stick
                            (here and there the bout is the same, to the last bit; this is checked
                            after every step)
-The bout ends with a touch, or when the recordings are at their end; with two scripts, after 180 s.
+The bout ends with a touch, or when the recordings are at their end; without any, after 180 s.
 After one of two recordings has ended, its fencer stays where it is.
 
 The stick: centre is the guard, up is the lunge, left and right at the centre or below are the
 parries, down is the retreat. Up is where a mouse moves away from you.
 
 A live device is real time: --realtime goes without saying. While it is unplugged its fencer
-stays where it is and has no force; plugged in again, it goes on. Ctrl-C ends the bout.
+stays where it is and has no force; plugged in again, it goes on. Ctrl-C ends the bout, whose
+result is then "open".
 Where a live device has force feedback, or at least rumbles, its fencer feels the blows, unless
 --force off. --spring and --damper add effects that the device computes by itself.
 
@@ -62,6 +63,13 @@ std::string positive_number(const std::string& words) {
   return number && std::isfinite(value) && value > 0 ? "" : words + " is not a number above 0";
 }
 
+/// CLI::Range lets what is not a number pass.
+std::string share_of_range(const std::string& words) {
+  double value = 0;
+  const bool number = CLI::detail::lexical_cast(words, value);
+  return number && value >= 0 && value <= 1 ? "" : words + " is not a number from 0 to 1";
+}
+
 std::string file_name(const std::string& words) {
   return words.empty() ? "a file has a name" : "";
 }
@@ -72,11 +80,11 @@ std::vector<CLI::Option*> declare_force(CLI::App& app, Options& options) {
       app.add_option("--force", options.force, "let the hands at live devices feel the bout");
   force->check(CLI::IsMember({"on", "off"}))->capture_default_str();
   CLI::Option* const spring = app.add_option("--spring", options.spring,
-                                             "the stick pulls to its centre, share of the range");
+                                             "the stick pulls to its centre, 0 to 1 of its range");
   CLI::Option* const damper =
-      app.add_option("--damper", options.damper, "the stick resists movement, share of the range");
+      app.add_option("--damper", options.damper, "the stick resists movement, 0 to 1 of its range");
   for (CLI::Option* share : {spring, damper}) {
-    share->type_name("SHARE")->check(CLI::Range(0.0, 1.0))->capture_default_str();
+    share->type_name("SHARE")->check(share_of_range)->capture_default_str();
   }
   return {force, spring, damper};
 }

@@ -41,7 +41,7 @@ void StickFeedback::on_step(const DuelRunner& runner) {
     input.velocity = runner.duel().stick(side).velocity();
     input.demanded = force.demanded;
     input.allowed = force.allowed;
-    input.fresh_sample = runner.bout().used(side) != nullptr;
+    input.fresh_sample = runner.bout().is_alive(side);
     input.fresh_command = true;
     (void)stage->step(input);  // an unplugged stick goes without; the stage counts it
   }

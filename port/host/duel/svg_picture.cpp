@@ -59,6 +59,7 @@ double mark_spacing(double span) {
 std::string title_of(const DuelRunner& runner) {
   const std::string result = result_of(runner);
   if (result == "draw") return "No touch in " + seconds(runner.now());
+  if (result == "open") return "Broken off after " + seconds(runner.now());
   const Touch<float>& touch = runner.duel().bout().touches[0];
   const std::string where = batuta::name_of(touch.part);
   if (result == "double") return "Double touch after " + seconds(time_of(runner, touch));

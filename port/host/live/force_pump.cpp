@@ -17,13 +17,13 @@ bool same(const Rumble& a, const Rumble& b) {
 
 }  // namespace
 
-void ForcePump::put(float x, float y) {
+void ForcePump::put(float x, float y, float own) {
   const float size = size_of(x, y);
   float seen = hardest_.load(std::memory_order_relaxed);
   // Bound: the other thread takes it at most once in the meantime.
   while (seen < size && !hardest_.compare_exchange_weak(seen, size, std::memory_order_relaxed)) {
   }
-  commands_.put({x, y, clock_.now()});
+  commands_.put({x, y, own, clock_.now()});
 }
 
 void ForcePump::turn() {
@@ -73,7 +73,10 @@ void ForcePump::take_command(Microseconds now) {
 
 Feel ForcePump::feel() const {
   if (silent_) return {};
-  return {command_.x, command_.y, held_, options_.spring, options_.damper};
+  Feel feel = {command_.x, command_.y, held_, options_.spring, options_.damper};
+  feel.spring.coefficient *= command_.own;
+  feel.damper.coefficient *= command_.own;
+  return feel;
 }
 
 bool ForcePump::has_changed(const Feel& feel) const {

@@ -51,7 +51,8 @@ class ForcePump {
 
   /// From the simulation's thread. Bound: one turn of a loop, repeated only if the other thread
   /// took the hardest force in just that moment.
-  void put(float x, float y);
+  /// @param own  share of the device's own spring and damper, 0 ... 1
+  void put(float x, float y, float own = 1);
 
   /// One turn, on the device's thread.
   void turn();
@@ -67,6 +68,7 @@ class ForcePump {
   struct Command {
     float x = 0;
     float y = 0;
+    float own = 0;
     Microseconds time = 0;
   };
   /// Sums for the report.

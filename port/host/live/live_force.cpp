@@ -31,7 +31,7 @@ LiveForce::~LiveForce() {
 
 Status LiveForce::do_write(const ForceCommand& command) {
   if (kind() == ForceKind::kNone) return Status::kUnavailable;
-  pump_.put(command.x, command.y);
+  pump_.put(command.x, command.y, command.own);
   return Status::kOk;
 }
 

@@ -72,6 +72,27 @@ TEST(SteppedBout, RemembersTheSamplesOfItsLastStep) {
   EXPECT_EQ(bout.used(Side::kLeft), nullptr);
 }
 
+/// A driver that hangs hands out its last sample for ever; nobody holds the stick that it tells of.
+TEST(SteppedBout, SamplesThatTheStickDoesNotBelieve_AreSilence) {
+  constexpr std::uint32_t kLonger = 200;  // steps: than silence and its ramp
+  for (const std::uint32_t back_us : {0U, 1000U}) {
+    SteppedBout bout;
+    ASSERT_EQ(bout.start({}), Status::kOk);
+    make_steps(bout, kLonger);
+    ASSERT_TRUE(bout.is_alive(Side::kLeft));
+    ASSERT_EQ(bout.forces().of(Side::kLeft).allowed, 1);
+    InputSample stuck = swept(bout.steps() - 1);
+    for (std::uint32_t i = 0; i < kLonger; ++i) {
+      stuck.time -= back_us;
+      ASSERT_EQ(bout.step(&stuck, nullptr), Status::kOk);
+      ASSERT_FALSE(bout.is_alive(Side::kLeft));
+    }
+    EXPECT_NE(bout.used(Side::kLeft), nullptr) << "a host needs it for the same bits";
+    EXPECT_TRUE(bout.forces().of(Side::kLeft).silent);
+    EXPECT_EQ(bout.forces().of(Side::kLeft).allowed, 0);
+  }
+}
+
 TEST(SteppedBout, NotStarted_MakesNoStep) {
   SteppedBout bout;
   EXPECT_EQ(bout.step(nullptr, nullptr), Status::kInvalidArgument);

@@ -4,6 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
+#include <unistd.h>
+#include <cstdlib>
+
 namespace batuta::host {
 namespace {
 
@@ -19,6 +23,35 @@ TEST(DeviceSetup, WithoutARate_TheLineIsOpenedWithAKnownOne) {
   DeviceSetup setup;
   EXPECT_THAT(setup.open(open_source("serial:/dev/none"), open_source("script:guard")),
               testing::HasSubstr("no such file"));
+}
+
+/// A live device that has had its troubles.
+class Worn final : public Source {
+ public:
+  std::string description() const override { return "worn"; }
+  double duration() const override { return 1; }
+  std::uint32_t losses() const override { return 3; }
+  std::uint32_t unplugs() const override { return 2; }
+
+ private:
+  Status do_read(Microseconds /*now*/, InputSample& /*sample*/) override {
+    return Status::kUnavailable;
+  }
+};
+
+TEST(DeviceSetup, BesideADevicesOwnStick_TheOtherFencersLossesAreStillTold) {
+  const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
+  ASSERT_GE(terminal, 0);
+  ASSERT_EQ(::grantpt(terminal) + ::unlockpt(terminal), 0);
+  const OpenedSource left = open_source(std::string("serial:") + ::ptsname(terminal));
+  OpenedSource right;
+  right.source = std::make_unique<Worn>();
+  DeviceSetup setup;
+  ASSERT_EQ(setup.open(left, right), "");
+  EXPECT_EQ(setup.source(Side::kRight).losses(), 3U);
+  EXPECT_EQ(setup.source(Side::kRight).unplugs(), 2U);
+  EXPECT_EQ(setup.source(Side::kLeft).unplugs(), 0U);
+  ::close(terminal);
 }
 
 }  // namespace

@@ -323,6 +323,15 @@ TEST(ForcePump, SpringAndDamper_AreThereWhileSomebodyCommands) {
   rig.turns(1);
   EXPECT_EQ(rig.feels.back().spring.coefficient, 0.25F);
   EXPECT_EQ(rig.feels.back().damper.coefficient, 0.5F);
+  rig.pump.put(0, 0, 0.5F);
+  rig.turns(1);
+  EXPECT_EQ(rig.feels.back().spring.coefficient, 0.125F);
+  EXPECT_EQ(rig.feels.back().damper.coefficient, 0.25F);
+  rig.pump.put(0, 0, 0);  // an output stage that was stopped
+  rig.turns(1);
+  EXPECT_EQ(rig.feels.back().spring.coefficient, 0.0F);
+  EXPECT_EQ(rig.feels.back().damper.coefficient, 0.0F);
+  rig.pump.put(0, 0);
   rig.turns(200);
   EXPECT_EQ(rig.feels.back().damper.coefficient, 0.0F);
 }

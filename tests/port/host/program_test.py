@@ -77,13 +77,18 @@ def usage(folder):
     refuses(["--left", "device:/dev/null"], 2, "not an event device")
     refuses(["--right", "device:sdl:no stick of this name"], 2, "device:sdl:no stick of this name: ")
     refuses(["--force", "perhaps"], 2, "--force")
-    refuses(["--spring", "1.5"], 2, "--spring")
+    for option in "--spring", "--damper":
+        for number in ("1.5", "-0.1", "x", "nan", "inf", ""):
+            refuses(["%s=%s" % (option, number)], 2, option)
+        told = run(option, "0.5", "--seconds", "0.1")
+        check(told.returncode == 0 and told.stderr.count("\n") == 1 and option in told.stderr, told.stderr)
     refuses(["--left", "serial:/dev/null"], 2, "/dev/null")
     refuses(["--left", "serial:" + os.path.join(folder, "none")], 2, "none")
     refuses(["--left", "serial:/dev/null@12"], 2, "unknown rate of 12 baud")
     refuses(["--left", "serial:a", "--right", "serial:b"], 2, "one device at a time")
     refuses(["--left", "none.events"], 2, "none.events: no such file")
     refuses(["--left", folder], 2, "cannot be read")
+    refuses(["--left", "/dev/zero"], 2, "/dev/zero: a device and no recording; write device:/dev/zero or serial:")
     refuses(["--svg", os.path.join(folder, "none", "bout.svg")], 1, "cannot be written")
     if os.path.exists("/dev/full"):
         full = run("--seconds", "0.1", "--svg", "/dev/full")

@@ -51,6 +51,22 @@ TEST(SvgPicture, ADraw_HasNoStarButThatOfTheLegend) {
   EXPECT_EQ(count(svg, "<polygon"), 1);
 }
 
+TEST(SvgPicture, ABoutThatIsBrokenOff_SaysSo) {
+  BoutRig bout("script:guard", "script:guard");
+  for (const int steps : {0, 250}) {
+    std::ostringstream out;
+    const auto picture = std::make_unique<SvgPicture>(out);
+    picture->on_start(*bout.runner);
+    for (int i = 0; i < steps; ++i) {
+      ASSERT_TRUE(bout.runner->step());
+      picture->on_step(*bout.runner);
+    }
+    picture->on_end(*bout.runner);
+    EXPECT_THAT(out.str(), HasSubstr(steps == 0 ? "Broken off after 0.00 s" : "after 0.25 s"));
+    EXPECT_THAT(out.str(), Not(HasSubstr("Touch by")));
+  }
+}
+
 TEST(SvgPicture, ALongBout_StaysSmall_AndSaysWhatItLeavesOut) {
   BoutRig bout("script:guard", "script:parry", 180);
   const std::string svg = picture_of(bout);

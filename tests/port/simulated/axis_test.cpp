@@ -151,6 +151,13 @@ TEST(SimulatedAxis, OutOfRange_IsRefusedAndChangesNothing) {
   EXPECT_EQ(validate(fine), Status::kOk);
   fine.hand_stiffness = fine.mass * 16.1e3 * 16.1e3;
   EXPECT_EQ(validate(fine), Status::kInvalidArgument);
+  fine = {};
+  fine.hand_damping = 0.99e14 * fine.mass;  // over a period of 1 ms
+  EXPECT_EQ(validate(fine), Status::kOk);
+  for (const double stiff : {1.01e14, 1e300}) {
+    fine.hand_damping = stiff * fine.mass;
+    EXPECT_EQ(validate(fine), Status::kInvalidArgument);
+  }
   EXPECT_EQ(axis.position(), 0.5);
   EXPECT_EQ(axis.velocity(), 0.25);
   EXPECT_EQ(axis.hand(), 0.125);

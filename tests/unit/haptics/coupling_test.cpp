@@ -222,6 +222,32 @@ TEST(CoupledBody, TurnedAgainstAStillHand_NeverGainsEnergy) {
   }
 }
 
+/// The definition of an implicit step, also where a limit holds: the pull is that of the limited
+/// spring and damper at the end of the step.
+RC_GTEST_PROP(CoupledBody, Pull_IsThatOfTheLimitedSpringAtTheEnd, ()) {
+  const auto power_of_ten = [](int low, int high) {
+    return std::pow(10.0, *rc::gen::inRange(low, high + 1));
+  };
+  CouplingSettings<double> settings;
+  settings.turn_stiffness = power_of_ten(-1, 4);
+  settings.turn_damping = *rc::gen::element(0, 1) * power_of_ten(-3, 1);
+  settings.max_moment = power_of_ten(-3, 3);
+  const double dt = 1e-3;
+  const Vec3<double> turn = any_vector(1);
+  const Vec3<double> moments(power_of_ten(-6, 0), power_of_ten(-6, 0), power_of_ten(-6, 0));
+  Body<double> body = make_body({Vec3<double>::Zero(), exp_map(turn)}, 1.0, moments).value;
+  body.momentum.b_W = any_vector(1e-2);
+  const auto felt = couple(settings, Frame{}, body, dt);
+  RC_ASSERT(felt.ok());
+  const Vec3<double> w = twist_of(body).w_W;
+  const Vec3<double> spring = settings.turn_stiffness * (-turn - dt * w);
+  const Vec3<double> pull = spring - settings.turn_damping * w;
+  const Vec3<double> limited = pull * std::min(1.0, settings.max_moment / pull.norm());
+  // What cancels at the end of the step was this large at its start.
+  const double size = settings.turn_stiffness * (turn.norm() + dt * w.norm());
+  RC_ASSERT((felt.value.moment_W + limited).norm() <= 1e-6 * limited.norm() + 1e-12 * size);
+}
+
 TEST(CoupledBody, BothSides_TakeTheSameImpulse) {
   Body<double> body = make_body({}, 0.5, Vec3<double>(1e-3, 2e-3, 3e-3)).value;
   Frame hand{{{0.02, -0.01, 0.03}, exp_map(Vec3<double>(0.1, 0.2, -0.3))}, {{1, 2, 3}, {4, 5, 6}}};

@@ -39,6 +39,17 @@ TEST(HandForce, BladeHeldBack_PullsTheStickBack) {
   EXPECT_DOUBLE_EQ(force.stored(), 0.08);  // 400 x 0.02^2 / 2 J
 }
 
+TEST(HandForce, BladeHalfInTheHand_PullsHalfAsMuch_AndALooseOneNotAtAll) {
+  for (const double hold : {0.0, 0.5}) {
+    HandForce<double> force = hand_force();
+    State state = plain_state();
+    state.held_W.p_W.x() = -0.02;
+    state.hold = hold;
+    EXPECT_DOUBLE_EQ(force.advance(state, kStep).x(), -8 * hold);
+    EXPECT_DOUBLE_EQ(force.stored(), 0.08 * hold);
+  }
+}
+
 TEST(HandForce, HandThatMovesAwayFromItsBlade_IsBraked) {
   HandForceSettings<double> settings;
   settings.coupling.stiffness = 0;

@@ -141,6 +141,7 @@ TEST(OutputStage, Disabled_IsWithoutForce_AndFadesInAndOut) {
   EXPECT_EQ(rig.run(kLong, alive({1, 0})).x(), 0.0F);
   ASSERT_EQ(rig.stage.enable(), Status::kOk);
   EXPECT_EQ(rig.run(10, alive({1, 0})).x(), 0.25F);
+  EXPECT_EQ(rig.motor.told.back().own, 0.25F) << "what the device adds fades alike";
   EXPECT_EQ(rig.run(30, alive({1, 0})).x(), 1.0F);
   rig.stage.disable();
   EXPECT_EQ(rig.run(10, alive({1, 0})).x(), 0.75F);
@@ -153,6 +154,7 @@ TEST(OutputStage, EmergencyStop_IsZeroAtOnce_AndStays) {
   rig.stage.stop(99);
   EXPECT_EQ(rig.last(), Vec2<float>(0, 0)) << "at once, not in the next step";
   EXPECT_EQ(rig.motor.told.back().time, 99U);
+  EXPECT_EQ(rig.motor.told.back().own, 0.0F);
   for (int i = 0; i < kLong; ++i) {
     EXPECT_EQ(rig.stage.step(alive({1, 1})), Status::kUnavailable);
     EXPECT_EQ(rig.last(), Vec2<float>(0, 0));
@@ -245,6 +247,20 @@ TEST(OutputStage, WhatIsNoNumber_IsNoDemandAndNoSignOfLife) {
       EXPECT_EQ(rig.stage.report().command_silences, 1U);
     }
   }
+}
+
+/// Else one bad number would let go what the demander's own ramp holds back: a blow out of nothing.
+TEST(OutputStage, WhatIsNoNumber_AllowsNoMoreThanBefore) {
+  StageSettings settings = open_settings();
+  settings.slew_rate = 250;  // what was demanded is still there when the number comes
+  StageRig rig(settings);
+  StageInput input = alive({1, 1});
+  rig.run(kLong, input);
+  input.allowed = 0;
+  EXPECT_EQ(rig.run(1, input), Vec2<float>(0, 0));
+  input.demanded.x() = kNan;
+  EXPECT_EQ(rig.stage.step(input), Status::kInvalidArgument);
+  EXPECT_EQ(rig.last(), Vec2<float>(0, 0));
 }
 
 TEST(OutputStage, ADemandBeyondAllNumbersAsAShare_IsNone) {

@@ -69,6 +69,23 @@ TEST(ImpactTransient, TooHardABlow_SaysWhatWasLost) {
   EXPECT_NEAR(transient.lost(), 1.8, 1e-14);
 }
 
+/// Where the end lies between two steps, rounding must not let go what the last one is for.
+TEST(ImpactTransient, PulseThatMayLastNoLonger_IsPlayedWhole) {
+  for (int i = 1; i <= 2000; ++i) {
+    const float dt = 1e-6F * static_cast<float>(i);
+    for (const float steps : {1.5F, 2.5F, 3.5F}) {
+      TransientSettings<float> settings;
+      settings.duration = settings.longest = dt * steps;
+      ImpactTransient<float> transient;
+      ASSERT_EQ(transient.configure(settings), Status::kOk);
+      ASSERT_EQ(transient.strike({dt, 0}), Status::kOk);  // fits: below 1 N m for each unit
+      for (int step = 0; step < 5; ++step) (void)transient.advance(dt);
+      ASSERT_EQ(transient.lost(), 0) << dt << " s, " << steps;
+      ASSERT_EQ(transient.left(), (Vec2<float>(0, 0)));
+    }
+  }
+}
+
 RC_GTEST_PROP(ImpactTransient, Area_IsTheSumOfTheBlows, ()) {
   TransientSettings<double> settings;
   settings.gain = 0.5;
@@ -119,6 +136,7 @@ TEST(ImpactTransient, SettingsOutOfRange_AreRefused) {
   EXPECT_TRUE(refuses([](auto& s) { s.duration = 0; }));
   EXPECT_TRUE(refuses([](auto& s) { s.longest = s.duration / 2; }));
   EXPECT_TRUE(refuses([](auto& s) { s.longest = INFINITY; }));
+  EXPECT_TRUE(refuses([](auto& s) { s.longest = 1.001; }));
   EXPECT_TRUE(refuses([](auto& s) { s.max_force = NAN; }));
   EXPECT_EQ(transient.left(), Vec2<double>(0.1, 0));
 }

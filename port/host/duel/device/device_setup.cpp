@@ -32,8 +32,9 @@ void DeviceSetup::follow_device(Side device_side) {
   std::array<Source*, 2> locals = sources_;
   locals[index_of(device_side)] = nullptr;
   for (std::size_t side = 0; side < 2; ++side) {  // Bound: 2
+    const Source* const source = sources_[side];
     faces_[side] =
-        std::make_unique<ReportedStick>(sources_[side]->description(), sources_[side]->duration());
+        std::make_unique<ReportedStick>(source->description(), source->duration(), source);
     sources_[side] = faces_[side].get();
   }
   partner_ = std::make_unique<FreePartner>(
