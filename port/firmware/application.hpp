@@ -112,7 +112,8 @@ class Application {
   };
 
   ForceDevice& motor_of(const Board& board) {
-    return board.force == nullptr ? no_motor_ : *board.force;
+    if (board.force != nullptr) return *board.force;
+    return no_motor_;
   }
   void listen();
   bool obey(const link::Frame& frame);

@@ -102,7 +102,8 @@ template <class Scalar>
 Scalar time_to_contact(Scalar gap, Scalar rate, Scalar bend) {
   if (!(rate < Scalar(0)) || !(gap > Scalar(0))) return Scalar(0);
   const Scalar square = rate * rate - 2 * (bend * gap);
-  return square > Scalar(0) ? 2 * gap / (std::sqrt(square) - rate) : max_of(Scalar(0), -rate / bend);
+  return square > Scalar(0) ? 2 * gap / (std::sqrt(square) - rate)
+                            : max_of(Scalar(0), -rate / bend);
 }
 
 /// How far an end swings, and what of that its derivatives see.

@@ -1,3 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Nothing: the target of this file compiles the headers that nearly all tests include, once for all.
+// Nothing: the target of this file compiles the headers that nearly all tests include, once for
+// all.
 int main() {}
