@@ -25,7 +25,7 @@ Status validate(const ForceSettings& settings) {
 
 Status StickForces::configure(const ForceSettings& settings) {
   if (validate(settings) != Status::kOk) return Status::kInvalidArgument;
-  settings_ = settings;
+  full_scale_ = settings.full_scale;
   forces_ = {};
   stale_steps_ = 0;
   for (ForceRamp& ramp : ramps_) (void)ramp.configure(settings.ramp);             // Bound: 2; valid
@@ -38,7 +38,7 @@ void StickForces::advance(const DuelType& duel, const std::array<bool, 2>& fresh
     ForceRamp& ramp = ramps_[index_of(side)];
     ramp.advance(fresh[index_of(side)]);
     Vec2<float> demanded = hands_[index_of(side)].advance(hand_state(duel, side), duel.dt());
-    const float least = kLeastShare * settings_.full_scale;
+    const float least = kLeastShare * full_scale_;
     for (int i = 0; i < 2; ++i) {  // Bound: the stick's coordinates
       if (std::abs(demanded[i]) < least) demanded[i] = 0.0F;
     }
@@ -49,7 +49,7 @@ void StickForces::advance(const DuelType& duel, const std::array<bool, 2>& fresh
 
 /// By the output stage's own first step, and its watchdog over the samples.
 StickForce StickForces::told(const Vec2<float>& demanded, const ForceRamp& ramp) const {
-  const Vec2<float> whole = scaled(demanded, settings_.gain());
+  const Vec2<float> whole = scaled(demanded, gain_of(full_scale_));
   const bool usable = is_finite(whole);
   const ForceShare force = usable ? clipped(whole) : ForceShare{};
   const float left = ramp.share();

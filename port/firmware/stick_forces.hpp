@@ -27,6 +27,11 @@ inline HandForceSettings<float> soft_feel() {
   return feel;
 }
 
+/// Share of the range for each N m for each unit of the stick, by axis.
+inline Vec2<float> gain_of(float full_scale) {
+  return Vec2<float>::Constant(1.0F / full_scale);
+}
+
 struct ForceSettings {
   /// The force on a stick's coordinate that takes all that the actuator has, N m for each unit of
   /// the stick, > 0 and finite. The hardest blows of the recordings come to half of it.
@@ -39,7 +44,7 @@ struct ForceSettings {
   /// device's: check() of haptics/gain_advisor.hpp.
   HandForceSettings<float> feel = soft_feel();
 
-  Vec2<float> gain() const { return Vec2<float>::Constant(1.0F / full_scale); }
+  Vec2<float> gain() const { return gain_of(full_scale); }
 };
 
 /// @returns kOk | kInvalidArgument: out of range
@@ -74,7 +79,7 @@ class StickForces {
  private:
   StickForce told(const Vec2<float>& demanded, const ForceRamp& ramp) const;
 
-  ForceSettings settings_;
+  float full_scale_ = ForceSettings().full_scale;
   std::array<HandForce<float>, 2> hands_;
   std::array<ForceRamp, 2> ramps_;
   std::array<StickForce, 2> forces_;

@@ -29,7 +29,7 @@ template <class Scalar>
 Status HandForce<Scalar>::configure(const HandForceSettings<Scalar>& settings) {
   if (validate(settings) != Status::kOk) return Status::kInvalidArgument;
   *this = {};
-  settings_ = settings;
+  coupling_ = settings.coupling;
   return transient_.configure(settings.transient);
 }
 
@@ -40,9 +40,8 @@ Wrench<Scalar> HandForce<Scalar>::pull(const HandState<Scalar>& state, Scalar dt
     if (started_) frame.twist = motion_between(before, now, dt).twist;
     return frame;
   };
-  const Wrench<Scalar> whole =
-      coupling_wrench(settings_.coupling, moving(commanded_W_, state.commanded.X_WH),
-                      moving(held_W_, state.held_W));
+  const Wrench<Scalar> whole = coupling_wrench(
+      coupling_, moving(commanded_W_, state.commanded.X_WH), moving(held_W_, state.held_W));
   return {state.hold * whole.force_W, state.hold * whole.moment_W};
 }
 
@@ -53,7 +52,7 @@ Vec2<Scalar> HandForce<Scalar>::advance(const HandState<Scalar>& state, Scalar d
   bool finite = is_finite_state(state);
   if (finite) {
     coupling = stick_force(jacobian, pull(state, dt));
-    stored_ = state.hold * stored_energy(settings_.coupling, state.commanded.X_WH, state.held_W);
+    stored_ = state.hold * stored_energy(coupling_, state.commanded.X_WH, state.held_W);
     finite = is_finite(coupling) && is_finite(stored_);
   }
   if (!finite) {
@@ -65,7 +64,7 @@ Vec2<Scalar> HandForce<Scalar>::advance(const HandState<Scalar>& state, Scalar d
   commanded_W_ = state.commanded.X_WH;
   held_W_ = state.held_W;
   started_ = true;
-  return mixed(transient_.advance(dt), coupling, settings_.transient.max_force);
+  return mixed(transient_.advance(dt), coupling, transient_.max_force());
 }
 
 #define BATUTA_INSTANTIATE(S)                            \

@@ -41,7 +41,8 @@ Status validate(const StageSettings& settings) {
 
 Status OutputStage::configure(const StageSettings& settings) {
   if (validate(settings) != Status::kOk) return Status::kInvalidArgument;
-  settings_ = settings;
+  gain_ = settings.gain;
+  end_stop_ = settings.end_stop;
   for (Axis& axis : axes_) {  // Bound: 2; all valid
     (void)axis.speed.configure(settings.speed_limit, settings.dt);
     (void)axis.slew.configure(settings.slew_rate * settings.dt);
@@ -77,7 +78,7 @@ void OutputStage::reset() {
 
 Status OutputStage::step(const StageInput& input) {
   if (!configured_) return Status::kInvalidArgument;
-  const bool usable = is_usable(input, settings_.gain);
+  const bool usable = is_usable(input, gain_);
   if (usable) allowed_ = input.allowed;
   const StageInput used = usable ? input : without_demand(input.time);
   ++report_.steps;
@@ -91,7 +92,7 @@ Status OutputStage::step(const StageInput& input) {
 
 /// Shares of the range, from the demand to the slew limit.
 Vec2<float> OutputStage::shaped(const StageInput& input) {
-  const ForceShare force = clipped(scaled(input.demanded, settings_.gain));
+  const ForceShare force = clipped(scaled(input.demanded, gain_));
   limits_.clipped = force.is_clipped();
   if (limits_.clipped) ++report_.clipped;
   report_.worst_excess = max_of(report_.worst_excess, force.excess);
@@ -100,7 +101,7 @@ Vec2<float> OutputStage::shaped(const StageInput& input) {
 }
 
 float OutputStage::limited(Axis& axis, float share, float position, float velocity) {
-  const float push = end_stop_push(settings_.end_stop, position, velocity);
+  const float push = end_stop_push(end_stop_, position, velocity);
   const float stopped = with_end_stop(share, push, position);
   const float slower = axis.speed.limited(stopped, velocity);
   const float told = axis.slew.towards(slower);

@@ -83,7 +83,7 @@ class HandForce {
  private:
   Wrench<Scalar> pull(const HandState<Scalar>& state, Scalar dt) const;
 
-  HandForceSettings<Scalar> settings_;
+  CouplingSettings<Scalar> coupling_;
   ImpactTransient<Scalar> transient_;
   Pose<Scalar> commanded_W_;  ///< at the end of the last step
   Pose<Scalar> held_W_;

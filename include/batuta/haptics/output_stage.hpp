@@ -125,7 +125,8 @@ class OutputStage final {
   void let_go();
 
   ForceDevice& device_;
-  StageSettings settings_;
+  Vec2<float> gain_ = Vec2<float>::Zero();  ///< of the settings, what steps need
+  EndStopSettings end_stop_;
   std::array<Axis, 2> axes_;
   ForceRamp samples_;
   ForceRamp commands_;

@@ -44,6 +44,8 @@ class ImpactTransient {
   /// impulse that was played. Within max_force. @pre dt > 0, s
   Vec2<Scalar> advance(Scalar dt);
 
+  /// TransientSettings::max_force, of each coordinate.
+  Scalar max_force() const { return settings_.max_force; }
   /// Still to be played, N m s for each unit.
   const Vec2<Scalar>& left() const { return left_; }
   /// Let go since the start, because the actuator was not strong enough for long enough: sum of
