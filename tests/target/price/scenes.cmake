@@ -29,13 +29,12 @@ foreach(scene StraightSpheres DetectionOnly TwoBlades Rack)
 endforeach()
 
 # By hand, and feature by feature, where bounds are promised.
-option(BATUTA_PRICE_FEATURES "Measure what each feature costs: a minute more to build" ON)
 if(BATUTA_CPU STREQUAL "cortex-m4f")
   batuta_price_scene(StraightSpheres_by_hand scene/by_hand/straight_spheres.cpp)
   batuta_price_scene(DetectionOnly_by_hand scene/by_hand/detection_only.cpp)
   batuta_price_scene(TwoBlades_by_hand scene/by_hand/two_blades.cpp)
 endif()
-if(BATUTA_CPU STREQUAL "cortex-m4f" AND BATUTA_PRICE_FEATURES)
+if(BATUTA_CPU STREQUAL "cortex-m4f" AND BATUTA_THOROUGH)
   foreach(variant NoRestitution RestingNone RestingSettling NoResponse Friction LineContact Gravity Sleep NoEvents NoOwners
           Filters TwoParts WithTranslation WithStepping WithCoarseBox Unturned NoRotation Balls
           SpheresWithEvents)
