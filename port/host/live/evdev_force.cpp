@@ -137,7 +137,7 @@ Rendered EvdevForce::render_constant(const Feel& feel) {
 }
 
 /// Uploads an effect, or changes it where that is done already, and sees to it that it plays.
-Rendered EvdevForce::update(Slot& slot, ff_effect effect) {
+Rendered EvdevForce::update(Slot& slot, ff_effect effect) const {
   if (!slot.uploaded || !same(slot.effect, effect)) {
     effect.id = slot.uploaded ? slot.effect.id : static_cast<std::int16_t>(-1);
     if (::ioctl(file_, EVIOCSFF, &effect) < 0) return judge(errno);

@@ -37,7 +37,7 @@ class EvdevForce final : public ForceBackend {
   bool has(unsigned feature) const;
   void set(unsigned property, std::int32_t value) const;
   Rendered render_constant(const Feel& feel);
-  Rendered update(Slot& slot, ff_effect effect);
+  Rendered update(Slot& slot, ff_effect effect) const;
 
   std::string path_;
   int file_ = -1;

@@ -114,19 +114,23 @@ bool SdlStick::open() {
       continue;
     }
     instance_ = instance;
-    name_ = name_at(i);
-    guid_ = SDL_JoystickGetDeviceGUID(i);
-    known_ = true;
-    if (SDL_IsGameController(i) == SDL_TRUE) {
-      pad_.reset(SDL_GameControllerOpen(i), [](SDL_GameController* pad) {
-        if (pad != nullptr) SDL_GameControllerClose(pad);
-      });
-    }
-    const std::lock_guard<std::mutex> guard(mutex_);
-    handle_ = handle;
+    take(i, handle);
     return true;
   }
   return false;
+}
+
+void SdlStick::take(int index, const Handle& handle) {
+  name_ = name_at(index);
+  guid_ = SDL_JoystickGetDeviceGUID(index);
+  known_ = true;
+  if (SDL_IsGameController(index) == SDL_TRUE) {
+    pad_.reset(SDL_GameControllerOpen(index), [](SDL_GameController* pad) {
+      if (pad != nullptr) SDL_GameControllerClose(pad);
+    });
+  }
+  const std::lock_guard<std::mutex> guard(mutex_);
+  handle_ = handle;
 }
 
 void SdlStick::close() {

@@ -53,6 +53,7 @@ class SdlStick {
 
  private:
   bool is_chosen(int index) const;
+  void take(int index, const Handle& handle);
 
   std::string choice_;
   std::string name_;
