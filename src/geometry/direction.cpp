@@ -19,7 +19,7 @@ Scalar length(const Vec3<Scalar>& v) {
   Scalar square = v.squaredNorm();
   if (is_sound(square)) return std::sqrt(square);
   const Scalar largest = largest_component(v);
-  if (largest == 0) return 0;
+  if (largest == 0) return square;  // 0, or NaN where a component beside zeros is
   square = Vec3<Scalar>(v / largest).squaredNorm();
   return largest * std::sqrt(square);
 }

@@ -105,7 +105,7 @@ Result<Vec2<Scalar>> passive_force(const PassivityObserver<Scalar>& observer,
   const Vec3<Scalar> flat(force.x(), force.y(), Scalar(0));  // its length at any scale
   const Scalar size = length(flat);
   if (!is_finite(force) || !is_finite(size)) {
-    return {Status::kInvalidArgument, Vec2<Scalar>::Zero()};  // failure() would leave it unset
+    return failure<Vec2<Scalar>>(Status::kInvalidArgument);
   }
   const Scalar largest = observer.settings().largest_force;
   if (size > largest) force = largest * unit(flat).template head<2>();

@@ -52,12 +52,18 @@ bool is_valid(const Contact<Scalar>& contact, Scalar restitution) {
 
 template <class Scalar>
 bool is_sound(const Impulse<Scalar>& hit) {
-  Scalar sum = 0;
-  for (int i = 0; i < 3; ++i) {  // Bound: 3; by component: expressions double the code
-    sum += hit.twist_A.v_W[i] + hit.twist_A.w_W[i] + hit.twist_B.v_W[i] + hit.twist_B.w_W[i] +
-           hit.on_A.p_W[i] + hit.on_A.b_W[i] + hit.on_B.b_W[i];
-  }
-  return is_finite(sum);
+  Scalar lost = 0;  // x - x of each: a sum of the numbers could overflow where none of them did
+  const auto look_at = [&lost](const Vec3<Scalar>& v) {
+    for (int i = 0; i < 3; ++i) lost += v[i] - v[i];  // Bound: 3; expressions double the code
+  };
+  look_at(hit.twist_A.v_W);
+  look_at(hit.twist_A.w_W);
+  look_at(hit.twist_B.v_W);
+  look_at(hit.twist_B.w_W);
+  look_at(hit.on_A.p_W);
+  look_at(hit.on_A.b_W);
+  look_at(hit.on_B.b_W);
+  return lost == Scalar(0);
 }
 
 template <class Scalar>

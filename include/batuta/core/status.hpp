@@ -4,6 +4,7 @@
 // setting.
 
 #include <cstdint>
+#include <type_traits>
 
 namespace batuta {
 
@@ -16,12 +17,22 @@ enum class [[nodiscard]] Status : std::uint8_t{
     kUnavailable,      ///< nothing new, or the device is gone
 };
 
-/// A value and whether it may be used. The value is always a valid object: default if the status is
-/// not kOk.
+/// What a failure carries: T{}, but zeros for Eigen's vectors, which T{} leaves unset.
+template <class T, class = void>
+struct Blank {
+  static constexpr T value() { return T{}; }
+};
+template <class T>
+struct Blank<T, std::void_t<decltype(T::Zero())>> {
+  static T value() { return T::Zero(); }
+};
+
+/// A value and whether it may be used. The value is always a valid object: default (a vector: zero)
+/// if the status is not kOk.
 template <class T>
 struct [[nodiscard]] Result {
   Status status = Status::kInvalidArgument;
-  T value{};
+  T value = Blank<T>::value();
 
   constexpr bool ok() const { return status == Status::kOk; }
 };
@@ -33,7 +44,7 @@ constexpr Result<T> success(const T& value) {
 
 template <class T>
 constexpr Result<T> failure(Status status) {
-  return {status, T{}};
+  return {status, Blank<T>::value()};
 }
 
 }  // namespace batuta

@@ -13,7 +13,7 @@ Scalar largest_component(const Vec3<Scalar>& v) {
   return max_of(max_of(std::abs(v.x()), std::abs(v.y())), std::abs(v.z()));
 }
 
-/// |v|. Bound: no loop; relative error <= 5 u where |v| is not subnormal.
+/// |v|; NaN where a component is. Bound: no loop; relative error <= 5 u where |v| is not subnormal.
 template <class Scalar>
 Scalar length(const Vec3<Scalar>& v);
 

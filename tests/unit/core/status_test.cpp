@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+#include <new>
+
 #include "batuta/core/handle.hpp"
+#include "batuta/core/types.hpp"
 
 namespace batuta {
 namespace {
@@ -26,6 +30,18 @@ TEST(Result, Failure_HoldsADefaultValue) {
 
 TEST(Result, Untouched_IsNotOk) {
   EXPECT_FALSE(Result<int>{}.ok());
+}
+
+/// Made where something else has been, as on a stack: a member left unset would show it.
+TEST(Result, FailedVector_IsZero) {
+  alignas(Result<Vec3<float>>) unsigned char place[sizeof(Result<Vec3<float>>)];
+  std::memset(place, 0x5A, sizeof place);
+  const auto* untouched = new (place) Result<Vec3<float>>();
+  EXPECT_EQ(untouched->value, Vec3<float>::Zero());
+  std::memset(place, 0x5A, sizeof place);
+  const auto* failed = new (place) auto(failure<Vec3<float>>(Status::kPoolFull));
+  EXPECT_EQ(failed->status, Status::kPoolFull);
+  EXPECT_EQ(failed->value, Vec3<float>::Zero());
 }
 
 TEST(Handle, Default_IsNull) {

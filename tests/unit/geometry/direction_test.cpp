@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 namespace batuta {
 namespace {
 
@@ -19,6 +22,16 @@ TYPED_TEST(Direction, LengthOfPythagoreanVectors_AtEveryScale) {
     EXPECT_NEAR(unit(v).z(), Scalar(6) / 7, 4 * kRoundOff<Scalar>);
   }
   EXPECT_EQ(length(Vec3<Scalar>(0, 0, 0)), 0);
+}
+
+TYPED_TEST(Direction, LengthOfWhatIsNotAllNumbers_IsNotANumber) {
+  using Scalar = TypeParam;
+  constexpr Scalar kNaN = std::numeric_limits<Scalar>::quiet_NaN();
+  for (std::size_t i = 1; i < 27; ++i) {  // each component 0, 1 or NaN
+    const std::array<Scalar, 3> digits = {Scalar(0), Scalar(1), kNaN};
+    const Vec3<Scalar> v(digits[i % 3], digits[i / 3 % 3], digits[i / 9 % 3]);
+    EXPECT_EQ(std::isnan(length(v)), v.hasNaN()) << "of digits " << i;
+  }
 }
 
 TYPED_TEST(Direction, LargestComponent_IsTheLargestInSize) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace batuta {
@@ -120,6 +121,20 @@ TYPED_TEST(ImpulseOf, Receding_ChangesNothing) {  // I12
   EXPECT_EQ(hit.value.v_rel, TypeParam(1));
   EXPECT_EQ(hit.value.twist_A.v_W, A.twist.v_W);
   EXPECT_EQ(hit.value.twist_A.w_W, A.twist.w_W);
+}
+
+TYPED_TEST(ImpulseOf, LargestNumbers_AreAnswered) {
+  using Scalar = TypeParam;
+  constexpr Scalar kLargest = std::numeric_limits<Scalar>::max();
+  const Vec3<Scalar> across(0, kLargest, kLargest);
+  Collider<Scalar> A = collider<Scalar>({1, 0, 0}, {-1, 0, 0}, 1, kO);
+  const Collider<Scalar> B = collider<Scalar>({-1, 0, 0}, kO, 1, kO);
+  A.twist.v_W += across;  // numbers whose sum is none
+  const auto hit = collision_impulse(A, B, at<Scalar>(kO, {1, 0, 0}), Scalar(1));
+  ASSERT_TRUE(hit.ok());
+  EXPECT_EQ(hit.value.magnitude, 1);
+  EXPECT_EQ(hit.value.twist_A.v_W, across);
+  EXPECT_EQ(hit.value.twist_B.v_W, Vec3<Scalar>(-1, 0, 0));
 }
 
 TYPED_TEST(ImpulseOf, BadInput_IsRefused) {
