@@ -46,6 +46,7 @@ Status PassivityObserver<Scalar>::restart(const Vec2<Scalar>& position, Scalar s
   position_ = position;
   stored_ = stored;
   moved_.setZero();
+  is_placed_ = true;
   return Status::kOk;
 }
 
@@ -60,6 +61,7 @@ template <class Scalar>
 Status PassivityObserver<Scalar>::observe(const Vec2<Scalar>& held, const Vec2<Scalar>& position,
                                           Scalar stored) {
   if (!(settings_.period > Scalar(0))) return Status::kUnavailable;
+  if (!is_placed_ && is_finite(held)) return restart(position, stored);
   const Vec2<Scalar> moved = position - position_;
   const Scalar sure = sure_square(moved.x(), settings_.encoder_step) +
                       sure_square(moved.y(), settings_.encoder_step);

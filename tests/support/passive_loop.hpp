@@ -34,6 +34,8 @@ class PassiveLoop {
     passive.largest_force = S(1e6F);
     const Status status = observer_.configure(passive);
     BATUTA_ASSERT(status == Status::kOk);
+    const Status placed = observer_.restart({S(0), S(0)});
+    BATUTA_ASSERT(placed == Status::kOk);
   }
 
   /// Looks at the sample, and sends what is to be held.

@@ -53,7 +53,7 @@ struct StageLimits {
   bool ramped = false;    ///< a ramp has less than the full share
 };
 
-/// Counts since configure().
+/// Counts since configure(); they wrap (at 1 kHz after 49 days: look before, and configure() anew).
 struct StageReport {
   std::uint32_t steps = 0;
   std::uint32_t clipped = 0;          ///< steps whose demand did not fit

@@ -44,7 +44,7 @@ class PassivityObserver {
   Status configure(const PassivitySettings<Scalar>& settings);
 
   /// The stick is at another place without having gone there: nothing is booked for the way, and
-  /// what is stored there is granted. Also the first call after configure().
+  /// what is stored there is granted. The first observe() after configure() does the same.
   /// @param stored  as of observe()
   /// @returns kOk | kInvalidArgument: not finite, or stored < 0 (nothing changed)
   Status restart(const Vec2<Scalar>& position, Scalar stored = 0);
@@ -87,6 +87,7 @@ class PassivityObserver {
   Scalar stored_ = 0;
   std::uint32_t cannot_count_ = 0;
   Passivity state_ = Passivity::kPassive;
+  bool is_placed_ = false;  ///< it is known where the stick was a period ago
 };
 
 /// The damping that takes back what is owed within the next period if the stick goes on as it goes,

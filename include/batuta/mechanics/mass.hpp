@@ -24,9 +24,9 @@ struct PrincipalFrame {
 };
 
 /// A solid capsule of uniform density: a cylinder and two half balls.
-/// @pre capsule valid, density > 0 and finite, kg/m^3
 /// The axial moment is known to a few u of the transverse one: of a needle 1e4 times as long as
 /// thick (float) nothing is left of it, and make_body() refuses zero; make such bodies in double.
+/// @pre capsule valid, density > 0 and finite, kg/m^3
 /// @returns kOk | kInvalidArgument (also where mass or moments vanish or overflow: radius 0 has no
 /// volume)
 template <class Scalar>

@@ -29,6 +29,7 @@ template <class S>
 PassivityObserver<S> observer_with(const PassivitySettings<S>& settings) {
   PassivityObserver<S> observer;
   EXPECT_EQ(observer.configure(settings), Status::kOk);
+  EXPECT_EQ(observer.restart({S(0), S(0)}), Status::kOk);
   return observer;
 }
 
@@ -101,6 +102,17 @@ TYPED_TEST(Passive, Restart_BooksNothing) {
   EXPECT_EQ(observer.restart({S(1), S(1)}), Status::kOk);
   ASSERT_EQ(observer.observe({S(50), S(50)}, {S(1), S(1)}), Status::kOk);
   EXPECT_EQ(observer.credit(), S(0));
+}
+
+TYPED_TEST(Passive, FirstSample_SaysWhereTheStickIsAndIsNotBooked) {
+  using S = TypeParam;
+  PassivityObserver<S> observer;
+  ASSERT_EQ(observer.configure(simple<S>()), Status::kOk);
+  ASSERT_EQ(observer.observe({S(50), S(0)}, {S(1), S(0)}, S(2)), Status::kOk);
+  EXPECT_EQ(observer.credit(), S(0));
+  EXPECT_EQ(observer.moved(), Vec2<S>::Zero().eval());
+  ASSERT_EQ(observer.observe({S(-1), S(0)}, {S(1.5), S(0)}, S(2)), Status::kOk);
+  EXPECT_EQ(observer.credit(), S(0.5));  // from there on
 }
 
 TYPED_TEST(Passive, Stored_IsReservedForTheSpring) {
