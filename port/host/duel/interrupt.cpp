@@ -2,27 +2,35 @@
 
 #include "host/duel/interrupt.hpp"
 
+#include <atomic>
 #include <csignal>
 
 namespace batuta::host {
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
+/// The threads of the devices may be the ones that are interrupted: no sig_atomic_t.
+std::atomic<bool> interrupted{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler must not wait");
 
 extern "C" void note_interrupt(int signal) {
-  interrupted = 1;
+  interrupted = true;
   (void)std::signal(signal, SIG_DFL);
+}
+
+/// What a shell has had ignored, for a job in the background, stays so.
+void watch(int signal) {
+  if (std::signal(signal, note_interrupt) == SIG_IGN) (void)std::signal(signal, SIG_IGN);
 }
 
 }  // namespace
 
 void watch_interrupts() {
-  (void)std::signal(SIGINT, note_interrupt);
-  (void)std::signal(SIGTERM, note_interrupt);
+  watch(SIGINT);
+  watch(SIGTERM);
 }
 
 bool is_interrupted() {
-  return interrupted != 0;
+  return interrupted;
 }
 
 }  // namespace batuta::host

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Ctrl-C ends a bout with live devices as a touch would: the force is taken away and the summary is
-// told. A second one ends the program as ever.
+// Ctrl-C ends a bout as a touch would: the force is taken away, the summary is told, the recording
+// is whole. A second one ends the program as ever.
 
 namespace batuta::host {
 

@@ -19,6 +19,7 @@
 #include "host/duel/interrupt.hpp"
 #include "host/duel/json_log.hpp"
 #include "host/duel/options.hpp"
+#include "host/duel/pace.hpp"
 #include "host/duel/progress_bar.hpp"
 #include "host/duel/replay.hpp"
 #include "host/duel/run_record.hpp"
@@ -66,19 +67,17 @@ Observers make_observers(const Options& options, double limit, Outputs& outputs)
 }
 
 /// Waits until a step that was just simulated is over on the clock as well.
-void wait_for_step(Clock& clock, Microseconds start, const DuelRunner& runner) {
-  const auto due =
-      static_cast<Microseconds>(std::uint64_t{runner.duel().steps()} * DuelRunner::kStep_us);
-  const std::int32_t early_us = elapsed_us(clock.now(), start + due);
+void wait_for_step(Clock& clock, Pace& pace) {
   std::fflush(stdout);
+  const std::int32_t early_us = pace.wait_us(clock.now());
   if (early_us > 0) std::this_thread::sleep_for(std::chrono::microseconds(early_us));
 }
 
 /// @returns whether the bout came to its end; if not, the runner's status or the device says why
 bool run(DuelRunner& runner, const Observers& observers, bool realtime, DevicePartner* device) {
   HostClock clock;
-  const Microseconds start = clock.now();
   for (const auto& observer : observers) observer->on_start(runner);
+  Pace pace(clock.now(), DuelRunner::kStep_us);
   bool going_on = true;
   while (going_on && !is_interrupted()) {  // Bound: the steps up to runner.limit()
     if (device != nullptr && !device->before_step(runner)) return false;
@@ -86,7 +85,7 @@ bool run(DuelRunner& runner, const Observers& observers, bool realtime, DevicePa
     if (runner.status() != Status::kOk) return false;
     if (device != nullptr && !device->after_step(runner)) return false;
     for (const auto& observer : observers) observer->on_step(runner);
-    if (realtime) wait_for_step(clock, start, runner);
+    if (realtime) wait_for_step(clock, pace);
   }
   return true;
 }
@@ -112,7 +111,8 @@ enum class BoutEnd : std::uint8_t {
 
 /// What became of a bout that its device did not follow to its end.
 BoutEnd give_up_on(const DevicePartner& device) {
-  const bool again = device.session() == Session::kLost && device.lost_sessions() <= kMostLost;
+  const bool again = device.session() == Session::kLost && device.lost_sessions() <= kMostLost &&
+                     !is_interrupted();
   complain(kExitFailure, device.problem() + (again ? "; a new session begins" : ""));
   return again ? BoutEnd::kDeviceLost : BoutEnd::kFailed;
 }
@@ -172,17 +172,22 @@ int finish(const Options& options, Outputs& outputs) {
   return written ? kExitOk : complain(kExitFailure, "the output cannot be written");
 }
 
+/// @returns null: there is none, for a reason that has been told unless it is the usual one
+LiveForce* open_force(Source& source, const ForceOptions& effects) {
+  LiveForce* const force = source.force(effects);
+  if (force == nullptr || force->first_kind() != ForceKind::kNone) return force;
+  const std::string& problem = force->problem();
+  if (!problem.empty()) complain(kExitOk, source.description() + ": no force: " + problem);
+  return nullptr;
+}
+
 /// The ways back into the hands, where there are some.
 std::array<LiveForce*, 2> open_forces(const Options& options, Source& left, Source& right) {
   if (options.force == "off") return {};
   ForceOptions effects;
   effects.spring.coefficient = options.spring;
   effects.damper.coefficient = options.damper;
-  std::array<LiveForce*, 2> forces{left.force(effects), right.force(effects)};
-  for (LiveForce*& force : forces) {
-    if (force != nullptr && force->first_kind() == ForceKind::kNone) force = nullptr;
-  }
-  return forces;
+  return {open_force(left, effects), open_force(right, effects)};
 }
 
 /// Effects that were asked for, and that no device will compute, are worth a word.
@@ -195,6 +200,7 @@ void tell_of_effects(const Options& options, const std::array<LiveForce*, 2>& fo
 }
 
 int play(Options options) {
+  watch_interrupts();
   const OpenedSource left = open(options.left);
   if (!left.source) return kExitUsage;
   const OpenedSource right = open(options.right);
@@ -205,10 +211,7 @@ int play(Options options) {
   Outputs outputs;
   outputs.forces = open_forces(options, *left.source, *right.source);
   tell_of_effects(options, outputs.forces);
-  if (left.source->is_live() || right.source->is_live()) {
-    options.realtime = true;
-    watch_interrupts();
-  }
+  if (left.source->is_live() || right.source->is_live()) options.realtime = true;
   if (!options.svg.empty()) {
     outputs.svg.open(options.svg);
     if (!outputs.svg)

@@ -39,8 +39,8 @@ The stick: centre is the guard, up is the lunge, left and right at the centre or
 parries, down is the retreat. Up is where a mouse moves away from you.
 
 A live device is real time: --realtime goes without saying. While it is unplugged its fencer
-stays where it is and has no force; plugged in again, it goes on. Ctrl-C ends the bout, whose
-result is then "open".
+stays where it is and has no force; plugged in again, it goes on.
+Ctrl-C ends a bout, whose result is then "open"; a second one does not wait for its summary.
 Where a live device has force feedback, or at least rumbles, its fencer feels the blows, unless
 --force off. --spring and --damper add effects that the device computes by itself.
 

@@ -17,6 +17,8 @@ class StickFeedback final : public Observer {
  public:
   /// @param forces  of the fencers' devices, or null; they outlive this
   explicit StickFeedback(const std::array<LiveForce*, 2>& forces);
+  /// No force either after a bout that was given up on its way.
+  ~StickFeedback() override;
 
   void on_start(const DuelRunner& runner) override;
   void on_step(const DuelRunner& runner) override;

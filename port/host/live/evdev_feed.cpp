@@ -23,19 +23,29 @@ Microseconds time_of(const input_event& event) {
 }  // namespace
 
 std::string EvdevFeed::open() {
+  close();
   std::string problem = node_.open(path_);
   if (!problem.empty()) return problem;
   const std::optional<MotionAxes> axes = node_.axes();
   const std::string name = node_.name();
   if (!axes) {
-    node_.close();
+    close();
     return name + " is no stick, pad or mouse";
+  }
+  if (!claim_->take(number_of(node_.file()))) {
+    close();
+    return name + " is the other fencer's already";
   }
   name_ = name;
   decoder_.emplace(*axes);
   syncing_ = false;
   tell_state(*axes);
   return {};
+}
+
+void EvdevFeed::close() {
+  node_.close();
+  claim_->release();
 }
 
 /// The device speaks when something changes; where its axes are now, libevdev has asked.
@@ -93,7 +103,7 @@ News EvdevFeed::next_event(InputSample& sample) {
     return News::kNone;
   }
   if (answer < 0) {  // ENODEV, or a device that cannot be understood any more
-    node_.close();
+    close();
     return News::kGone;
   }
   if (answer == LIBEVDEV_READ_STATUS_SYNC && !syncing_) {  // SYN_DROPPED

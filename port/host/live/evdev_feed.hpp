@@ -3,10 +3,12 @@
 // Sticks, pads, mice and tablets as the Linux input stack tells of them, read by libevdev. Absolute
 // axes bring their own range and dead zone; the movements of a relative one are summed up.
 
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "host/devices/event_decoder.hpp"
+#include "host/live/claim.hpp"
 #include "host/live/evdev_node.hpp"
 #include "host/live/feed.hpp"
 
@@ -18,7 +20,9 @@ class EvdevFeed final : public Feed {
  public:
   /// @param path  stays the device's, however often it is plugged in; one below
   ///   /dev/input/by-id does so whatever else is plugged in
-  explicit EvdevFeed(std::string path) : path_(std::move(path)) {}
+  /// @param claim  of the fencer, for as long as the device is open; not null
+  explicit EvdevFeed(std::string path, std::shared_ptr<Claim> claim = std::make_shared<Claim>())
+      : path_(std::move(path)), claim_(std::move(claim)) {}
 
   /// @returns empty | why not, in a few words
   std::string open();
@@ -35,11 +39,13 @@ class EvdevFeed final : public Feed {
   /// More than any device reports between two looks; a flood does not hold the thread.
   static constexpr int kMostEvents = 1024;
 
+  void close();
   void tell_state(const MotionAxes& axes);
   News next_event(InputSample& sample);
   bool decode(const input_event& event, InputSample& sample);
 
   std::string path_;
+  std::shared_ptr<Claim> claim_;
   std::string name_;
   EvdevNode node_;
   std::optional<EventDecoder> decoder_;

@@ -5,23 +5,26 @@
 // when the file is closed, also that of a program that has crashed.
 
 #include <array>
+#include <memory>
 #include <string>
 
-#include "host/live/force_backend.hpp"
+#include "host/live/claim.hpp"
 #include "host/live/linux_effects.hpp"
+#include "host/live/mapped_force.hpp"
 
 namespace batuta::host {
 
-class EvdevForce final : public ForceBackend {
+class EvdevForce final : public MappedForce {
  public:
-  explicit EvdevForce(std::string path) : path_(std::move(path)) {}
-  ~EvdevForce() override;
+  /// @param claim  of whoever reads the device: only what that has is opened. Null: whatever is
+  ///   there
+  explicit EvdevForce(std::string path, std::shared_ptr<const Claim> claim = nullptr)
+      : path_(std::move(path)), claim_(std::move(claim)) {}
+  ~EvdevForce() override { shut(); }
 
   /// kForce where the device has FF_CONSTANT, else kRumble where it has FF_RUMBLE.
   ForceKind open() override;
-  /// Constant force as two effects, one for each axis, of which only the level changes; as one with
-  /// a direction where there is room for one only. Spring and damper where there is room left.
-  Rendered render(const Feel& feel) override;
+  void close() override { shut(); }
   bool is_there() override;
 
  private:
@@ -31,20 +34,27 @@ class EvdevForce final : public ForceBackend {
     bool uploaded = false;
     bool playing = false;
   };
-  enum Place : std::uint8_t { kX, kY, kSpring, kDamper, kPlaces };
+  using Features = std::array<unsigned char, FF_CNT / 8>;
 
-  void close();
-  bool has(unsigned feature) const;
+  Taken push_axis(Place axis, std::int16_t level) override;
+  Taken push_both(float x, float y) override;
+  Taken resist(Place place, const ConditionPair& condition) override;
+  Taken shake(const Rumble& rumble) override;
+  void remove(Place place) override;
+
+  static Abilities abilities(int file, Features& features);
+  std::string why_not_opened(int error) const;
+  void shut();
   void set(unsigned property, std::int32_t value) const;
-  Rendered render_constant(const Feel& feel);
-  Rendered update(Slot& slot, ff_effect effect) const;
+  Taken judge(int error) const;
+  Taken update(Place place, const ff_effect& effect);
+  Taken upload(Place place, ff_effect effect);
+  Taken play(Place place, bool on);
 
   std::string path_;
+  std::shared_ptr<const Claim> claim_;
   int file_ = -1;
-  int room_ = 0;  ///< effects that the device holds at the same time
-  std::array<unsigned char, FF_CNT / 8> features_{};
   std::array<Slot, kPlaces> slots_{};
-  ForceKind kind_ = ForceKind::kNone;
 };
 
 }  // namespace batuta::host

@@ -49,12 +49,21 @@ bool ForcePump::attach(Microseconds now) {
   if (has_tried_ && elapsed_us(tried_, now) < kRetry_us) return false;
   has_tried_ = true;
   tried_ = now;
+  if (given_up_ && is_given_up()) return false;
   kind_ = backend_->open();
   applied_ = false;
+  busy_ = false;
   sent_at_ = now - kRumblePeriod_us;  // it need not wait
   held_ = 0;
   hardest_ = 0.0F;
   return kind() != ForceKind::kNone;
+}
+
+/// A device that takes nothing is not asked again before it has been plugged in anew.
+bool ForcePump::is_given_up() {
+  given_up_ = backend_->is_there();
+  if (!given_up_) lose();
+  return given_up_;
 }
 
 void ForcePump::take_command(Microseconds now) {
@@ -68,7 +77,8 @@ void ForcePump::take_command(Microseconds now) {
     command_.x = 0;
     command_.y = 0;
   }
-  held_ = std::max(held_, hardest_.exchange(0.0F, std::memory_order_relaxed));
+  const float hardest = hardest_.exchange(0.0F, std::memory_order_relaxed);
+  held_ = is_off() ? 0.0F : std::max(held_, hardest);
 }
 
 Feel ForcePump::feel() const {
@@ -88,6 +98,7 @@ bool ForcePump::has_changed(const Feel& feel) const {
 }
 
 bool ForcePump::is_due(const Feel& feel, Microseconds now) const {
+  if (is_off() && has_changed(feel)) return true;
   const std::int32_t since_us = elapsed_us(sent_at_, now);
   const bool rumble = kind() == ForceKind::kRumble;
   if (rumble && since_us < kRumblePeriod_us) return false;
@@ -96,18 +107,23 @@ bool ForcePump::is_due(const Feel& feel, Microseconds now) const {
   return has_changed(feel) || (shakes && since_us >= kRefresh_us);
 }
 
+/// Switched off, which is more than a force that happens to be zero: nothing fades, nothing waits.
+bool ForcePump::is_off() const {
+  return silent_ || (command_.own <= 0 && size_of(command_.x, command_.y) <= 0);
+}
+
 void ForcePump::send(const Feel& feel, Microseconds now) {
   const bool changed = has_changed(feel);
   const Rendered rendered = backend_->render(feel);
   tried_ = now;
-  if (rendered == Rendered::kGone) {
-    lose();
+  if (rendered != Rendered::kDone) {
+    settle(rendered, now);
     return;
   }
-  if (rendered == Rendered::kLater) {
-    applied_ = false;
-    return;
-  }
+  busy_ = false;
+  kind_ = backend_->kind();
+  report_.kind = kind();
+  report_.left_out.add(backend_->left_out());
   measure(changed, now);
   sent_ = feel;
   sent_at_ = now;
@@ -117,8 +133,38 @@ void ForcePump::send(const Feel& feel, Microseconds now) {
   reports_.put(report_);
 }
 
+/// What was not rendered.
+void ForcePump::settle(Rendered rendered, Microseconds now) {
+  applied_ = false;
+  if (rendered == Rendered::kLater) {
+    stall(now);
+  } else if (rendered == Rendered::kRefused) {
+    given_up_ = true;
+    kind_ = ForceKind::kNone;
+    report_.kind = ForceKind::kNone;
+    report_.left_out.add(backend_->left_out());
+    reports_.put(report_);
+  } else {
+    lose();
+  }
+}
+
+/// A busy device keeps the force that it has; closed, it loses it.
+void ForcePump::stall(Microseconds now) {
+  if (!busy_) busy_since_ = now;
+  busy_ = true;
+  kind_ = backend_->kind();
+  if (elapsed_us(busy_since_, now) <= kSilence_us) return;
+  backend_->close();
+  kind_ = ForceKind::kNone;
+  ++report_.stalls;
+  reports_.put(report_);
+}
+
 /// A device that is plugged in anew must not wait for the next blow to be noticed.
 void ForcePump::look_after(Microseconds now) {
+  // Kept young: after half an hour without a word, the difference of two wrapping times is another.
+  if (elapsed_us(sent_at_, now) > kSilence_us) sent_at_ = now - kSilence_us;
   if (elapsed_us(tried_, now) < kRetry_us) return;
   tried_ = now;
   if (!backend_->is_there()) lose();

@@ -15,9 +15,12 @@ namespace batuta::host {
 
 /// How well the commands came through, as measured.
 struct ForceReport {
-  std::uint32_t sent = 0;            ///< effects handed to the device
-  std::uint32_t silences = 0;        ///< times that commands stopped and the force was taken away
-  std::uint32_t unplugs = 0;         ///< times that the device went away
+  std::uint32_t sent = 0;             ///< effects handed to the device
+  std::uint32_t silences = 0;         ///< times that commands stopped and the force was taken away
+  std::uint32_t unplugs = 0;          ///< times that the device went away
+  std::uint32_t stalls = 0;           ///< times that it was busy for too long, and was closed
+  ForceKind kind = ForceKind::kNone;  ///< what it was told by last; kNone: it takes nothing
+  EffectSet left_out;  ///< that were wanted: the device refused them, or does not know them
   std::int32_t worst_period_us = 0;  ///< between two effects while the force changes
   double mean_period_us = 0;
   double jitter_us = 0;           ///< mean distance of a period from the one that is meant
@@ -40,7 +43,8 @@ class ForcePump {
   static constexpr std::int32_t kRumblePeriod_us = 10000;
   /// A device that forgets is told again; half of what a rumble of SDL lasts.
   static constexpr std::int32_t kRefresh_us = 50000;
-  /// Without a command for so long, there is no force.
+  /// Without a command for so long, there is no force; nor is there one that the device has kept
+  /// for so long because it was too busy for the next.
   static constexpr std::int32_t kSilence_us = 100000;
   /// A device is looked for so often while it is away, and looked after while it has nothing to do.
   static constexpr std::int32_t kRetry_us = 250000;
@@ -58,6 +62,10 @@ class ForcePump {
   void turn();
   /// Takes the force away. On the device's thread, as its last act.
   void let_go();
+  /// Leaves a device alone that has no force. On the device's thread.
+  void close() { backend_->close(); }
+  /// As ForceBackend::problem(), before close(). On the device's thread.
+  std::string problem() const { return backend_->problem(); }
 
   // Of any thread.
   ForceKind kind() const { return kind_.load(std::memory_order_relaxed); }
@@ -88,6 +96,10 @@ class ForcePump {
   void send(const Feel& feel, Microseconds now);
   void look_after(Microseconds now);
   void lose();
+  void settle(Rendered rendered, Microseconds now);
+  void stall(Microseconds now);
+  bool is_given_up();
+  bool is_off() const;
   void measure(bool changed, Microseconds now);
 
   std::unique_ptr<ForceBackend> backend_;
@@ -105,6 +117,9 @@ class ForcePump {
   Microseconds sent_at_ = 0;
   Microseconds tried_ = 0;  ///< the last time that the device answered, or did not
   float held_ = 0;          ///< what is left of the last blow for the rumble
+  Microseconds busy_since_ = 0;
+  bool busy_ = false;
+  bool given_up_ = false;  ///< the device is there, and takes nothing
   bool has_tried_ = false;
   bool applied_ = false;  ///< sent_ is what the device renders
   bool fresh_ = false;    ///< the command has not been sent yet

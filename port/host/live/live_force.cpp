@@ -11,6 +11,11 @@ LiveForce::LiveForce(std::unique_ptr<ForceBackend> backend, const ForceOptions& 
     : pump_(std::move(backend), options, clock_) {
   pump_.turn();
   first_kind_ = pump_.kind();
+  problem_ = pump_.problem();
+  if (first_kind_ == ForceKind::kNone) {
+    pump_.close();
+    return;
+  }
   thread_ = std::thread([this] {
     constexpr std::chrono::microseconds kTurn(ForcePump::kTurn_us);
     auto next = std::chrono::steady_clock::now();
@@ -26,7 +31,7 @@ LiveForce::LiveForce(std::unique_ptr<ForceBackend> backend, const ForceOptions& 
 
 LiveForce::~LiveForce() {
   ending_ = true;
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
 }
 
 Status LiveForce::do_write(const ForceCommand& command) {

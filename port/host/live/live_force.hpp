@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <memory>
+#include <string>
 #include <thread>
 
 #include "batuta/port/force.hpp"
@@ -16,7 +17,8 @@ namespace batuta::host {
 
 class LiveForce final : public ForceDevice {
  public:
-  /// Looks once whether the device has a force, and takes its time for it.
+  /// Looks once whether the device has a force, and takes its time for it. One that has none is
+  /// left alone from then on.
   LiveForce(std::unique_ptr<ForceBackend> backend, const ForceOptions& options);
   LiveForce(const LiveForce&) = delete;
   LiveForce& operator=(const LiveForce&) = delete;
@@ -27,6 +29,9 @@ class LiveForce final : public ForceDevice {
   ForceKind kind() const { return pump_.kind(); }
   /// What it could do when it was opened.
   ForceKind first_kind() const { return first_kind_; }
+  /// Why it could do nothing then, in a few words; empty: it could, or is no device that has a
+  /// force.
+  const std::string& problem() const { return problem_; }
   const ForceReport& report() { return pump_.report(); }
 
  private:
@@ -36,6 +41,7 @@ class LiveForce final : public ForceDevice {
   HostClock clock_;
   ForcePump pump_;
   ForceKind first_kind_ = ForceKind::kNone;
+  std::string problem_;
   std::atomic<bool> ending_{false};
   std::thread thread_;  // the last member: it ends before what it uses
 };

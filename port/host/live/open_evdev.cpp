@@ -11,14 +11,15 @@ namespace batuta::host {
 
 OpenedSource open_evdev(const std::string& words, const std::string& path) {
   OpenedSource opened;
-  auto feed = std::make_unique<EvdevFeed>(path);
+  const auto claim = std::make_shared<Claim>();
+  auto feed = std::make_unique<EvdevFeed>(path, claim);
   const std::string problem = feed->open();
   if (!problem.empty()) {
     opened.error = words + ": " + problem + found_words(list_evdev());
     return opened;
   }
   opened.source = std::make_unique<LiveSource>(
-      path, std::move(feed), [path] { return std::make_unique<EvdevForce>(path); });
+      path, std::move(feed), [path, claim] { return std::make_unique<EvdevForce>(path, claim); });
   return opened;
 }
 

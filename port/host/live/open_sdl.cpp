@@ -18,7 +18,7 @@ OpenedSource open_sdl(const std::string& words, const std::string& choice) {
   }
   const auto stick = std::make_shared<SdlStick>(choice);
   if (!stick->open()) {
-    opened.error = words + ": no such stick, or another has it" + found_words(list_sdl());
+    opened.error = words + ": " + stick->problem() + found_words(list_sdl());
     return opened;
   }
   opened.source = std::make_unique<LiveSource>("SDL", std::make_unique<SdlFeed>(stick), [stick] {

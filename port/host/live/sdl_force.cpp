@@ -2,104 +2,120 @@
 
 #include "host/live/sdl_force.hpp"
 
+#include <algorithm>
+
 #include "host/live/force_pump.hpp"
 
 namespace batuta::host {
 
-SdlForce::~SdlForce() {
-  if (kind_ == ForceKind::kRumble) (void)SDL_JoystickRumble(handle_.get(), 0, 0, 0);
-  close();
-}
-
 ForceKind SdlForce::open() {
-  close();
+  shut();
   handle_ = stick_->handle();
-  if (handle_ == nullptr) return kind_;
-  if (open_haptic()) {
-    kind_ = ForceKind::kForce;
-  } else if (SDL_JoystickHasRumble(handle_.get()) == SDL_TRUE) {
-    kind_ = ForceKind::kRumble;
-  } else {
-    close();
+  if (handle_ == nullptr) return kind();
+  Abilities abilities = open_haptic();
+  if (SDL_JoystickHasRumble(handle_.get()) == SDL_TRUE) {
+    abilities.effects.add(Effect::kRumble);
+    abilities.room = std::max(abilities.room, 1);  // not one of SDL_Haptic's
   }
-  return kind_;
+  if (begin(abilities) == ForceKind::kNone) shut();
+  return kind();
 }
 
-bool SdlForce::open_haptic() {
-  if (!session_.has_haptics() || SDL_JoystickIsHaptic(handle_.get()) != SDL_TRUE) return false;
+MappedForce::Abilities SdlForce::open_haptic() {
+  Abilities abilities;
+  if (!session_.has_haptics() || SDL_JoystickIsHaptic(handle_.get()) != SDL_TRUE) return abilities;
   haptic_ = SDL_HapticOpenFromJoystick(handle_.get());
-  if (haptic_ == nullptr) return false;
-  features_ = SDL_HapticQuery(haptic_);
-  room_ = SDL_HapticNumEffects(haptic_);
-  axes_ = SDL_HapticNumAxes(haptic_);
-  if ((features_ & SDL_HAPTIC_CONSTANT) == 0 || room_ < 1) {
+  if (haptic_ == nullptr) return abilities;
+  const unsigned features = SDL_HapticQuery(haptic_);
+  const int room = SDL_HapticNumEffects(haptic_);
+  if ((features & SDL_HAPTIC_CONSTANT) == 0 || room < 1) {
     SDL_HapticClose(haptic_);
     haptic_ = nullptr;
-    return false;
+    return abilities;
   }
   constexpr int kFullGain = 100;
-  if ((features_ & SDL_HAPTIC_GAIN) != 0) (void)SDL_HapticSetGain(haptic_, kFullGain);
-  if ((features_ & SDL_HAPTIC_AUTOCENTER) != 0) (void)SDL_HapticSetAutocenter(haptic_, 0);
-  return true;
+  if ((features & SDL_HAPTIC_GAIN) != 0) (void)SDL_HapticSetGain(haptic_, kFullGain);
+  if ((features & SDL_HAPTIC_AUTOCENTER) != 0) (void)SDL_HapticSetAutocenter(haptic_, 0);
+  abilities.effects.add(Effect::kConstant);
+  if ((features & SDL_HAPTIC_SPRING) != 0) abilities.effects.add(Effect::kSpring);
+  if ((features & SDL_HAPTIC_DAMPER) != 0) abilities.effects.add(Effect::kDamper);
+  abilities.room = room;
+  abilities.axes = SDL_HapticNumAxes(haptic_);
+  return abilities;
 }
 
-void SdlForce::close() {
+void SdlForce::shut() {
   if (haptic_ != nullptr) {
-    for (int& effect : effects_) {
-      if (effect != kNone) SDL_HapticDestroyEffect(haptic_, effect);
-      effect = kNone;
-    }
+    for (const Place place : {kX, kY, kSpring, kDamper}) remove(place);  // Bound: kPlaces
     SDL_HapticClose(haptic_);
   }
+  if (shaken_) (void)SDL_JoystickRumble(handle_.get(), 0, 0, 0);
   haptic_ = nullptr;
   handle_.reset();
-  kind_ = ForceKind::kNone;
+  failures_ = {};
+  shaken_ = false;
+  end({});
+}
+
+void SdlForce::remove(Place place) {
+  int& id = effects_[place];
+  if (id != kNone) SDL_HapticDestroyEffect(haptic_, id);
+  id = kNone;
+}
+
+/// Another handle is the same device, plugged in anew.
+bool SdlForce::has_hold() const {
+  return handle_ != nullptr && stick_->handle() == handle_;
 }
 
 bool SdlForce::is_there() {
-  // Another handle is the same device, plugged in anew.
-  const bool there = handle_ != nullptr && stick_->handle() == handle_;
-  if (!there) close();
+  const bool there = has_hold();
+  if (!there) shut();
   return there;
 }
 
-Rendered SdlForce::render(const Feel& feel) {
-  bool there = is_there();
-  if (there && kind_ == ForceKind::kForce) there = render_constant(feel);
-  if (there && kind_ == ForceKind::kRumble) {
-    const Rumble rumble = rumble_of(feel);
-    constexpr Uint32 kLength_ms = ForcePump::kSilence_us / 1000;
-    there = SDL_JoystickRumble(handle_.get(), rumble.strong, rumble.weak, kLength_ms) == 0;
-  }
-  if (!there) close();
-  return there ? Rendered::kDone : Rendered::kGone;
+MappedForce::Taken SdlForce::push_axis(Place axis, std::int16_t level) {
+  return update(axis, sdl_constant(axis == kX ? Push::kRight : Push::kUp, level));
 }
 
-bool SdlForce::render_constant(const Feel& feel) {
-  if (axes_ < 2) return update(kX, sdl_constant(Push::kRight, level_of(feel.x)));
-  if (room_ < 2) return update(kX, sdl_constant(feel.x, feel.y));
-  bool there = update(kX, sdl_constant(Push::kRight, level_of(feel.x))) &&
-               update(kY, sdl_constant(Push::kUp, level_of(feel.y)));
-  int left = room_ - 2;
-  const auto overlay = [&](Place place, unsigned type, const Condition& condition) {
-    const bool wanted = effects_[place] != kNone || condition.coefficient > 0;
-    if (!there || !wanted || left <= 0 || (features_ & type) == 0) return;
-    --left;
-    const ConditionPair numbers = condition_numbers(condition);
-    there = update(place, sdl_condition(static_cast<std::uint16_t>(type), numbers));
-  };
-  overlay(kSpring, SDL_HAPTIC_SPRING, feel.spring);
-  overlay(kDamper, SDL_HAPTIC_DAMPER, feel.damper);
-  return there;
+MappedForce::Taken SdlForce::push_both(float x, float y) {
+  return update(kX, sdl_constant(x, y));
 }
 
-/// Has an effect play, or changes the one that plays. @returns false: the device does not take it
-bool SdlForce::update(Place place, SDL_HapticEffect effect) {
+MappedForce::Taken SdlForce::resist(Place place, const ConditionPair& condition) {
+  const unsigned type = place == kSpring ? SDL_HAPTIC_SPRING : SDL_HAPTIC_DAMPER;
+  return update(place, sdl_condition(static_cast<std::uint16_t>(type), condition));
+}
+
+MappedForce::Taken SdlForce::shake(const Rumble& rumble) {
+  if (!has_hold()) return Taken::kGone;
+  constexpr Uint32 kLength_ms = ForcePump::kSilence_us / 1000;
+  shaken_ = true;
+  const int answer = SDL_JoystickRumble(handle_.get(), rumble.strong, rumble.weak, kLength_ms);
+  return judge(kX, answer == 0);
+}
+
+/// Has an effect play, or changes the one that plays. One that cannot be changed is made anew.
+MappedForce::Taken SdlForce::update(Place place, SDL_HapticEffect effect) {
+  if (!has_hold()) return Taken::kGone;
   int& id = effects_[place];
-  if (id != kNone) return SDL_HapticUpdateEffect(haptic_, id, &effect) == 0;
-  id = SDL_HapticNewEffect(haptic_, &effect);
+  if (id != kNone && SDL_HapticUpdateEffect(haptic_, id, &effect) == 0) return judge(place, true);
+  remove(place);
+  id = std::max(SDL_HapticNewEffect(haptic_, &effect), kNone);
   constexpr Uint32 kOnce = 1;  // it has no end
-  return id >= 0 && SDL_HapticRunEffect(haptic_, id, kOnce) == 0;
+  const bool plays = id != kNone && SDL_HapticRunEffect(haptic_, id, kOnce) == 0;
+  if (!plays) remove(place);
+  return judge(place, plays);
+}
+
+MappedForce::Taken SdlForce::judge(Place place, bool done) {
+  int& failures = failures_[place];
+  failures = done ? 0 : failures + 1;
+  if (done) return Taken::kDone;
+  if (SDL_JoystickGetAttached(handle_.get()) == SDL_FALSE) return Taken::kGone;
+  if (failures < kMostFailures) return Taken::kLater;
+  failures = 0;  // the next mapping has as many
+  return Taken::kRefused;
 }
 
 }  // namespace batuta::host

@@ -7,33 +7,18 @@
 #include <charconv>
 #include <cstring>
 #include <optional>
-#include <vector>
 
 namespace batuta::host {
 namespace {
 
-/// The sticks that are open: two fencers do not share one.
-class Taken {
- public:
-  bool add(SDL_JoystickID instance) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    const bool free = std::find(ids_.begin(), ids_.end(), instance) == ids_.end();
-    if (free) ids_.push_back(instance);
-    return free;
-  }
-  void remove(SDL_JoystickID instance) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    ids_.erase(std::remove(ids_.begin(), ids_.end(), instance), ids_.end());
-  }
-
- private:
-  std::mutex mutex_;
-  std::vector<SDL_JoystickID> ids_;
-};
-
-Taken& taken() {
-  static Taken taken;
-  return taken;
+/// Of the device behind a stick: the same as that of its event device, where SDL reads it through
+/// one; else one that only SDL's sticks have.
+DeviceNumber number_of(SDL_Joystick* stick, SDL_JoystickID instance) {
+  const char* const path = SDL_JoystickPath(stick);
+  const DeviceNumber number = path == nullptr ? kNoDevice : number_at(path);
+  // Numbers of the kernel are smaller by far.
+  constexpr DeviceNumber kSdl = DeviceNumber{1} << 63U;
+  return number == kNoDevice ? kSdl + static_cast<DeviceNumber>(instance) : number;
 }
 
 /// SDL's list of joysticks stays as it is.
@@ -101,23 +86,33 @@ bool SdlStick::is_chosen(int index) const {
 
 bool SdlStick::open() {
   close();
+  problem_ = "no such stick";
   const ListLock lock;
   const int count = SDL_NumJoysticks();
   for (int i = 0; i < count; ++i) {  // Bound: the sticks that SDL sees
-    const SDL_JoystickID instance = SDL_JoystickGetDeviceInstanceID(i);
-    if (!is_chosen(i) || !taken().add(instance)) continue;
-    const Handle handle(SDL_JoystickOpen(i), [](SDL_Joystick* stick) {
-      if (stick != nullptr) SDL_JoystickClose(stick);
-    });
-    if (handle == nullptr || SDL_JoystickNumAxes(handle.get()) < 2) {
-      taken().remove(instance);
-      continue;
-    }
-    instance_ = instance;
-    take(i, handle);
-    return true;
+    if (is_chosen(i) && open_at(i)) return true;
   }
   return false;
+}
+
+bool SdlStick::open_at(int index) {
+  const Handle handle(SDL_JoystickOpen(index), [](SDL_Joystick* stick) {
+    if (stick != nullptr) SDL_JoystickClose(stick);
+  });
+  if (handle == nullptr) {
+    problem_ = name_at(index) + ": " + SDL_GetError();
+    return false;
+  }
+  if (SDL_JoystickNumAxes(handle.get()) < 2) {
+    problem_ = name_at(index) + " has too few axes";
+    return false;
+  }
+  if (!claim_.take(number_of(handle.get(), SDL_JoystickGetDeviceInstanceID(index)))) {
+    problem_ = name_at(index) + " is the other fencer's already";
+    return false;
+  }
+  take(index, handle);
+  return true;
 }
 
 void SdlStick::take(int index, const Handle& handle) {
@@ -135,8 +130,7 @@ void SdlStick::take(int index, const Handle& handle) {
 
 void SdlStick::close() {
   pad_.reset();
-  if (instance_ >= 0) taken().remove(instance_);
-  instance_ = -1;
+  claim_.release();
   Handle last;  // closed without mutex_: SDL takes a lock of its own for it
   const std::lock_guard<std::mutex> guard(mutex_);
   last.swap(handle_);

@@ -10,6 +10,8 @@
 #include <mutex>
 #include <string>
 
+#include "host/live/claim.hpp"
+
 namespace batuta::host {
 
 /// SDL's joysticks and haptics for as long as this lives. To be made and destroyed by the main
@@ -50,16 +52,20 @@ class SdlStick {
   /// SDL's mapping of it to the buttons and axes of a pad, or null. Of the thread that opens.
   SDL_GameController* pad() const { return pad_.get(); }
   const std::string& name() const { return name_; }
+  /// Why the last open() found none, in a few words.
+  const std::string& problem() const { return problem_; }
 
  private:
   bool is_chosen(int index) const;
+  bool open_at(int index);
   void take(int index, const Handle& handle);
 
   std::string choice_;
   std::string name_;
   SDL_JoystickGUID guid_{};
   bool known_ = false;  ///< guid_ is that of the device
-  SDL_JoystickID instance_ = -1;
+  Claim claim_;
+  std::string problem_;
   std::shared_ptr<SDL_GameController> pad_;
   mutable std::mutex mutex_;  ///< of handle_
   Handle handle_;

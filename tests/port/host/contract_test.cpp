@@ -60,6 +60,8 @@ class LiveForceRig {
    public:
     host::ForceKind open() override { return host::ForceKind::kForce; }
     host::Rendered render(const host::Feel& /*feel*/) override { return host::Rendered::kDone; }
+    void close() override {}
+    host::ForceKind kind() const override { return host::ForceKind::kForce; }
     bool is_there() override { return true; }
   };
 

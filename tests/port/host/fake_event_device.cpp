@@ -5,12 +5,15 @@
 #include <fcntl.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
+#include <sys/sysmacros.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstdarg>
+#include <cstdlib>
 #include <cstring>
 #include <utility>
 
@@ -21,6 +24,7 @@ struct Registry {
   std::mutex mutex;
   std::map<std::string, FakeEventDevice*> by_path;
   std::map<int, FakeEventDevice*> by_file;
+  unsigned last_number = 0;
 };
 
 Registry& registry() {
@@ -63,14 +67,15 @@ int copy(void* to, std::size_t size, const void* from, std::size_t count) {
 
 }  // namespace
 
-FakeEventDevice::FakeEventDevice(std::string path) : path_(std::move(path)) {
+FakeEventDevice::FakeEventDevice(std::string path) : paths_{std::move(path)} {
   const std::lock_guard<std::mutex> lock(registry().mutex);
-  registry().by_path[path_] = this;
+  registry().by_path[paths_[0]] = this;
+  number_ = ++registry().last_number;
 }
 
 FakeEventDevice::~FakeEventDevice() {
   const std::lock_guard<std::mutex> lock(registry().mutex);
-  registry().by_path.erase(path_);
+  for (const std::string& path : paths_) registry().by_path.erase(path);
   for (const auto& [file, end] : files_) {
     registry().by_file.erase(file);
     (void)::syscall(SYS_close, end);
@@ -92,9 +97,26 @@ FakeEventDevice& FakeEventDevice::axis(unsigned code, const input_absinfo& info)
   return has(EV_ABS, code);
 }
 
-FakeEventDevice& FakeEventDevice::room_for_effects(int count) {
+FakeEventDevice& FakeEventDevice::room_for_effects(int count, int really) {
   room_ = count;
+  real_room_ = really;
   return *this;
+}
+
+FakeEventDevice& FakeEventDevice::also_at(const std::string& path) {
+  const std::lock_guard<std::mutex> lock(registry().mutex);
+  registry().by_path[path] = this;
+  paths_.push_back(path);
+  return *this;
+}
+
+void FakeEventDevice::give_name_to(FakeEventDevice& other) {
+  const std::lock_guard<std::mutex> lock(registry().mutex);
+  for (const std::string& path : paths_) {
+    registry().by_path[path] = &other;
+    other.paths_.push_back(path);
+  }
+  paths_.clear();
 }
 
 void FakeEventDevice::change(unsigned type, unsigned code, int value) {
@@ -122,6 +144,12 @@ void FakeEventDevice::bytes(const void* data, std::size_t count) {
   }
 }
 
+void FakeEventDevice::forget_effects() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  effects_.clear();
+  playing_.clear();
+}
+
 void FakeEventDevice::unplug() {
   const std::lock_guard<std::mutex> lock(mutex_);
   there_ = false;
@@ -145,15 +173,22 @@ void FakeEventDevice::refuse(int error) {
   refusal_ = error;
 }
 
-void FakeEventDevice::refuse_effects(int error) {
+void FakeEventDevice::refuse_writing(int error) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  effect_refusal_ = error;
+  writing_refusal_ = error;
 }
 
-int FakeEventDevice::open_file() {
+void FakeEventDevice::refuse_effects(int error, unsigned type) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  effect_refusals_[type] = error;
+}
+
+int FakeEventDevice::open_file(int flags) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (refusal_ != 0) return fail(refusal_);
   if (!there_) return fail(ENOENT);
+  if (writing_refusal_ != 0 && (flags & O_ACCMODE) != O_RDONLY) return fail(writing_refusal_);
+  ++openings_;
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0, ends.data()) != 0) return -1;
   const std::lock_guard<std::mutex> all(registry().mutex);
@@ -182,14 +217,17 @@ int FakeEventDevice::bits(unsigned type, void* data, std::size_t size) const {
 }
 
 int FakeEventDevice::upload(ff_effect& effect) {
-  if (effect_refusal_ != 0) return fail(effect_refusal_);
+  for (const unsigned type : {0U, unsigned{effect.type}}) {
+    if (effect_refusals_[type] != 0) return fail(effect_refusals_[type]);
+  }
   if (effect.id < 0) {
-    if (static_cast<int>(effects_.size()) >= room_) return fail(ENOSPC);
+    if (static_cast<int>(effects_.size()) >= std::min(room_, real_room_)) return fail(ENOSPC);
     effect.id = static_cast<std::int16_t>(effects_.empty() ? 0 : effects_.rbegin()->first + 1);
   } else if (effects_.count(effect.id) == 0) {
     return fail(EINVAL);
   }
   effects_[effect.id] = effect;
+  strongest_[effect.type] = std::max(strongest_[effect.type], strength(effect));
   ++uploads_;
   return 0;
 }
@@ -207,7 +245,11 @@ int FakeEventDevice::control(int file, unsigned long request, void* argument) {
     drain_writes(file);
     const auto id = static_cast<int>(reinterpret_cast<std::intptr_t>(argument));
     playing_.erase(id);
-    return effects_.erase(id) == 1 ? 0 : fail(EINVAL);
+    const auto found = effects_.find(id);
+    if (found == effects_.end()) return fail(EINVAL);
+    removed_.push_back(found->second);
+    effects_.erase(found);
+    return 0;
   }
   if (number == _IOC_NR(EVIOCGNAME(0))) {
     return copy(argument, size, name_.c_str(), name_.size() + 1);
@@ -268,6 +310,27 @@ int FakeEventDevice::uploads() {
   return uploads_;
 }
 
+std::vector<ff_effect> FakeEventDevice::removed() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return removed_;
+}
+
+int FakeEventDevice::strongest(unsigned type) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return strongest_[type];
+}
+
+int strength(const ff_effect& effect) {
+  if (effect.type == FF_CONSTANT) return std::abs(int{effect.u.constant.level});
+  if (effect.type == FF_RUMBLE) return effect.u.rumble.strong_magnitude;
+  return std::abs(int{effect.u.condition[0].right_coeff});
+}
+
+int FakeEventDevice::openings() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return openings_;
+}
+
 int FakeEventDevice::open_files() {
   const std::lock_guard<std::mutex> lock(mutex_);
   return static_cast<int>(files_.size());
@@ -293,8 +356,19 @@ int open(const char* path, int flags, ...) {
   const mode_t mode = (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(rest, mode_t) : 0;
   va_end(rest);
   batuta::test::FakeEventDevice* const device = batuta::test::device_at(path);
-  if (device != nullptr) return device->open_file();
+  if (device != nullptr) return device->open_file(flags);
   return static_cast<int>(::syscall(SYS_openat, AT_FDCWD, path, flags, mode));
+}
+
+int fstat(int file, struct stat* about) noexcept {
+  const int answer = ::fstatat(file, "", about, AT_EMPTY_PATH);
+  const batuta::test::FakeEventDevice* const device = batuta::test::device_of(file);
+  if (answer == 0 && device != nullptr) {
+    constexpr unsigned kInputDevices = 13;
+    about->st_mode = S_IFCHR | 0660U;
+    about->st_rdev = makedev(kInputDevices, device->number());
+  }
+  return answer;
 }
 
 int close(int file) {

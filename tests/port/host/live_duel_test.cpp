@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <memory>
 
@@ -18,7 +20,9 @@ namespace {
 
 using test::kPath;
 using test::soon;
+using test::strength;
 using testing::HasSubstr;
+using testing::Not;
 using Stick = test::FakeStick;
 
 TEST(LiveEvdev, FromTheKernelToTheBout_AndBackIntoTheHand) {
@@ -58,8 +62,8 @@ TEST(LiveEvdev, FromTheKernelToTheBout_AndBackIntoTheHand) {
 /// A bout in real time, with a live stick on the left.
 class LiveBout {
  public:
-  explicit LiveBout(Source& left)
-      : runner_(left, right_, 100), feedback_({left.force({}), nullptr}) {
+  explicit LiveBout(Source& left, const ForceOptions& options = {})
+      : runner_(left, right_, 100), feedback_({left.force(options), nullptr}) {
     EXPECT_EQ(runner_.start(), Status::kOk);
     feedback_.on_start(runner_);
   }
@@ -134,6 +138,69 @@ TEST(LiveDuel, UnpluggedAmidTheBout_TheForceGoesSmoothly_TheDuelGoesOn_AndItIsCo
     const std::vector<ff_effect> effects = stick.effects();
     return effects.size() == 2 && effects[0].u.constant.level == 0;
   })) << "the end of the bout leaves no force";
+}
+
+TEST(LiveDuel, AStickThatRefusesItsSpring_IsReadOn_AndItIsToldOnce) {
+  Stick stick;
+  stick.has(EV_FF, FF_CONSTANT).has(EV_FF, FF_SPRING).room_for_effects(16);
+  stick.refuse_effects(EINVAL, FF_SPRING);
+  const OpenedSource opened = open_source(std::string("device:") + kPath);
+  ASSERT_TRUE(opened.source) << opened.error;
+  ForceOptions options;
+  options.spring.coefficient = 0.5F;
+  LiveBout bout(*opened.source, options);
+  EXPECT_TRUE(bout.steps(700)) << "a device that flaps would have been opened twice by now";
+  stick.event(EV_ABS, ABS_X, 255);
+  stick.sync();
+  EXPECT_TRUE(bout.steps(300));
+  EXPECT_EQ(bout.runner().duel().stick(Side::kLeft).position().x(), 1.0F) << "it is read";
+  EXPECT_EQ(stick.openings(), 2) << "by who reads, and by who pushes";
+  const std::string words = bout.end(false);
+  EXPECT_THAT(words, HasSubstr("left   force: force; effects sent"));
+  EXPECT_THAT(words, HasSubstr("; not taken by the device: spring\n"));
+  EXPECT_THAT(words, Not(HasSubstr("unplugged")));
+  EXPECT_THAT(bout.end(true), HasSubstr("\"left_out\": \"spring\""));
+}
+
+TEST(LiveDuel, ABoutThatIsGivenUp_LeavesNoForce_WithoutWaitingForTheSilence) {
+  Stick stick;
+  stick.has(EV_FF, FF_CONSTANT).has(EV_FF, FF_SPRING).room_for_effects(16);
+  const OpenedSource opened = open_source(std::string("device:") + kPath);
+  ASSERT_TRUE(opened.source) << opened.error;
+  ForceOptions options;
+  options.spring.coefficient = 1;
+  const auto spring = [&] { return stick.effects().size() < 3 ? 0 : strength(stick.effects()[2]); };
+  constexpr auto kSooner = std::chrono::microseconds(ForcePump::kSilence_us / 2);
+  auto fastest = 100 * kSooner;
+  for (int i = 0; i < 10 && fastest >= kSooner; ++i) {  // a busy machine may be slow, not always
+    auto bout = std::make_unique<LiveBout>(*opened.source, options);
+    EXPECT_TRUE(bout->steps(50));
+    EXPECT_TRUE(soon([&] { return spring() > 0; }));
+    const auto before = std::chrono::steady_clock::now();
+    bout.reset();
+    EXPECT_TRUE(soon([&] { return spring() == 0; }));
+    const auto taken = std::chrono::steady_clock::now() - before;
+    fastest = std::min(fastest, std::chrono::duration_cast<std::chrono::microseconds>(taken));
+  }
+  EXPECT_LT(fastest, kSooner);
+}
+
+TEST(LiveDuel, WhatTakesNothing_HasNoForce_AndIsReadOn) {
+  Stick stick;
+  stick.has(EV_FF, FF_CONSTANT).has(EV_FF, FF_RUMBLE).room_for_effects(16);
+  stick.refuse_effects(EINVAL);
+  const OpenedSource opened = open_source(std::string("device:") + kPath);
+  ASSERT_TRUE(opened.source) << opened.error;
+  LiveForce* const force = opened.source->force({});
+  ASSERT_NE(force, nullptr);
+  EXPECT_EQ(force->first_kind(), ForceKind::kNone);
+  EXPECT_EQ(force->problem(), "it takes none of its effects (constant, rumble)");
+  EXPECT_EQ(force->off(0), Status::kUnavailable);
+  InputSample sample;
+  EXPECT_TRUE(soon([&] { return opened.source->read(0, sample) == Status::kOk; }));
+  std::this_thread::sleep_for(std::chrono::milliseconds(600));
+  EXPECT_EQ(stick.openings(), 2);
+  EXPECT_EQ(stick.open_files(), 1) << "and is left alone";
 }
 
 }  // namespace

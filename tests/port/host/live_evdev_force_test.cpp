@@ -5,6 +5,7 @@
 #include <cerrno>
 
 #include "fake_stick.hpp"
+#include "host/live/evdev_feed.hpp"
 #include "host/live/evdev_force.hpp"
 
 namespace batuta::host {
@@ -113,10 +114,159 @@ TEST(EvdevForce, AnEffectThatIsNotTaken_ComesWithTheNext_AGoneDeviceIsGone) {
   EXPECT_EQ(force.open(), ForceKind::kForce);
   EXPECT_EQ(force.render(feel), Rendered::kDone);
   EXPECT_TRUE(stick.is_playing(0));
-  stick.refuse_effects(EINVAL);
-  feel.x = 0.5F;
-  EXPECT_EQ(force.render(feel), Rendered::kGone) << "it does not pass: open it anew";
-  EXPECT_TRUE(stick.effects().empty()) << "and the last force does not stay";
+}
+
+Feel push_right(float share) {
+  Feel feel;
+  feel.x = share;
+  return feel;
+}
+
+/// Neither lost nor opened anew: the device is there, and stays open.
+class RefusedEffect : public testing::TestWithParam<int> {
+ protected:
+  RefusedEffect() {
+    stick_.has(EV_FF, FF_CONSTANT).has(EV_FF, FF_SPRING).has(EV_FF, FF_DAMPER);
+    stick_.room_for_effects(16);
+    feel_.spring.coefficient = 0.5F;
+    feel_.damper.coefficient = 0.5F;
+  }
+  Stick stick_;
+  EvdevForce force_{kPath};
+  Feel feel_ = push_right(0.5F);
+};
+
+TEST_P(RefusedEffect, OfASpring_IsLeftOut_TheRestIsRendered) {
+  stick_.refuse_effects(GetParam(), FF_SPRING);
+  ASSERT_EQ(force_.open(), ForceKind::kForce);
+  for (int i = 0; i < 10; ++i) ASSERT_EQ(force_.render(feel_), Rendered::kDone);
+  EXPECT_EQ(force_.kind(), ForceKind::kForce);
+  EXPECT_EQ(names_of(force_.left_out()), "spring");
+  ASSERT_EQ(stick_.effects().size(), 3U);
+  EXPECT_EQ(stick_.effects()[0].u.constant.level, 16384);
+  EXPECT_EQ(stick_.effects()[2].type, FF_DAMPER);
+  EXPECT_EQ(stick_.openings(), 1);
+}
+
+TEST_P(RefusedEffect, OfAConstant_BecomesRumble) {
+  stick_.has(EV_FF, FF_RUMBLE).refuse_effects(GetParam(), FF_CONSTANT);
+  ASSERT_EQ(force_.open(), ForceKind::kForce) << "so it says";
+  for (int i = 0; i < 10; ++i) ASSERT_EQ(force_.render(feel_), Rendered::kDone);
+  EXPECT_EQ(force_.kind(), ForceKind::kRumble);
+  EXPECT_EQ(names_of(force_.left_out()), "constant, spring, damper");
+  ASSERT_EQ(stick_.effects().size(), 1U);
+  EXPECT_EQ(stick_.effects()[0].u.rumble.strong_magnitude, 32768);
+  EXPECT_EQ(stick_.openings(), 1);
+}
+
+TEST_P(RefusedEffect, OfEverything_IsNoForce_WithAReason) {
+  stick_.has(EV_FF, FF_RUMBLE).refuse_effects(GetParam());
+  ASSERT_EQ(force_.open(), ForceKind::kForce);
+  EXPECT_EQ(force_.render(feel_), Rendered::kRefused);
+  EXPECT_EQ(force_.render(feel_), Rendered::kRefused);
+  EXPECT_EQ(force_.kind(), ForceKind::kNone);
+  EXPECT_EQ(force_.problem(), "it takes none of its effects (constant, rumble)");
+  EXPECT_TRUE(force_.is_there());
+  EXPECT_EQ(stick_.openings(), 1);
+  stick_.unplug();
+  EXPECT_FALSE(force_.is_there());
+  stick_.refuse_effects(0);
+  stick_.plug_in();
+  EXPECT_EQ(force_.open(), ForceKind::kForce) << "another one may be plugged in there";
+  EXPECT_EQ(force_.render(feel_), Rendered::kDone);
+  EXPECT_TRUE(force_.left_out().empty());
+}
+
+TEST_P(RefusedEffect, AmidTheBout_LeavesNothingOfTheLastForce) {
+  stick_.has(EV_FF, FF_RUMBLE);
+  ASSERT_EQ(force_.open(), ForceKind::kForce);
+  ASSERT_EQ(force_.render(feel_), Rendered::kDone);
+  stick_.refuse_effects(GetParam());
+  feel_.x = 0.25F;
+  EXPECT_EQ(force_.render(feel_), Rendered::kRefused);
+  EXPECT_TRUE(stick_.effects().empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(EvdevForce, RefusedEffect, testing::Values(EINVAL, ENOSPC, ENOSYS, EIO));
+
+TEST(EvdevForce, WithLessRoomThanItSays_TwoForcesBecomeOneThatTurns) {
+  Stick stick;
+  stick.has(EV_FF, FF_CONSTANT).room_for_effects(16, 1);
+  EvdevForce force(kPath);
+  ASSERT_EQ(force.open(), ForceKind::kForce);
+  Feel feel;
+  feel.y = 0.5F;
+  ASSERT_EQ(force.render(feel), Rendered::kDone);
+  EXPECT_EQ(force.kind(), ForceKind::kForce);
+  EXPECT_TRUE(force.left_out().empty());
+  ASSERT_EQ(stick.effects().size(), 1U);
+  EXPECT_EQ(stick.effects()[0].direction, 0x8000) << "up";
+  EXPECT_EQ(stick.effects()[0].u.constant.level, 16384);
+}
+
+TEST(EvdevForce, AnEffectThatIsThereNoMore_IsMadeAnew) {
+  Stick stick;
+  stick.has(EV_FF, FF_CONSTANT).room_for_effects(2);
+  EvdevForce force(kPath);
+  ASSERT_EQ(force.open(), ForceKind::kForce);
+  Feel feel = push_right(0.5F);
+  feel.y = 0.5F;
+  ASSERT_EQ(force.render(feel), Rendered::kDone);
+  stick.forget_effects();
+  feel.x = 0.25F;
+  feel.y = -0.25F;
+  ASSERT_EQ(force.render(feel), Rendered::kDone);
+  ASSERT_EQ(stick.effects().size(), 2U) << "one for each axis, as before";
+  EXPECT_EQ(stick.effects()[0].u.constant.level, 8192);
+  EXPECT_EQ(stick.effects()[1].u.constant.level, -8192);
+  EXPECT_TRUE(stick.is_playing(0) && stick.is_playing(1));
+}
+
+TEST(EvdevForce, RumbleAtZero_IsStopped_AndPlaysAgain) {
+  Stick stick;
+  stick.has(EV_FF, FF_RUMBLE).room_for_effects(16);
+  EvdevForce force(kPath);
+  ASSERT_EQ(force.open(), ForceKind::kRumble);
+  ASSERT_EQ(force.render(push_right(0.5F)), Rendered::kDone);
+  EXPECT_TRUE(stick.is_playing(0));
+  ASSERT_EQ(force.render({}), Rendered::kDone);
+  EXPECT_FALSE(stick.is_playing(0)) << "the kernel is told, whatever the driver makes of zero";
+  EXPECT_EQ(stick.effects()[0].u.rumble.strong_magnitude, 0);
+  ASSERT_EQ(force.render(push_right(0.25F)), Rendered::kDone);
+  EXPECT_TRUE(stick.is_playing(0));
+}
+
+TEST(EvdevForce, ReadableButNotWritable_SaysSo_UnlessItHasNoForceAnyway) {
+  Stick stick;
+  stick.has(EV_FF, FF_CONSTANT).room_for_effects(16);
+  FakeEventDevice mouse("/dev/input/fake1");
+  for (const int error : {EACCES, EPERM, EROFS}) {
+    stick.refuse_writing(error);
+    mouse.refuse_writing(error);
+    EvdevForce force(kPath);
+    EXPECT_EQ(force.open(), ForceKind::kNone);
+    EXPECT_EQ(force.problem(), "no permission to write to it (is the user in the group input?)");
+    EvdevForce none("/dev/input/fake1");
+    EXPECT_EQ(none.open(), ForceKind::kNone);
+    EXPECT_EQ(none.problem(), "");
+  }
+  EXPECT_EQ(stick.open_files() + mouse.open_files(), 0);
+}
+
+TEST(EvdevForce, OfADeviceThatTheFencerDoesNotRead_IsNotOpened) {
+  Stick stick;
+  stick.has(EV_FF, FF_CONSTANT).room_for_effects(16);
+  const auto claim = std::make_shared<Claim>();
+  EvdevForce force(kPath, claim);
+  EXPECT_EQ(force.open(), ForceKind::kNone) << "it is nobody's";
+  EvdevFeed feed(kPath, claim);
+  ASSERT_EQ(feed.open(), "");
+  EXPECT_EQ(force.open(), ForceKind::kForce);
+  FakeEventDevice other("/dev/input/fake1");
+  other.has(EV_FF, FF_CONSTANT).room_for_effects(16);
+  stick.give_name_to(other);
+  EXPECT_EQ(force.open(), ForceKind::kNone) << "the name leads to another hand";
+  EXPECT_EQ(other.uploads(), 0);
 }
 
 }  // namespace

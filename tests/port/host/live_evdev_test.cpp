@@ -170,6 +170,46 @@ TEST(EvdevFeed, AFlood_DoesNotHoldTheThread) {
   EXPECT_EQ(looks, 3) << "1024 events each";
 }
 
+TEST(OpenEvdev, TwoFencersDoNotShareADevice_WhateverTheyCallIt) {
+  Stick stick;
+  stick.also_at("/dev/input/by-id/fake0");
+  FakeEventDevice other("/dev/input/fake1");
+  other.axis(ABS_X, {127, 0, 255, 0, 15, 0}).axis(ABS_Y, {127, 0, 255, 0, 15, 0});
+  {
+    const OpenedSource left = open_source(std::string("device:") + kPath);
+    ASSERT_TRUE(left.source) << left.error;
+    for (const std::string path : {kPath, "/dev/input/by-id/fake0"}) {
+      const OpenedSource right = open_source("device:" + path);
+      EXPECT_FALSE(right.source);
+      EXPECT_THAT(right.error, HasSubstr("device:" + path +
+                                         ": Test Stick is the other fencer's already; found"));
+    }
+    EXPECT_TRUE(open_source("device:/dev/input/fake1").source);
+    EXPECT_EQ(stick.open_files(), 1);
+  }
+  EXPECT_TRUE(open_source("device:/dev/input/by-id/fake0").source) << "it is free again";
+}
+
+TEST(EvdevFeed, PluggedInUnderTheNameOfTheOtherFencers_ItWaits) {
+  Stick stick;
+  FakeEventDevice other("/dev/input/fake1");
+  other.axis(ABS_X, {127, 0, 255, 0, 15, 0}).axis(ABS_Y, {127, 0, 255, 0, 15, 0});
+  EvdevFeed left(kPath);
+  EvdevFeed right("/dev/input/fake1");
+  ASSERT_EQ(left.open(), "");
+  ASSERT_EQ(right.open(), "");
+  InputSample sample;
+  stick.unplug();
+  EXPECT_EQ(left.look(sample), News::kGone);
+  stick.give_name_to(other);
+  EXPECT_FALSE(left.reopen());
+  other.unplug();
+  EXPECT_EQ(right.look(sample), News::kGone);
+  other.plug_in();
+  EXPECT_TRUE(left.reopen()) << "first come, first served";
+  EXPECT_FALSE(right.reopen());
+}
+
 TEST(OpenEvdev, Refusals_AreOneLine_AndSayWhy) {
   FakeEventDevice keyboard("/dev/input/fake1");
   keyboard.name("Keys").has(EV_KEY, KEY_A);

@@ -18,6 +18,7 @@ struct FakeHaptic {
   int room = 16;
   int axes = 2;
   bool fails = false;
+  unsigned refused = 0;  ///< types of effects
   std::map<int, SDL_HapticEffect> effects;
   std::map<int, bool> playing;
   int made = 0;
@@ -25,6 +26,7 @@ struct FakeHaptic {
   int gain = -1;
   int autocentre = -1;
   bool open = false;
+  const char* path = nullptr;  ///< of the stick's file
 };
 FakeHaptic haptic;
 
@@ -64,10 +66,16 @@ TEST_F(LiveSdlForce, AForce_IsTwoEndlessEffects_OfWhichOnlyTheLevelsChange) {
     EXPECT_EQ(haptic.effects[0].constant.level, -32767);
     EXPECT_EQ(haptic.made, 2);
     haptic.fails = true;
-    EXPECT_EQ(force.render(feel), Rendered::kGone) << "the device is gone";
+    EXPECT_EQ(force.render(feel), Rendered::kLater) << "it may pass";
+    EXPECT_TRUE(haptic.effects.empty()) << "and nothing stays as it was";
     haptic.fails = false;
-    EXPECT_EQ(force.open(), ForceKind::kForce);
-    EXPECT_EQ(force.render({}), Rendered::kDone);
+    EXPECT_EQ(force.render(feel), Rendered::kDone);
+    EXPECT_EQ(haptic.effects[0].constant.level, -32767);
+    EXPECT_TRUE(haptic.playing[0]);
+    stick.detach();
+    SDL_JoystickUpdate();
+    haptic.fails = true;
+    EXPECT_EQ(force.render(feel), Rendered::kGone) << "it is not attached any more";
   }
   EXPECT_TRUE(haptic.effects.empty());
   EXPECT_FALSE(haptic.open);
@@ -137,6 +145,89 @@ TEST_F(LiveSdlForce, SpringAndDamper_AreConditions) {
   EXPECT_EQ(haptic.effects[3].condition.right_coeff[1], 32767);
 }
 
+TEST_F(LiveSdlForce, AStickThatIsReadThroughItsEventDevice_IsTaken) {
+  haptic.path = "/dev/null";  // the kernel's number is what counts
+  VirtualStick stick("Stick");
+  Claim other;
+  ASSERT_TRUE(other.take(number_at("/dev/null")));
+  const Opened refused;
+  EXPECT_FALSE(refused.there);
+  EXPECT_EQ(refused.stick->problem(), "Stick is the other fencer's already");
+  other.release();
+  const Opened opened;
+  EXPECT_TRUE(opened.there);
+  EXPECT_FALSE(other.take(number_at("/dev/null")));
+}
+
+/// Renders until the device has taken it, or has not.
+Rendered render(SdlForce& force, const Feel& feel) {
+  Rendered rendered = Rendered::kLater;
+  for (int i = 0; i < 2 * SdlForce::kMostFailures && rendered == Rendered::kLater; ++i) {
+    rendered = force.render(feel);
+  }
+  return rendered;
+}
+
+TEST_F(LiveSdlForce, ASpringThatIsRefused_IsLeftOut_TheForceGoesOn) {
+  haptic.there = true;
+  haptic.features |= SDL_HAPTIC_SPRING | SDL_HAPTIC_DAMPER;
+  haptic.refused = SDL_HAPTIC_SPRING;
+  VirtualStick stick("Stick");
+  const Opened opened;
+  SdlForce force(opened.stick);
+  ASSERT_EQ(force.open(), ForceKind::kForce);
+  Feel feel;
+  feel.x = 0.5F;
+  feel.spring.coefficient = 0.5F;
+  feel.damper.coefficient = 0.5F;
+  ASSERT_EQ(render(force, feel), Rendered::kDone);
+  EXPECT_EQ(force.kind(), ForceKind::kForce);
+  EXPECT_EQ(names_of(force.left_out()), "spring");
+  EXPECT_EQ(haptic.effects.size(), 3U);
+  EXPECT_EQ(haptic.effects[0].constant.level, 16384);
+  EXPECT_TRUE(haptic.open);
+}
+
+TEST_F(LiveSdlForce, FailuresNowAndThen_AreNoRefusal) {
+  haptic.there = true;
+  VirtualStick stick("Stick");
+  const Opened opened;
+  SdlForce force(opened.stick);
+  ASSERT_EQ(force.open(), ForceKind::kForce);
+  Feel feel;
+  for (int i = 0; i < 3 * SdlForce::kMostFailures; ++i) {
+    haptic.fails = i % 2 == 0;
+    feel.x = 0.01F * static_cast<float>(i);
+    ASSERT_EQ(force.render(feel), haptic.fails ? Rendered::kLater : Rendered::kDone);
+  }
+  EXPECT_EQ(force.kind(), ForceKind::kForce);
+  EXPECT_EQ(haptic.effects.size(), 2U);
+}
+
+TEST_F(LiveSdlForce, AConstantThatIsRefused_BecomesRumble_OrNothing) {
+  haptic.there = true;
+  haptic.refused = SDL_HAPTIC_CONSTANT;
+  Feel feel;
+  feel.x = 1;
+  {
+    VirtualStick stick("Stick");
+    const Opened opened;
+    SdlForce force(opened.stick);
+    ASSERT_EQ(force.open(), ForceKind::kForce);
+    ASSERT_EQ(render(force, feel), Rendered::kDone);
+    EXPECT_EQ(force.kind(), ForceKind::kRumble);
+    EXPECT_EQ(names_of(force.left_out()), "constant");
+    EXPECT_EQ(stick.strong, 65535U);
+  }
+  VirtualStick stick("Stick", SDL_JOYSTICK_TYPE_FLIGHT_STICK, 2, false);
+  const Opened opened;
+  SdlForce force(opened.stick);
+  ASSERT_EQ(force.open(), ForceKind::kForce);
+  EXPECT_EQ(render(force, feel), Rendered::kRefused);
+  EXPECT_EQ(force.problem(), "it takes none of its effects (constant)");
+  EXPECT_TRUE(force.is_there()) << "and is not opened anew for it";
+}
+
 }  // namespace
 }  // namespace batuta::host
 
@@ -146,6 +237,9 @@ static SDL_Haptic* const kHandle = reinterpret_cast<SDL_Haptic*>(&haptic);
 
 extern "C" {
 
+const char* SDL_JoystickPath(SDL_Joystick* /*stick*/) {
+  return haptic.path;
+}
 int SDL_JoystickIsHaptic(SDL_Joystick* /*stick*/) {
   return haptic.there ? SDL_TRUE : SDL_FALSE;
 }
@@ -174,8 +268,10 @@ int SDL_HapticSetAutocenter(SDL_Haptic* /*device*/, int autocentre) {
   return 0;
 }
 int SDL_HapticNewEffect(SDL_Haptic* /*device*/, SDL_HapticEffect* effect) {
-  if (haptic.fails || static_cast<int>(haptic.effects.size()) >= haptic.room) return -1;
-  const int id = static_cast<int>(haptic.effects.size());
+  if (haptic.fails || (haptic.refused & effect->type) != 0) return -1;
+  if (static_cast<int>(haptic.effects.size()) >= haptic.room) return -1;
+  int id = 0;
+  while (haptic.effects.count(id) != 0) ++id;
   haptic.effects[id] = *effect;
   ++haptic.made;
   return id;

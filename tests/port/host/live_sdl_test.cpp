@@ -24,7 +24,7 @@ class LiveSdl : public test::LiveSdl {};
 TEST_F(LiveSdl, WithoutAStick_TheListSaysNone) {
   const OpenedSource opened = open_source("device:sdl");
   EXPECT_FALSE(opened.source);
-  EXPECT_EQ(opened.error, "device:sdl: no such stick, or another has it; found: none");
+  EXPECT_EQ(opened.error, "device:sdl: no such stick; found: none");
 }
 
 TEST_F(LiveSdl, ItIsChosenByPlaceOrName_AndTheListSaysWhatThereIs) {
@@ -48,12 +48,17 @@ TEST_F(LiveSdl, TwoFencersHaveTwoSticks) {
   const Opened right;
   EXPECT_TRUE(left.there && right.there);
   EXPECT_NE(left.stick->handle(), right.stick->handle());
-  EXPECT_FALSE(Opened().there) << "and there is no third";
+  const Opened third;
+  EXPECT_FALSE(third.there);
+  EXPECT_EQ(third.stick->problem(), "Twin is the other fencer's already");
+  EXPECT_EQ(Opened("0").stick->problem(), "Twin is the other fencer's already");
 }
 
 TEST_F(LiveSdl, AStickWithOneAxis_IsNone) {
   VirtualStick throttle("Throttle", SDL_JOYSTICK_TYPE_THROTTLE, 1);
-  EXPECT_FALSE(Opened().there);
+  const Opened opened;
+  EXPECT_FALSE(opened.there);
+  EXPECT_EQ(opened.stick->problem(), "Throttle has too few axes");
 }
 
 TEST_F(LiveSdl, AxesGoToTheRim_UpIsUp_AndTheCentreIsZero) {
@@ -151,6 +156,24 @@ TEST_F(LiveSdl, FromTheStickToTheBout_AndBackIntoTheHand) {
     EXPECT_TRUE(soon([&] { return stage.step(hard) == Status::kOk && stick.strong > 0x8000; }));
   }
   EXPECT_EQ(stick.strong, 0U) << "the end of the program takes the force away";
+}
+
+TEST_F(LiveSdl, Off_StopsTheRumbleAtOnce) {
+  VirtualStick stick("Stick");
+  const Opened opened;
+  LiveForce force(std::make_unique<SdlForce>(opened.stick), {});
+  ASSERT_EQ(force.first_kind(), ForceKind::kRumble);
+  OutputStage stage(force);
+  ASSERT_EQ(stage.configure({}), Status::kOk);
+  ASSERT_EQ(stage.enable(), Status::kOk);
+  StageInput hard;
+  hard.demanded.x() = 1000;
+  hard.fresh_sample = hard.fresh_command = true;
+  ASSERT_TRUE(soon([&] { return stage.step(hard) == Status::kOk && stick.strong > 0x8000; }));
+  stage.stop(0);
+  EXPECT_TRUE(soon([&] { return stick.strong == 0 && stick.weak == 0; }));
+  std::this_thread::sleep_for(std::chrono::milliseconds(60));
+  EXPECT_EQ(stick.strong + stick.weak, 0U);
 }
 
 TEST_F(LiveSdl, WithoutForceAndRumble_ThereIsNone) {
