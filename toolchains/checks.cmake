@@ -13,7 +13,8 @@ endif()
 find_program(BATUTA_GCOVR gcovr)
 mark_as_advanced(BATUTA_GCOVR)
 if(BATUTA_GCOVR)
-  # Needs a tree built with --coverage, whose tests have run: the workflow preset `coverage`.
+  # Needs a tree built with --coverage, whose tests have run: the workflow preset `coverage`. Without early inlining: the
+  # counters come after that pass, and would count a branch of an inline function anew wherever it went.
   set(gcovr ${BATUTA_GCOVR} --root ${PROJECT_SOURCE_DIR})
   set(counts ${PROJECT_BINARY_DIR}/coverage.json)
   add_custom_target(coverage

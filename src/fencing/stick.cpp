@@ -75,6 +75,8 @@ SampleUse StickTracker<Scalar>::accept(const InputSample& sample) {
   }
   ++report_.used;
   last_ = sample;
+  last_.x = static_cast<float>(goal_.x());  // what it said may be beyond what restore() takes
+  last_.y = static_cast<float>(goal_.y());
   silence_ = 0;
   stale_ = false;
   started_ = true;

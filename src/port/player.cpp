@@ -31,9 +31,9 @@ Playback Player::stop(Playback answer) {
   return answer;
 }
 
+// Of what fetch() was asked for: nothing ever stands behind it.
 void Player::drop(int bytes) {
   filled_ -= bytes;
-  std::memmove(buffer_, buffer_ + bytes, static_cast<std::size_t>(filled_));
 }
 
 // One read of the source a call: it answers, or gives nothing, or is at its end.

@@ -54,6 +54,12 @@ inline Weighed weighed(const Collider<float>& body, const Twist<float>& after,
   return it;
 }
 
+/// How its point gives way along n to an impulse of one along n.
+inline double yield_of(const Weighed& it, const Real3& n) {
+  const Real3 s = it.R_WB.transpose() * it.r.cross(n);
+  return it.inverse_mass + it.inverses.dot(s.cwiseAbs2());
+}
+
 /// e_k, and with e_j of both bodies e_v and e_w: "Conditioning" in impulse.md.
 inline double yield_error(const Weighed& it, const Real3& n) {
   const Real3 s = it.R_WB.transpose() * it.r.cross(n);
@@ -66,14 +72,10 @@ struct BlowErrors {
 
 inline BlowErrors errors_of(const Weighed& A, const Weighed& B, const Real3& n,
                             double restitution) {
-  const auto yield = [&n](const Weighed& it) {
-    const Real3 s = it.R_WB.transpose() * it.r.cross(n);
-    return it.inverse_mass + it.inverses.dot(s.cwiseAbs2());
-  };
   const auto point_speed = [](const Weighed& it) {
     return it.v.norm() + it.w.norm() * it.r.norm();
   };
-  const double k = yield(A) + yield(B);
+  const double k = yield_of(A, n) + yield_of(B, n);
   const double j = A.J.norm();
   const double e_j = (1 + restitution) * (point_speed(A) + point_speed(B)) / k +
                      j * (1 + (yield_error(A, n) + yield_error(B, n)) / k);

@@ -4,6 +4,7 @@
 // derivative across the borders of its cells. Bounds: src/fencing/keyframes.md, "Error".
 
 #include <algorithm>
+#include <optional>
 
 #include "batuta/fencing/keyframes.hpp"
 #include "bytes.hpp"
@@ -17,6 +18,8 @@ constexpr double kSurface = 18 * kU;
 /// are differences of keys, at most (3/2 + 2 + 1/2) at a rim, and the Hermite basis has 6 for
 /// values, 4 and 2 for slopes: 12 + 6 * 4.
 constexpr double kBend = 36;
+/// The same of the third derivative, which the Hermite basis has 12 of for values, 6 for slopes.
+constexpr double kJerk = 2 * 12 + 2 * 6 * 4;
 
 template <int M, int N>
 using Grid = KeyframeGrid<float, M, N>;
@@ -88,6 +91,50 @@ void check_continuous(const Grid<M, N>& grid, const Vec2<float>& s, const Vec2<f
   require(bent <= bend * apart + 64 * kU * 8 * cells * largest, "and so are their rates");
 }
 
+constexpr float kStep = 0x1p-7F;
+
+/// Two places a step to both sides along a coordinate.
+struct Around {
+  Vec2<float> low;
+  Vec2<float> high;
+};
+
+/// None where they are not in one cell.
+std::optional<Around> around_in_cell(const Vec2<float>& s, int axis, double cells) {
+  const auto cell_of = [cells](float x) {
+    return std::floor((static_cast<double>(x) + 1) * cells);
+  };
+  Around around = {s, s};
+  around.low[axis] -= kStep;
+  around.high[axis] += kStep;
+  const float low = around.low[axis];
+  const float high = around.high[axis];
+  if (low < -1 || high >= 1 || cell_of(low) != cell_of(high)) return std::nullopt;
+  return around;
+}
+
+/// How far the slope over both steps may be from the one in the middle.
+double bent_by(double cells, double largest) {
+  const double h = kStep;
+  return 1.25 * kJerk * cells * cells * cells * largest * h * h / 6;
+}
+
+/// The Jacobian's upper half is the slope of the places.
+template <int M, int N>
+void check_slope(const Grid<M, N>& grid, const Vec2<float>& s, int axis, double largest) {
+  const double cells = 0.5 * ((axis == 0 ? M : N) - 1);
+  const std::optional<Around> around = around_in_cell(s, axis, cells);
+  if (!around) return;
+  const double h = kStep;
+  const Eigen::Vector3d difference = grid.at(around->high).X_WH.p_W.template cast<double>() -
+                                     grid.at(around->low).X_WH.p_W.template cast<double>();
+  const Eigen::Vector3d slope =
+      grid.at(s).jacobian.col(axis).template head<3>().template cast<double>();
+  const double rounded = 2 * kSurface * largest / h + 64 * kU * 8 * cells * largest;
+  require((difference / (2 * h) - slope).norm() <= bent_by(cells, largest) + rounded,
+          "rates are those of the places");
+}
+
 template <int M, int N>
 void check_surface(const Grid<M, N>& grid, const typename Grid<M, N>::Keys& keys, Bytes& bytes) {
   const double largest = largest_key<M, N>(keys);
@@ -97,6 +144,15 @@ void check_surface(const Grid<M, N>& grid, const typename Grid<M, N>::Keys& keys
   const float before = std::nextafter(border, -2.0F);
   const float after = std::nextafter(border, 2.0F);
   if (before >= -1 && after <= 1) check_continuous<M, N>(grid, {before, y}, {after, y}, largest);
+  const auto row = static_cast<float>(bytes.choice(N));
+  const float line = -1 + 2 * row / static_cast<float>(N - 1);
+  const float below = std::nextafter(line, -2.0F);
+  const float above = std::nextafter(line, 2.0F);
+  if (below >= -1 && above <= 1) check_continuous<M, N>(grid, {y, below}, {y, above}, largest);
+  const float x = bytes.grid() / kGridEnd;
+  for (int axis = 0; axis < 2; ++axis) {
+    check_slope<M, N>(grid, {x, bytes.grid() / kGridEnd}, axis, largest);
+  }
   const KeyedPose<float> beyond = grid.at({1 + std::abs(bytes.grid()) + kGridStep, y});
   const KeyedPose<float> rim = grid.at({1, y});
   require(beyond.X_WH.p_W == rim.X_WH.p_W && beyond.X_WH.q_WB.coeffs() == rim.X_WH.q_WB.coeffs(),
@@ -135,6 +191,39 @@ void check_parabola(Bytes& bytes) {
   require((found - wanted).norm() <= slack, "a parabola through its keys");
 }
 
+/// Keys that turn about one axis by up to 1 rad: then the Jacobian's lower half is the axis, times
+/// the slope of the angle. The turn of a pose errs by twice what check_keys() allows a quaternion.
+template <int M, int N>
+void check_turn_rates(Bytes& bytes) {
+  const Vec3<float> along = bytes.vector(Numbers::kGrid);
+  const Eigen::Vector3d axis =
+      along.isZero(0) ? Eigen::Vector3d::UnitZ() : along.cast<double>().normalized().eval();
+  typename Grid<M, N>::Keys keys;
+  for (Pose<float>& key : keys) {
+    const double half = static_cast<double>(bytes.share()) / 2;
+    key.q_WB.w() = static_cast<float>(std::cos(half));
+    key.q_WB.vec() = (std::sin(half) * axis).template cast<float>();
+  }
+  Grid<M, N> grid;
+  require(grid.set_keys(keys) == Status::kOk, "keys near each other will do");
+  const Vec2<float> s(bytes.grid() / kGridEnd, bytes.grid() / kGridEnd);
+  for (int i = 0; i < 2; ++i) {
+    const double cells = 0.5 * ((i == 0 ? M : N) - 1);
+    const std::optional<Around> around = around_in_cell(s, i, cells);
+    if (!around) continue;
+    const Eigen::Quaterniond turn =
+        grid.at(around->high).X_WH.q_WB.template cast<double>() *
+        grid.at(around->low).X_WH.q_WB.template cast<double>().conjugate();
+    const double angle = 2 * std::atan2(turn.vec().dot(axis), turn.w());
+    const Eigen::Vector3d rate =
+        grid.at(s).jacobian.col(i).template tail<3>().template cast<double>();
+    const double h = kStep;
+    const double rounded = 2 * (64 + 18 * 3) * kU / h + 64 * kU * 8 * cells;
+    require((angle / (2 * h) * axis - rate).norm() <= bent_by(cells, 1) + rounded,
+            "rates are those of the turns");
+  }
+}
+
 template <int M, int N>
 void check_grid(Bytes& bytes, Numbers from) {
   Grid<M, N> grid;
@@ -156,6 +245,7 @@ void check_grid(Bytes& bytes, Numbers from) {
   check_keys<M, N>(grid, keys);
   check_surface<M, N>(grid, keys, bytes);
   check_parabola<M, N>(bytes);
+  check_turn_rates<M, N>(bytes);
 }
 
 void check(Bytes bytes) {

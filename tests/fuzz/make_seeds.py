@@ -186,6 +186,7 @@ def world_seeds():
     return {
         "rods_in_a_row": world(0, row, rods, long),
         "rods_between_walls": world(0, between, rods, short),
+        "rods_that_lose_nothing": world(0, row, bounces + share(0) + owner + met, short),
         "rods_overlapping": world(0, [row[0], row[0]], rods, short),
         "heap": world(1, heap, share(0) + rubs + owner, short),
         "sliders": world(2, straight, bounces + owner, short),
@@ -271,9 +272,41 @@ def pid_seeds():
     return files
 
 
-FUZZERS = {"distance": distance_seeds, "search": search_seeds, "impulse": impulse_seeds,
-           "world": world_seeds, "keyframes": keyframes_seeds, "recording": recording_seeds,
-           "pid": pid_seeds}
+def stick(x, y):
+    return b"\x00" + share((1 + x) / 2) + share((1 + y) / 2)
+
+
+def exchange(left, right, steps=32, reload=0):
+    """Both sticks say something, then nothing for the rest of the steps."""
+    return bytes([reload, 3]) + left + right + bytes([steps - 1])
+
+
+def duel_seeds():
+    """Blades that beat, lean and miss, lunges, and devices that fail; a millisecond a step."""
+    guard, back, lunge = stick(0, 0), stick(0, -1), stick(0, 1)
+    left, right = stick(-1, 0), stick(1, 0)
+    corner = b"\x04\x00\x02"  # exactly in the corner
+    again, behind = b"\x05\x00\xff", b"\x06\x80\x40" + struct.pack("<h", -9000) + b"\x05"
+    bits = b"\x07\x00\x00" + struct.pack("<ffI", math.nan, -math.inf, 0x80000000)
+    head = b"\x00" * 4  # 1 ms, as far apart as usual, as fast as usual; the first and the second
+    bouts = {
+        "lunge": exchange(guard, back) + exchange(lunge, back) * 8,
+        "both_lunge": exchange(guard, guard) + exchange(lunge, lunge) * 8,
+        "beats": (exchange(left, back) + exchange(right, left, reload=7)) * 8,
+        "leaning": exchange(left, left) * 12,
+        "jumping": (exchange(corner, left, 1) + exchange(right, corner, 2)) * 16,
+        "failing": exchange(left, back) + exchange(again, behind) * 4 + exchange(bits, bits) * 3,
+        "silent": exchange(left, left) + b"\x00\x00\x1f" * 16,
+    }
+    files = {name: b"\x00" + head + acts for name, acts in bouts.items()}
+    files.update({f"drill_{name}": b"\x01" + head + bouts[name] for name in ("beats", "leaning")})
+    files["coarse_steps"] = b"\x00\x03" + head[1:] + bouts["beats"]
+    return files
+
+
+FUZZERS = {"distance": distance_seeds, "duel": duel_seeds, "search": search_seeds,
+           "impulse": impulse_seeds, "world": world_seeds, "keyframes": keyframes_seeds,
+           "recording": recording_seeds, "pid": pid_seeds}
 
 
 def differing(folder, files):

@@ -121,6 +121,19 @@ void check_thicker(const Answer& thin, const Answer& thick) {
   require(thick.outcome != Outcome::kFree && thick.t_free <= thin.t_free, "thicker meets no later");
 }
 
+/// A budget ends a search, and is good for nothing else.
+void check_budget(const Question& question, const MovingPair<float>& pair, const Answer& answer) {
+  Question longer = question;
+  longer.options.budget *= 2;
+  const Answer again = search(longer, pair);
+  if (answer.outcome == Outcome::kBudget) {
+    return require(again.t_free >= answer.t_free, "who searches on proves no less");
+  }
+  require(again.outcome == answer.outcome && again.t_free == answer.t_free &&
+              again.t_hit == answer.t_hit && again.evaluations == answer.evaluations,
+          "what is answered stays answered");
+}
+
 void check_other_ways(const Question& question, const MovingPair<float>& pair, const Answer& answer,
                       bool is_exact) {
   Question other = question;
@@ -223,6 +236,7 @@ void check(Bytes bytes) {
   check_shape(answer, pair.duration, question.options.budget);
   check_truth(real, pair, answer, question.options);
   if (answer.outcome == Outcome::kInvalid) return;
+  check_budget(question, pair, answer);
   check_other_ways(question, pair, answer, from == Numbers::kGrid);
   check_stepping(real, pair, bytes);
   check_swept(question.B, real.B, bytes);

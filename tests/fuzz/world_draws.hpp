@@ -2,7 +2,7 @@
 #pragma once
 // Worlds drawn from bytes, and what they weigh in double. Every number is drawn on a grid, so that
 // bodies stand in rows, touch, overlap and meet head on; a scene is drawn in any units whose ratios
-// are powers of two, in which all of it is the same to the last bit.
+// are powers of two, in which all of it is the same to the last bit that does not vanish.
 
 #include <algorithm>
 
@@ -126,10 +126,19 @@ WorldSettings<SceneT> settings_in(const Units& units) {
 /// What a world's bodies that can move carry together, in double.
 struct Load {
   Real3 momentum = Real3::Zero();
-  double largest = 0;  ///< |p| of one body
+  Real3 angular = Real3::Zero();  ///< about the origin
+  double largest = 0;             ///< |p| of one body
+  double turning = 0;             ///< |b| of one body
+  double arm = 0;                 ///< from the origin to the furthest surface
+  double softest = 0;             ///< the largest inverse mass
+  int fixed = 0;                  ///< bodies that momentum does not move
+  bool lossless = true;           ///< all bounce back, nobody rubs
   double energy = 0;
   double soft = 0;       ///< the energy if each turned about its softest axis
   double sharpness = 1;  ///< how much a rounding of a lever counts: 1 + 2 |r| sqrt(m / J)
+
+  /// Nobody is faster without more energy.
+  double fastest() const { return std::sqrt(2 * energy * softest); }
 };
 
 inline void add_linear(Load& load, const Vec3<float>& momentum, float inverse_mass) {
@@ -144,6 +153,7 @@ inline void add_linear(Load& load, const Vec3<float>& momentum, float inverse_ma
 
 inline void add_body(Load& load, const StraightBody<float>& body, double /*reach*/) {
   add_linear(load, body.momentum_W, body.inverse_mass);
+  if (!(body.inverse_mass > 0)) ++load.fixed;
 }
 
 inline void add_body(Load& load, const Body<float>& body, double reach) {
@@ -153,7 +163,15 @@ inline void add_body(Load& load, const Body<float>& body, double reach) {
   const Eigen::Quaterniond q = body.X_WB.q_WB.cast<double>().normalized();
   load.energy += 0.5 * inverse.dot((q.conjugate() * b).cwiseAbs2());
   load.soft += 0.5 * inverse.maxCoeff() * b.squaredNorm();
-  if (!(body.inverse_mass > 0)) return;
+  const Real3 c = body.X_WB.p_W.cast<double>();
+  load.angular += c.cross(body.momentum.p_W.cast<double>()) + b;
+  load.turning = std::max(load.turning, b.norm());
+  load.arm = std::max(load.arm, c.norm() + reach);
+  load.softest = std::max(load.softest, static_cast<double>(body.inverse_mass));
+  if (!(body.inverse_mass > 0)) {
+    ++load.fixed;
+    return;
+  }
   const double ratio = inverse.maxCoeff() / static_cast<double>(body.inverse_mass);
   load.sharpness = std::max(load.sharpness, 1 + 2 * reach * std::sqrt(ratio));
 }
@@ -174,12 +192,24 @@ double reach_of(const Actor<SceneT>& actor) {
   return reach;
 }
 
+/// It bounces back as fast as it came, and does not rub.
+template <class SceneT>
+bool is_lossless(const Actor<SceneT>& actor) {
+  bool rubs = false;
+  bool bounces = false;
+  if constexpr (SceneT::kFriction) rubs = actor.friction != 0;
+  if constexpr (SceneT::kRestitution) bounces = actor.restitution == 1;
+  return bounces && !rubs;
+}
+
 template <class SceneT>
 Load load_of(const World<SceneT>& world) {
   Load load;
   for (std::uint16_t slot = 0; slot < SceneT::kMaxBodies; ++slot) {
     const Actor<SceneT>* const actor = world.get(world.id_at(slot));
-    if (actor != nullptr) add_body(load, actor->body, reach_of(*actor));
+    if (actor == nullptr) continue;
+    add_body(load, actor->body, reach_of(*actor));
+    load.lossless = load.lossless && is_lossless(*actor);
   }
   return load;
 }

@@ -34,7 +34,7 @@ STRONGER = {
     "response": ["vectors", "world", "world_many", "stability"],
     "world": ["world_many", "fencing", "stability"],
     "fencing": ["duel_program"],
-    "haptics": [],
+    "haptics": ["haptic_stability", "extreme"],
 }
 MOST_UNITS = 12      # a header that more files read is not followed beyond its room
 KILLED, STRONGLY_KILLED, ALIVE, NO_MUTANT = "killed", "killed by stronger tests", "alive", "does not compile"
@@ -132,10 +132,11 @@ class Trial:
         return ""
 
     def run(self, name, objects, only_test=None):
+        patience = self.bench.patience_with(program(name))  # first: it may have to link the program as it is
         executable = self.bench.link(program(name), objects, only_test)
         if executable is None:
             return None
-        result = self.bench.run(executable, self.bench.patience_with(program(name)))
+        result = self.bench.run(executable, patience)
         return "" if result.passed else result.killer()
 
 

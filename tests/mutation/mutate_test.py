@@ -185,6 +185,10 @@ class Trials(unittest.TestCase):
         self.assertEqual(self.verdict(source + "while (x > 9) x = x / 10; @9: > -> >=")[0], mutate.ALIVE)
         self.assertEqual(self.verdict(source + "while (x > 9) x = x / 10; @9: > -> <="), (mutate.KILLED, "hangs"))
 
+    def test_first_to_meet_a_program_meets_it_mutated(self):
+        del self.bench.patience_with  # which times the program as it is
+        self.assertEqual(self.verdict("src/core/sign.cpp: if (x < kNone) return -1; @6: < -> >=")[0], mutate.KILLED)
+
     def test_header_is_followed_to_its_readers(self):
         name = "include/batuta/core/sign.hpp: constexpr int kNone = 0; @22: 0 -> 1"
         self.assertEqual(self.verdict(name)[0], mutate.KILLED)

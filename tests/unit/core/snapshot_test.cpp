@@ -5,6 +5,8 @@
 
 #include <vector>
 
+#include "batuta/core/crc32.hpp"
+
 namespace batuta {
 namespace {
 
@@ -48,13 +50,15 @@ TEST(Snapshot, Restored_IsTheSame) {
   EXPECT_EQ(hash_of(state), hash_of(example()));
 }
 
-/// Check values by another program: zlib.crc32 of Python over the bytes in front of it.
+/// The check sum of anything with its own check sum behind it, lowest byte first, is one number:
+/// the residue of the catalogue, 0xDEBB20E3, inverted. That it is the right sum: crc32_test.cpp.
 TEST(Snapshot, HeadAndCheckSum_AreThoseOfTheDocument) {
   const Bytes bytes = saved(example());
   ASSERT_EQ(bytes.size(), 20U + 17U + 4U);
   EXPECT_EQ(Bytes(bytes.begin(), bytes.begin() + 8), (Bytes{'B', 'A', 'T', 'S', 1, 0, 4, 0}));
   EXPECT_EQ(Bytes(bytes.begin() + 16, bytes.begin() + 20), (Bytes{17, 0, 0, 0}));
   EXPECT_EQ(bytes[36], 1);
+  EXPECT_EQ(crc32(bytes.data(), static_cast<int>(bytes.size())), ~0xDEBB20E3U);
 }
 
 TEST(Snapshot, EveryBitDamaged_IsRefusedAndTheStateStays) {

@@ -119,6 +119,20 @@ TYPED_TEST(DuelArchive, RestoredOverAnotherBout_ForgetsIt) {
   EXPECT_EQ(saved(*this->duel), start);
 }
 
+/// A device may say anything finite: the stick stays at its rim, and the bout can be kept.
+TYPED_TEST(DuelArchive, SampleFarOutside_IsNoStateThatIsRefused) {
+  InputSample far;
+  far.time = 1000;
+  far.x = -2.5e14F;
+  far.y = 3e38F;
+  ASSERT_EQ(this->duel->step(&far, nullptr), Status::kOk);
+  const std::uint64_t hash = hash_of(*this->duel);
+  const Bytes kept = saved(*this->duel);
+  for (int i = 0; i < 10; ++i) (void)advance(*this->duel);
+  ASSERT_EQ(restored(*this->duel, kept), Restored::kOk);
+  EXPECT_EQ(hash_of(*this->duel), hash);
+}
+
 TYPED_TEST(DuelArchive, NotConfigured_StaysSo) {
   const auto fresh = std::make_unique<TypeParam>();
   ASSERT_EQ(restored(*this->duel, saved(*fresh)), Restored::kOk);

@@ -231,6 +231,9 @@ TEST(StickSettings, OutOfRange_IsRefusedAndChangesNothing) {
   EXPECT_EQ(stick.report().used, 1U);
   EXPECT_EQ(stick.configure(StickSettings{}), Status::kOk);
   EXPECT_EQ(stick.report().used, 0U);
+  StickSettings slow;
+  slow.max_speed = 8.5F;  // 2 / 8.5 s is not
+  EXPECT_EQ(stick.configure(slow), Status::kOk);
 }
 
 }  // namespace

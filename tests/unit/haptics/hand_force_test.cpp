@@ -60,6 +60,19 @@ TEST(HandForce, HandThatMovesAwayFromItsBlade_IsBraked) {
   EXPECT_NEAR(force.advance(state, kStep).x(), -6, 1e-12);  // 2 N s/m
 }
 
+TEST(HandForce, BladeThatMovesAwayFromItsHand_DragsItAsLongAsItMoves) {
+  HandForceSettings<double> settings;
+  settings.coupling.stiffness = 0;
+  HandForce<double> force = hand_force(settings);
+  State state = plain_state();
+  (void)force.advance(state, kStep);
+  for (const double place : {0.003, 0.006}) {
+    state.held_W.p_W.y() = place;                            // 3 m/s
+    EXPECT_NEAR(force.advance(state, kStep).y(), 6, 1e-12);  // 2 N s/m
+  }
+  EXPECT_NEAR(force.advance(state, kStep).y(), 0, 1e-12);
+}
+
 TEST(HandForce, Blow_IsPlayedWhole) {
   HandForce<double> force = hand_force();
   State state = plain_state();

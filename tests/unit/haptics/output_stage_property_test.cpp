@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "stage_rig.hpp"
 
@@ -59,11 +60,19 @@ float any_number(float most) {
   }
 }
 
+/// All, a part, now and then what is no share.
+float any_allowed() {
+  const int which = *rc::gen::inRange(0, 10);
+  if (which < 5) return 1;
+  return which < 9 ? std::abs(number(1)) : any_number(2);
+}
+
 StageInput any_input() {
   StageInput input;
   input.demanded = {any_number(3), any_number(3)};
   input.position = {any_number(1.2F), any_number(1.2F)};
   input.velocity = {any_number(40), any_number(40)};
+  input.allowed = any_allowed();
   input.fresh_sample = *rc::gen::inRange(0, 3) > 0;
   input.fresh_command = *rc::gen::inRange(0, 3) > 0;
   return input;
@@ -73,25 +82,39 @@ float largest(const Vec2<float>& v) {
   return std::fmax(std::abs(v.x()), std::abs(v.y()));
 }
 
-/// The most that a share may change in a step: by the slew limit, and by the ramps.
-float fastest(const StageSettings& settings) {
+/// As output_stage.hpp has it: numbers, the demand as a share of the range too.
+bool is_usable(const StageInput& input, const StageSettings& settings) {
+  return is_finite(Vec2<float>(input.demanded.cwiseProduct(settings.gain))) &&
+         is_finite(input.position) && is_finite(input.velocity) && input.allowed >= 0 &&
+         input.allowed <= 1;
+}
+
+/// The most that a share may change in a step: by the slew limit, and by the ramps, of which the
+/// least decides: it changes no faster than the fastest of them.
+/// @param leap  of what the demander allows
+float fastest(const StageSettings& settings, float leap) {
   const auto shortest =
       std::min({settings.samples.length, settings.commands.length, settings.fade});
-  return settings.slew_rate * settings.dt + 1.0F / static_cast<float>(shortest) + kRounding;
+  const float ramps = std::fmax(1.0F / static_cast<float>(shortest), leap);
+  return settings.slew_rate * settings.dt + ramps + kRounding;
 }
 
 RC_GTEST_PROP(OutputStage, WhateverGoesIn_IsInRange_AndNoFasterThanAllowed, ()) {
   const StageSettings settings = any_settings();
   StageRig rig(settings);
   Vec2<float> last = rig.last();
+  float allowed = 1;
   for (int i = 0; i < kSteps; ++i) {
     if (*rc::gen::inRange(0, 20) == 0) rig.stage.disable();
     if (*rc::gen::inRange(0, 10) == 0) (void)rig.stage.enable();
-    (void)rig.stage.step(any_input());
+    const StageInput input = any_input();
+    const bool usable = is_usable(input, settings);
+    RC_ASSERT(rig.stage.step(input) == (usable ? Status::kOk : Status::kInvalidArgument));
+    const float before = std::exchange(allowed, usable ? input.allowed : allowed);
     const Vec2<float> told = rig.last();
     RC_ASSERT(is_finite(told));
-    RC_ASSERT(largest(told) <= 1);
-    RC_ASSERT(largest(told - last) <= fastest(settings));
+    RC_ASSERT(largest(told) <= allowed);
+    RC_ASSERT(largest(told - last) <= fastest(settings, std::abs(allowed - before)));
     last = told;
   }
   RC_ASSERT(rig.motor.told.size() == kSteps + 1U);
@@ -167,6 +190,25 @@ RC_GTEST_PROP(OutputStage, ConfiguredAgain_IsLikeANewOne, ()) {
     (void)used.stage.step(input);
     (void)fresh.stage.step(input);
     RC_ASSERT(used.last() == fresh.last());
+    RC_ASSERT(used.stage.told().own == fresh.stage.told().own);
+  }
+}
+
+/// The least of all ramps, not their product, and whatever else there is of the demand stays.
+RC_GTEST_PROP(OutputStage, WhatIsAllowed_IsOneRampAmongOthers, ()) {
+  const StageSettings settings = any_settings();
+  StageRig all(settings);
+  StageRig part(settings);
+  float allowed = 1;
+  for (int i = 0; i < kSteps; ++i) {
+    StageInput input = any_input();
+    if (is_usable(input, settings)) allowed = input.allowed;
+    (void)part.stage.step(input);
+    input.allowed = input.allowed >= 0 && input.allowed <= 1 ? 1 : input.allowed;
+    (void)all.stage.step(input);
+    const ForceCommand& told = part.stage.told();
+    RC_ASSERT(told.own == std::fmin(all.stage.told().own, allowed));
+    if (told.own == all.stage.told().own) RC_ASSERT(part.last() == all.last());
   }
 }
 

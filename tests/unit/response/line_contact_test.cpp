@@ -318,5 +318,26 @@ TEST(LineContact, NothingToDo_KeepsTheNearestPoint) {
   EXPECT_TRUE(is_nearest(other));
 }
 
+/// About its centre, along a bar that is fixed: half of it comes down, and the end of that half
+/// hits first, wherever the nearest points were said to be. Powers of two: nothing is rounded.
+TEST(LineContact, RodThatOnlyTurns_PressesWithTheEndThatComesDown) {
+  for (const double turn : {-0.5, 0.5}) {
+    for (const double place : {-0.25, 0.0, 0.25}) {
+      Landing<double> land;
+      land.slack = 0x1p-10;
+      land.A.X_WB.p_W = V(0.25 + land.slack / 4, 0, 0);
+      land.A.inverse_mass = 1;
+      land.A.inverse_moments = V(4, 4, 8);
+      land.A.twist.w_W = V(0, turn, 0);  // turn z along x
+      land.B.inverse_mass = 0;
+      land.B.inverse_moments = V::Zero();
+      land.A_W = capsule_on(land.A, 1, 0.125);
+      land.B_W = capsule_on(land.B, 2, 0.125);
+      land.nearest = {V(0.125, 0, place), V(1, 0, 0), land.slack / 4};
+      EXPECT_EQ(land.pressure().point_W, V(0.125, 0, turn > 0 ? -1 : 1)) << turn << ' ' << place;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace batuta
