@@ -31,9 +31,9 @@ Playback Player::stop(Playback answer) {
   return answer;
 }
 
-// Of what fetch() was asked for: nothing ever stands behind it.
-void Player::drop(int bytes) {
-  filled_ -= bytes;
+// What fetch() was asked for: nothing ever stands behind it.
+void Player::drop() {
+  filled_ = 0;
 }
 
 // One read of the source a call: it answers, or gives nothing, or is at its end.

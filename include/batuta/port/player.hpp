@@ -68,7 +68,7 @@ class Player {
   /// The same for the next record, whose check sum is then good.
   Playback fetch_record();
   Playback fetch_state(SnapshotHead& head);
-  void drop(int bytes);
+  void drop();
   RecordKind kind() const { return static_cast<RecordKind>(buffer_[0]); }
   int body_size() const { return buffer_[1] | buffer_[2] << 8; }
   /// Reads and drops the record. @returns whether its body is one of this type
@@ -96,7 +96,7 @@ bool Player::take(Body& body) {
   const int size = body_size();
   ArchiveReader reader(buffer_ + kRecordHead, size);
   reader(body);
-  drop(kRecordHead + size + kCheckSum);
+  drop();
   return reader.is_done(size);
 }
 
@@ -108,7 +108,7 @@ Playback Player::begin(State& state) {
     if (fetched != Playback::kReady) return fetched;
     const int size = kSnapshotHead + static_cast<int>(head.length) + kCheckSum;
     if (restore(state, buffer_, size) != Restored::kOk) return stop(Playback::kDamaged);
-    drop(size);
+    drop();
     stage_ = Stage::kRun;
   }
   const Input input{};
