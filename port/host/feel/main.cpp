@@ -41,18 +41,19 @@ DeviceProfile<float> profile(float period) {
   return of_device;
 }
 
-/// What a spring at the hand is at the stick: J^T K J, of which the diagonal's larger one is asked.
+/// What springs of these stiffnesses at the hand are at the stick: J^T K J, of which no direction
+/// is stiffer than its largest sum of a row.
+float at_the_stick(const StickJacobian<float>& jacobian, float along, float about) {
+  const Eigen::Matrix2f K =
+      along * (jacobian.topRows<3>().transpose() * jacobian.topRows<3>()) +
+      about * (jacobian.bottomRows<3>().transpose() * jacobian.bottomRows<3>());
+  return K.cwiseAbs().rowwise().sum().maxCoeff();
+}
+
 Gains<float> at_the_stick(const StickJacobian<float>& jacobian,
                           const CouplingSettings<float>& coupling) {
-  Gains<float> most;
-  for (int axis = 0; axis < 2; ++axis) {
-    const float along = jacobian.col(axis).head<3>().squaredNorm();
-    const float about = jacobian.col(axis).tail<3>().squaredNorm();
-    most.stiffness =
-        max_of(most.stiffness, coupling.stiffness * along + coupling.turn_stiffness * about);
-    most.damping = max_of(most.damping, coupling.damping * along + coupling.turn_damping * about);
-  }
-  return most;
+  return {at_the_stick(jacobian, coupling.stiffness, coupling.turn_stiffness),
+          at_the_stick(jacobian, coupling.damping, coupling.turn_damping)};
 }
 
 const char* name_of(GainVerdict verdict) {
