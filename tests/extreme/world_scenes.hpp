@@ -14,7 +14,7 @@ template <class S>
 struct Rich : Scene {
   using Scalar = S;
   using Search = Advancement<S>;
-  using Driver = FreeFlight<S>;
+  using Controller = FreeFlight<S>;
   static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
   static constexpr int kMaxBodies = 4;
   static constexpr int kMaxPairs = 6;
@@ -30,7 +30,7 @@ template <class S>
 struct Paper : Scene {
   using Scalar = S;
   using Search = Stepping<S>;
-  using Driver = FreeFlight<S>;
+  using Controller = FreeFlight<S>;
   static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
   static constexpr int kMaxBodies = 4;
   static constexpr int kMaxPairs = 6;

@@ -13,7 +13,7 @@ template <class S>
 struct BladesScene : Scene {
   using Scalar = S;
   using Search = Advancement<S>;
-  using Driver = Hand<S>;
+  using Controller = Hand<S>;
 };
 
 template <class S>
@@ -22,7 +22,7 @@ Actor<BladesScene<S>> blade(S x, S target_x) {
   const Vec3<S> moments(S(0.02), S(0.02), S(1e-4));
   actor.body = make_body<S>({Vec3<S>(x, 0, 0), Quat<S>::Identity()}, S(0.5), moments).value;
   actor.capsule_B = {{Vec3<S>(0, 0, S(-0.45)), Vec3<S>(0, 0, S(0.45))}, S(0.005)};
-  actor.driver = {{Vec3<S>(target_x, 0, 0), Quat<S>::Identity()}, S(1e-3)};
+  actor.controller = {{Vec3<S>(target_x, 0, 0), Quat<S>::Identity()}, S(1e-3)};
   return actor;
 }
 

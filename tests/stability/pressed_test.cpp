@@ -27,7 +27,7 @@ struct Press : Fixed<S> {
 
 template <class S>
 struct PressScene : test::RestScene<S> {
-  using Driver = AnyDriver<S, FreeFlight<S>, Press<S>>;
+  using Controller = AnyController<S, FreeFlight<S>, Press<S>>;
 };
 
 template <class SceneT>
@@ -36,7 +36,7 @@ Actor<SceneT> led(double z, double speed, const Vec3<double>& axis) {
   auto rod = test::rod_at<SceneT>({0, 0, z}, axis);
   Press<S> hand;
   hand.v_W.z() = static_cast<S>(z > 0 ? -speed : speed);
-  rod.driver = hand;
+  rod.controller = hand;
   return rod;
 }
 

@@ -25,7 +25,7 @@ template <class S>
 struct Space : Scene {
   using Scalar = S;
   using Search = Advancement<S>;
-  using Driver = FreeFlight<S>;
+  using Controller = FreeFlight<S>;
   static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
 };
 

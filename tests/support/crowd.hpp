@@ -25,7 +25,7 @@ constexpr const char* name(Crowd crowd) {
 template <class S, int N>
 struct CrowdScene : Scene {
   using Scalar = S;
-  using Driver = FreeFlight<S>;
+  using Controller = FreeFlight<S>;
   using Search = Advancement<S>;
   static constexpr int kMaxBodies = N;
   static constexpr int kMaxPairs = 8 * N;

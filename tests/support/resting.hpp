@@ -17,7 +17,7 @@ template <class S>
 struct RestScene : Scene {
   using Scalar = S;
   using Search = Advancement<S>;
-  using Driver = AnyDriver<S, FreeFlight<S>, Hand<S>>;
+  using Controller = AnyController<S, FreeFlight<S>, Hand<S>>;
   static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
   static constexpr int kMaxBodies = 5;
   static constexpr int kMaxPairs = 10;  // all of them

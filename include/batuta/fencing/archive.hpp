@@ -95,12 +95,12 @@ void archive(Archive& ar, Corners<Scalar, N>& way) {
 }
 
 template <class SceneT>
-void archive(Archive& ar, BladeDriver<SceneT>& driver) {
+void archive(Archive& ar, BladeController<SceneT>& controller) {
   using detail::Nothing;
-  static_assert(detail::takes<BladeDriver<SceneT>, Nothing, Nothing>() &&
-                    !detail::takes<BladeDriver<SceneT>, Nothing, Nothing, Nothing>(),
-                "archive: BladeDriver has other bases or members than those listed below");
-  ar(static_cast<CornersOf<SceneT>&>(driver), driver.holder);
+  static_assert(detail::takes<BladeController<SceneT>, Nothing, Nothing>() &&
+                    !detail::takes<BladeController<SceneT>, Nothing, Nothing, Nothing>(),
+                "archive: BladeController has other bases or members than those listed below");
+  ar(static_cast<CornersOf<SceneT>&>(controller), controller.holder);
 }
 
 template <class SceneT>

@@ -109,7 +109,7 @@ Status Duel<Scalar, SearchT, SceneT>::arm(const Fencer<Scalar>& fencer, Seat& se
   seat.blade.body = body.value;
   seat.blade.capsule_B = seat.weapon.blade_B;
   if constexpr (SceneT::kRestitution) seat.blade.restitution = fencer.weapon.restitution;
-  return seat.blade.driver.take(X_WB, fencer.grip);
+  return seat.blade.controller.take(X_WB, fencer.grip);
 }
 
 /// @pre both blades of the earlier bout are out of the world
@@ -154,7 +154,7 @@ void Duel<Scalar, SearchT, SceneT>::move_hand(Side side, const InputSample* samp
 
   auto& actor = *world_.get(place.blade);
   if constexpr (SceneT::kTargets) tally_.follow(side, place.hand.X_WH, actor.body.X_WB, dt_);
-  actor.driver.command(chained(place.hand.X_WH, place.weapon.X_HB), dt_);
+  actor.controller.command(chained(place.hand.X_WH, place.weapon.X_HB), dt_);
 }
 
 template <class Scalar, class SearchT, class SceneT>

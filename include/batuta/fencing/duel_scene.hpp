@@ -14,7 +14,7 @@ namespace batuta {
 /// Two blades. Derive, and hide what is different:
 ///   struct Drill : DuelScene<float, Advancement<float>> { static constexpr bool kTargets = false;
 ///   };
-/// Scene::Driver is the duel's own (BladeDriver) whatever the scene says.
+/// Scene::Controller is the duel's own (BladeController) whatever the scene says.
 template <class S, class SearchT>
 struct DuelScene : Scene {
   using Scalar = S;
@@ -51,7 +51,7 @@ using CornersOf =
 
 /// Grip or hand, which remembers the corners of the blade's way where there is somebody to touch.
 template <class SceneT>
-struct BladeDriver : CornersOf<SceneT> {
+struct BladeController : CornersOf<SceneT> {
   using Scalar = typename SceneT::Scalar;
 
   std::conditional_t<SceneT::kGrip, Grip<Scalar>, Hand<Scalar>> holder;
@@ -91,7 +91,7 @@ struct BladeDriver : CornersOf<SceneT> {
 /// The scene as its world runs it.
 template <class SceneT>
 struct BladesOf : SceneT {
-  using Driver = BladeDriver<SceneT>;
+  using Controller = BladeController<SceneT>;
 };
 
 /// What there is to say about touches.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A hand that holds a blade, loses it to a blow and catches it again [Kavan §5, eq. 32]. A driver
-// (world/driver.hpp). Frames: W world, B the blade's body frame. Mathematics: src/fencing/grip.md.
+// A hand that holds a blade, loses it to a blow and catches it again [Kavan §5, eq. 32]. A
+// controller (world/controller.hpp). Frames: W world, B the blade's body frame. Mathematics:
+// src/fencing/grip.md.
 
-#include "batuta/world/driver.hpp"
+#include "batuta/world/controller.hpp"
 
 namespace batuta {
 
@@ -48,7 +49,7 @@ enum class GripPhase : std::uint8_t {
   kRegaining,  ///< between free flight and hand
 };
 
-/// The driver. Where the world kept the blade from going where the plan wants it (separation,
+/// The controller. Where the world kept the blade from going where the plan wants it (separation,
 /// holds), it follows the plan from where it is, and the difference fades with recover_time: it
 /// never snaps back. Allocates: never.
 template <class Scalar>

@@ -67,7 +67,7 @@ template <class SceneT>
 TouchSearch<typename SceneT::Scalar> Referee<SceneT>::touch_by(Side side, const Blade& blade,
                                                                const Settings& settings, Scalar dt,
                                                                DuelReport& report) const {
-  const auto& corners = blade.driver.corners;
+  const auto& corners = blade.controller.corners;
   TouchSearch<Scalar> first;
   bool complete = true;
   Scalar known_until = dt;

@@ -56,7 +56,7 @@ class SampleBuilder {
   /// @returns kOk | kInvalidArgument: index not in [0, kMaxButtons)
   Status button(int index, bool pressed);
 
-  /// The device or its driver lost events: discards what came since the last sync mark and what
+  /// The device or its controller lost events: discards what came since the last sync mark and what
   /// comes up to the next.
   void lost();
 

@@ -29,9 +29,9 @@ struct CapsulesShape {
   FixedList<Capsule<Scalar>, N>
       capsules_B;  ///< its parts, at least one; they never meet each other
 };
-template <class Driver>
-struct Driven {
-  Driver driver{};  ///< who moves it
+template <class Controller>
+struct Controlled {
+  Controller controller{};  ///< who moves it
 };
 template <class Scalar>
 struct Bouncy {
@@ -63,7 +63,7 @@ using FeatureIf = std::conditional_t<kIsOn, Feature, Absent<kNumber>>;
 /// away to hold its size) is left out of the steps, and counted in StepReport::courses_invalid.
 template <class SceneT>
 struct Actor : ShapeOf<SceneT>,
-               FeatureIf<SceneT::kRotation, Driven<typename SceneT::Driver>, 0>,
+               FeatureIf<SceneT::kRotation, Controlled<typename SceneT::Controller>, 0>,
                FeatureIf<SceneT::kRestitution, Bouncy<typename SceneT::Scalar>, 1>,
                FeatureIf<SceneT::kFriction, Rough<typename SceneT::Scalar>, 2>,
                FeatureIf<SceneT::kOwners, Owned, 3>,

@@ -34,10 +34,10 @@ constexpr EventKind last_of(EventKind) {
 }
 
 template <class Scalar>
-void archive(Archive& /*ar*/, Fixed<Scalar>& /*driver*/) {}
+void archive(Archive& /*ar*/, Fixed<Scalar>& /*controller*/) {}
 
 template <class Scalar>
-void archive(Archive& /*ar*/, FreeFlight<Scalar>& /*driver*/) {}
+void archive(Archive& /*ar*/, FreeFlight<Scalar>& /*controller*/) {}
 
 template <class Scalar>
 void archive(Archive& ar, Hand<Scalar>& hand) {
@@ -94,10 +94,10 @@ void archive(Archive& ar, CapsulesShape<Scalar, N>& shape) {
   auto& [capsules_B] = shape;
   ar(capsules_B);
 }
-template <class Driver>
-void archive(Archive& ar, Driven<Driver>& driven) {
-  auto& [driver] = driven;
-  ar(driver);
+template <class Controller>
+void archive(Archive& ar, Controlled<Controller>& controlled) {
+  auto& [controller] = controlled;
+  ar(controller);
 }
 template <class Scalar>
 void archive(Archive& ar, Bouncy<Scalar>& bouncy) {
@@ -142,7 +142,7 @@ void archive(Archive& ar, Actor<SceneT>& actor) {
                                    Nothing>(),
                 "archive: Actor has other bases or members than those listed below");
   ar(static_cast<ShapeOf<SceneT>&>(actor));
-  ar(static_cast<FeatureIf<SceneT::kRotation, Driven<typename SceneT::Driver>, 0>&>(actor));
+  ar(static_cast<FeatureIf<SceneT::kRotation, Controlled<typename SceneT::Controller>, 0>&>(actor));
   ar(static_cast<FeatureIf<SceneT::kRestitution, Bouncy<Scalar>, 1>&>(actor));
   ar(static_cast<FeatureIf<SceneT::kFriction, Rough<Scalar>, 2>&>(actor));
   ar(static_cast<FeatureIf<SceneT::kOwners, Owned, 3>&>(actor));

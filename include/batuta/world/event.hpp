@@ -57,8 +57,8 @@ struct StepReport {
   std::uint32_t searches_invalid = 0;  ///< the search could not be asked (see Outcome::kInvalid)
   std::uint32_t answers_invalid = 0;   ///< the contact could not be answered: its numbers overflow
   std::uint32_t courses_invalid =
-      0;  ///< a body or its driver's course was not finite, turned too far, or is so far from the
-          ///< origin that numbers there are further apart than it is large
+      0;  ///< a body or its controller's course was not finite, turned too far, or is so far from
+          ///< the origin that numbers there are further apart than it is large
   std::uint32_t events_dropped = 0;  ///< beyond kMaxEvents: not recorded, but answered
   std::uint32_t contacts_untracked =
       0;                 ///< beyond the pairs that can be followed: no persist and end events

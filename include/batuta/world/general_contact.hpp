@@ -58,8 +58,8 @@ void GeneralWorld<SceneT>::answer_turning(const WatchType& watch, const Sight& s
   if constexpr (kSettles) {
     if (is_tight) stop_pair(watch.pair);
   }
-  tell_driver(a, answer.value, answer.value.separation.shift_A_W);
-  tell_driver(b, answer.value, answer.value.separation.shift_B_W);
+  notify_controller(a, answer.value, answer.value.separation.shift_A_W);
+  notify_controller(b, answer.value, answer.value.separation.shift_B_W);
   record(watch, nearest, answer.value);
 }
 
@@ -184,8 +184,8 @@ typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::margin_of(const Sigh
   return kContactGaps * sight.contact_gap + kUlps * kRoundOff<Scalar> * size;
 }
 
-/// A body at a contact. One that its driver moves gets the momentum that goes with the driver's
-/// twist, so that the impulse is added to what the body really has.
+/// A body at a contact. One that its controller moves gets the momentum that goes with the
+/// controller's twist, so that the impulse is added to what the body really has.
 template <class SceneT>
 Party<Scalar_of<SceneT>> GeneralWorld<SceneT>::party(std::size_t slot) {
   Body<Scalar>& body = actor_at(slot).body;
@@ -258,8 +258,9 @@ Capsule<Scalar_of<SceneT>> GeneralWorld<SceneT>::shape_W(int proxy) const {
 }
 
 template <class SceneT>
-void GeneralWorld<SceneT>::tell_driver(std::size_t slot, const EncounterAnswer<Scalar>& answer,
-                                       const Vec3<Scalar>& shift_W) {
+void GeneralWorld<SceneT>::notify_controller(std::size_t slot,
+                                             const EncounterAnswer<Scalar>& answer,
+                                             const Vec3<Scalar>& shift_W) {
   ActorType& actor = actor_at(slot);
   if constexpr (SceneT::kSleep) {
     // A blow has to show first; what only lies on a sleeper lets it sleep on.
@@ -267,7 +268,7 @@ void GeneralWorld<SceneT>::tell_driver(std::size_t slot, const EncounterAnswer<S
     if (is_blow) this->rouse(slot);
     this->wake(slot);
   }
-  actor.driver.on_contact(actor.body, Feedback<Scalar>{now_, answer.impulse, shift_W});
+  actor.controller.on_contact(actor.body, Feedback<Scalar>{now_, answer.impulse, shift_W});
 }
 
 /// Bodies that do not turn: an impulse, after which they part, and what parts is free for good.

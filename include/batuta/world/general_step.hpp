@@ -185,7 +185,7 @@ void GeneralWorld<SceneT>::end_step() {
     ActorType& actor = actor_at(slot);
     const Track& track = tracks_[slot];
     if (!track.stands) Matter::move(actor.body, track.course.motion, dt_ - track.start);
-    if constexpr (SceneT::kRotation) actor.driver.on_step_end(actor.body, dt_);
+    if constexpr (SceneT::kRotation) actor.controller.on_step_end(actor.body, dt_);
   }
   if constexpr (SceneT::kMaxEvents > 0) end_touches();
   if constexpr (SceneT::kSleep) put_to_sleep();

@@ -130,7 +130,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
   static constexpr bool kReleases = SceneT::kResting == RestingContact::kSeparation;
   /// What has no mass to be pushed by may be led into something (see MovesByMomentumOnly).
   static constexpr bool kLeads =
-      SceneT::kRotation && !MovesByMomentumOnly<typename SceneT::Driver>::value;
+      SceneT::kRotation && !MovesByMomentumOnly<typename SceneT::Controller>::value;
 
   /// What the step knows of a body besides the actor.
   struct Track {
@@ -209,8 +209,8 @@ class GeneralWorld : private SeedsOf<SceneT>,
   Scalar room_of(std::size_t slot, std::size_t other, const Vec3<Scalar>& away_W,
                  Scalar shift) const;
   Capsule<Scalar> shape_W(int proxy) const;
-  void tell_driver(std::size_t slot, const EncounterAnswer<Scalar>& answer,
-                   const Vec3<Scalar>& shift_W);
+  void notify_controller(std::size_t slot, const EncounterAnswer<Scalar>& answer,
+                         const Vec3<Scalar>& shift_W);
 
   // Events: general_events.hpp.
   void record(const WatchType& watch, const Nearest<Scalar>& nearest,

@@ -7,7 +7,7 @@
 #include "batuta/detection/budget_law.hpp"
 #include "batuta/detection/search.hpp"
 #include "batuta/world/bound.hpp"
-#include "batuta/world/driver.hpp"
+#include "batuta/world/controller.hpp"
 
 namespace batuta {
 
@@ -15,7 +15,7 @@ namespace batuta {
 enum class RestingContact : std::uint8_t {
   /// Nothing: every approaching contact is answered by an impulse, however slow.
   kNone,
-  /// The paper's: the bodies are moved apart to D and stand still for f(D). For what a driver
+  /// The paper's: the bodies are moved apart to D and stand still for f(D). For what a controller
   /// holds.
   kSeparation,
   /// For bodies that lie on each other: what is left of the approach is taken out by an impulse
@@ -27,9 +27,9 @@ enum class RestingContact : std::uint8_t {
 
 struct Scene {
   using Scalar = float;
-  /// Who moves a body; see driver.hpp. Not asked where kRotation is false: there, bodies fly by
+  /// Who moves a body; see controller.hpp. Not asked where kRotation is false: there, bodies fly by
   /// their momenta.
-  using Driver = FreeFlight<float>;
+  using Controller = FreeFlight<float>;
   /// How contacts are found: Advancement (never misses), Translation (the same where nothing turns)
   /// or Stepping (the paper's); see detection/search.hpp. The others are not linked.
   using Search = Advancement<float>;

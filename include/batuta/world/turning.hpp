@@ -58,13 +58,13 @@ struct TurningMatter {
       actor.body.spin_shows = actor.body.spin_shows || !hides_spin(actor.body, part_of(actor, i));
     }
   }
-  /// No valid one where the caller, or bytes that were restored, spoiled the orientation: a driver
-  /// may take it for one.
+  /// No valid one where the caller, or bytes that were restored, spoiled the orientation: a
+  /// controller may take it for one.
   static CourseType ask(const ActorType& actor, Scalar t, Scalar duration) {
     constexpr Scalar kUnitWithin = Scalar(1) / 512;  // of the squared length, as in archive.cpp
     const Scalar square = actor.body.X_WB.q_WB.squaredNorm();
     if (std::abs(square - Scalar(1)) <= kUnitWithin) {
-      return actor.driver.course(actor.body, t, duration);
+      return actor.controller.course(actor.body, t, duration);
     }
     CourseType none;
     none.motion = still(actor.body.X_WB, std::numeric_limits<Scalar>::quiet_NaN());

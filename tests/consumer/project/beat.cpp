@@ -4,7 +4,7 @@
 #include "batuta/world/world.hpp"
 using namespace batuta;
 
-struct TwoBlades : Scene {};  // a scene is a type: capacities, scalar, driver, search
+struct TwoBlades : Scene {};  // a scene is a type: capacities, scalar, controller, search
 
 Actor<TwoBlades> blade(Vec3<float> center, Vec3<float> velocity) {
   Actor<TwoBlades> actor;

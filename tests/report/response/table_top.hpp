@@ -47,7 +47,7 @@ template <class SearchT>
 struct TableScene : Scene {
   using Search = SearchT;
   using Scalar = typename Search::Scalar;
-  using Driver = OpenHand<Scalar>;
+  using Controller = OpenHand<Scalar>;
   static constexpr int kMaxBodies = 3;
   static constexpr int kMaxPairs = 3;
   static constexpr int kMaxContacts = 32;
@@ -160,13 +160,13 @@ class TableTop {
       Pose<S> start = wanted(k);
       start.p_W.x() = side * (kRadius + gap_ * (S(0.75) + S(0.25) * vary_[0]));
       Actor<SceneT> blade = rod(start.p_W, k == 0 ? Vec3<S>::UnitZ() : Vec3<S>::UnitY());
-      blade.driver.open = false;
-      blade.driver.place(start);
+      blade.controller.open = false;
+      blade.controller.place(start);
       if (!add(blade)) return false;
     }
     return true;
   }
-  void command(int k) { actor(k).driver.command(wanted(k), kStep); }
+  void command(int k) { actor(k).controller.command(wanted(k), kStep); }
 
   bool add(const Actor<SceneT>& added) {
     const auto id = world_.add(added);

@@ -122,7 +122,7 @@ void pile_up(std::uint32_t number, Recorder& recorder) {
     const float y = 0.12F * (static_cast<float>(i) - 3.5F);
     const Quat<float> along_x = renewed(Quat<float>(1, 0, 1, 0));
     auto bar = rod<Rack>({{0, y, 0}, along_x}, 2, 0.03F);
-    bar.driver = {};
+    bar.controller = {};
     bar.friction = 0.5F;
     (void)world.add(bar);
   }

@@ -201,7 +201,7 @@ TEST(DuelFeatures, WithoutGrip_ALungeStillTouches) {
 
 TEST(DuelFeatures, OtherScenes_KeepTheirCapacities) {
   using QuietDuel = Duel<float, Search, Quiet>;
-  static_assert(decltype(QuietDuel::SceneType::Driver::corners)::kCapacity == 3);
+  static_assert(decltype(QuietDuel::SceneType::Controller::corners)::kCapacity == 3);
   const auto quiet = configured<QuietDuel>();
   double least = 1;
   for (int k = 0; k < 3000; ++k) {
@@ -222,8 +222,8 @@ TEST(DuelFeatures, WhatIsOff_TakesNoRoom) {
   constexpr std::size_t kGrips = 2 * (sizeof(Grip<float>) - sizeof(Hand<float>));
   EXPECT_EQ(sizeof(Full), sizeof(Stiff) + kGrips);
   EXPECT_EQ(sizeof(Drill), sizeof(Bare) + kGrips);
-  EXPECT_EQ(sizeof(Bare::SceneType::Driver), sizeof(Hand<float>));
-  EXPECT_EQ(sizeof(Drill::SceneType::Driver), sizeof(Grip<float>));
+  EXPECT_EQ(sizeof(Bare::SceneType::Controller), sizeof(Hand<float>));
+  EXPECT_EQ(sizeof(Drill::SceneType::Controller), sizeof(Grip<float>));
 }
 
 template <class T, class = void>
@@ -238,10 +238,10 @@ struct HasCorners<T, std::void_t<decltype(T::corners)>> : std::true_type {};
 TEST(DuelFeatures, WhatIsOff_HasNoMember) {
   EXPECT_TRUE(HasTarget<Full::Settings>::value);
   EXPECT_FALSE(HasTarget<Drill::Settings>::value);
-  EXPECT_TRUE(HasCorners<Stiff::SceneType::Driver>::value);
-  EXPECT_FALSE(HasCorners<Drill::SceneType::Driver>::value);
-  EXPECT_TRUE((std::is_same_v<decltype(Stiff::SceneType::Driver::holder), Hand<float>>));
-  EXPECT_TRUE((std::is_same_v<decltype(Drill::SceneType::Driver::holder), Grip<float>>));
+  EXPECT_TRUE(HasCorners<Stiff::SceneType::Controller>::value);
+  EXPECT_FALSE(HasCorners<Drill::SceneType::Controller>::value);
+  EXPECT_TRUE((std::is_same_v<decltype(Stiff::SceneType::Controller::holder), Hand<float>>));
+  EXPECT_TRUE((std::is_same_v<decltype(Drill::SceneType::Controller::holder), Grip<float>>));
   EXPECT_TRUE((std::is_same_v<decltype(std::declval<Drill>().bout()), OpenBout>));
 }
 

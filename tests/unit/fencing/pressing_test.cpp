@@ -13,7 +13,7 @@ template <class S>
 struct PressingScene : Scene {
   using Scalar = S;
   using Search = Advancement<S>;
-  using Driver = Grip<S>;
+  using Controller = Grip<S>;
 };
 
 template <class S>
@@ -31,8 +31,8 @@ class Pressing : public ::testing::Test {
     blade.body = make_body<S>(pose(x), S(0.5), moments).value;
     blade.capsule_B = {{Vec3<S>(0, 0, S(-0.4)), Vec3<S>(0, 0, S(0.4))}, S(0.005)};
     blade.restitution = S(0.6);
-    blade.driver.place(pose(x));
-    EXPECT_EQ(blade.driver.configure(settings), Status::kOk);
+    blade.controller.place(pose(x));
+    EXPECT_EQ(blade.controller.configure(settings), Status::kOk);
     return world.add(blade).value;
   }
   static Pose<S> pose(S x) { return {Vec3<S>(x, 0, 0), Quat<S>::Identity()}; }
@@ -47,8 +47,8 @@ TYPED_TEST(Pressing, PushesWithAboutTheHandsStrengthAndNeverOverlaps) {
   const auto B = this->add(S(0.05));
   double impulses = 0;
   for (int k = 0; k < this->kSteps; ++k) {
-    this->world.get(A)->driver.command(this->pose(S(0.05)), S(1e-3));
-    this->world.get(B)->driver.command(this->pose(S(-0.05)), S(1e-3));
+    this->world.get(A)->controller.command(this->pose(S(0.05)), S(1e-3));
+    this->world.get(B)->controller.command(this->pose(S(-0.05)), S(1e-3));
     ASSERT_EQ(this->world.step(S(1e-3)), Status::kOk);
     ASSERT_TRUE(this->world.report().complete()) << "step " << k;
     if (k >= 1000) {  // after the first blow

@@ -14,7 +14,7 @@ template <class S>
 struct WireScene : Scene {
   using Scalar = S;
   using Search = Advancement<S>;
-  using Driver = FreeFlight<S>;
+  using Controller = FreeFlight<S>;
 };
 
 /// A wire along y at z = 0, and a rod along x above it that a hand holds.

@@ -21,7 +21,7 @@ constexpr int kGrid = 4000;  ///< of a step: no graze that changes anything is s
 template <int kParts>
 struct Impulses : Scene {
   using Scalar = double;
-  using Driver = FreeFlight<double>;
+  using Controller = FreeFlight<double>;
   using Search = Advancement<double>;
   static constexpr int kMaxBodies = kBodies;
   static constexpr int kCapsulesPerBody = kParts;

@@ -80,7 +80,7 @@ TEST(ManyLimits, CrowdThatClosesInWithLittleRoom_NeverOverlaps) {
 /// With little room for everything, so that limits are met as well.
 template <RestingContact kRests, int kParts>
 struct Small : Scene {
-  using Driver = FreeFlight<float>;
+  using Controller = FreeFlight<float>;
   static constexpr int kMaxBodies = 5;
   static constexpr int kCapsulesPerBody = kParts;
   static constexpr int kMaxPairs = 6;

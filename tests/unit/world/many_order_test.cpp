@@ -73,7 +73,7 @@ TEST(ManyOrder, BodiesAddedInAnotherOrderUnderTheSameNumbers_GoTheSameWay) {
 /// Balls that fly straight, in a row.
 struct Row : Scene {
   using Scalar = double;
-  using Driver = FreeFlight<double>;
+  using Controller = FreeFlight<double>;
   using Search = Advancement<double>;
   static constexpr int kMaxBodies = 4;
   static constexpr int kMaxPairs = 6;

@@ -68,7 +68,7 @@ TEST(SceneFeatures, ActorsFeatures_TakeTheRoomOfTheirMembers) {
   EXPECT_GE(kActor<TwoParts> - kActor<TwoBlades>, sizeof(Capsule<float>));
 }
 
-// Where bodies turn, the driver's own place, which no type is without, is the only other thing.
+// Where bodies turn, the controller's own place, which no type is without, is the only other thing.
 TEST(SceneFeatures, PlainestActor_IsABodyAndItsShape) {
   EXPECT_LE(kActor<Plainest>, sizeof(Body<float>) + sizeof(Capsule<float>) + sizeof(float));
   EXPECT_EQ(kActor<Straight>, sizeof(StraightBody<float>) + sizeof(Capsule<float>));

@@ -11,7 +11,7 @@ struct FlightScene : Scene {
   using Scalar = S;
   using Search = SearchT<S>;
   static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
-  using Driver = AnyDriver<S, FreeFlight<S>, Fixed<S>, Hand<S>>;
+  using Controller = AnyController<S, FreeFlight<S>, Fixed<S>, Hand<S>>;
   static constexpr int kMaxBodies = 6;
   static constexpr int kMaxPairs = 15;
 };
@@ -57,7 +57,7 @@ Actor<SceneT> post(double x, double radius) {
   Actor<SceneT> actor;
   actor.body.X_WB.p_W = vec<S>(x, 0, 0);
   actor.capsule_B = {{vec<S>(0, -2, 0), vec<S>(0, 2, 0)}, static_cast<S>(radius)};
-  actor.driver = Fixed<S>{};
+  actor.controller = Fixed<S>{};
   return actor;
 }
 

@@ -40,7 +40,7 @@ void fill(World<SceneT>& world) {
   rod.restitution = 1;
   ASSERT_TRUE(world.add(rod).ok());
   Actor<SceneT> swung = test::rod<SceneT>(0.7, 0.3, 0.02);
-  swung.driver = Hand<S>{};
+  swung.controller = Hand<S>{};
   ASSERT_TRUE(world.add(swung).ok());
 }
 
@@ -64,7 +64,7 @@ void advance(World<SceneT>& world, const Command& command) {
   using S = typename SceneT::Scalar;
   constexpr S kDt = S(0.005F);
   if (auto* actor = world.get(world.id_at(command.slot))) {
-    if (auto* hand = actor->driver.template as<Hand<S>>()) {
+    if (auto* hand = actor->controller.template as<Hand<S>>()) {
       hand->target_W.p_W = test::vec<S>(static_cast<double>(command.x), 0, 0);
       hand->step = kDt;
     }

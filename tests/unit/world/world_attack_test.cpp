@@ -86,7 +86,7 @@ TEST(WorldAttack, PartInContactIsTakenOff_ContactEndsWithoutAnEvent) {
     return Capsule<float>::sphere({0, 0, z}, radius);
   };
   Actor<TwoPartScene> ground;
-  ground.driver = Fixed<float>{};
+  ground.controller = Fixed<float>{};
   ASSERT_TRUE(ground.capsules_B.push(sphere(0, 0.1F)));
   ASSERT_TRUE(world->add(ground).ok());
   Actor<TwoPartScene> body;

@@ -228,10 +228,10 @@ TEST(WorldLimits, AnswerThatOverflows_HoldsThePairAndKeepsTheMomenta) {
   auto heavy = ball<TightScene>(0, 0.1, 0);
   heavy.body.inverse_mass = 1e-300;
   heavy.body.inverse_moments.setZero();
-  heavy.driver = Hand<double>{{vec<double>(1e9, 0, 0), Quat<double>::Identity()}, 1e-3};
+  heavy.controller = Hand<double>{{vec<double>(1e9, 0, 0), Quat<double>::Identity()}, 1e-3};
   auto other = heavy;
   other.body.X_WB.p_W.x() = 0.3;
-  other.driver = Fixed<double>{};
+  other.controller = Fixed<double>{};
   (void)world.add(heavy);
   const auto id = world.add(other).value;
   WorldSettings<TightScene> settings;

@@ -74,14 +74,14 @@ template <class SceneT>
 Actor<SceneT> unyielding_hand(double x) {
   using S = typename SceneT::Scalar;
   auto hand = post<SceneT>(x, 0.1);
-  hand.driver = Hand<S>{{vec<S>(x, 0, 0), Quat<S>::Identity()}, S(0.1)};
+  hand.controller = Hand<S>{{vec<S>(x, 0, 0), Quat<S>::Identity()}, S(0.1)};
   return hand;
 }
 
 template <class SceneT>
 void lead_to(World<SceneT>& world, double x) {
   using S = typename SceneT::Scalar;
-  world.get(world.id_at(0))->driver.template as<Hand<S>>()->target_W.p_W = vec<S>(x, 0, 0);
+  world.get(world.id_at(0))->controller.template as<Hand<S>>()->target_W.p_W = vec<S>(x, 0, 0);
 }
 
 // Neither the hand nor the wall can be pushed: pressed together they stop, and leave when led away.

@@ -178,8 +178,8 @@ TYPED_TEST(WorldOf, PressedTogetherByHands_NeverOverlaps) {
   using S = typename TypeParam::Scalar;
   auto left = ball<TypeParam>(-0.2, 0.1, 0);
   auto right = ball<TypeParam>(0.2, 0.1, 0);
-  left.driver = Hand<S>{{vec<S>(0.05, 0, 0), Quat<S>::Identity()}, S(0.001)};
-  right.driver = Hand<S>{{vec<S>(-0.05, 0, 0), Quat<S>::Identity()}, S(0.001)};
+  left.controller = Hand<S>{{vec<S>(0.05, 0, 0), Quat<S>::Identity()}, S(0.001)};
+  right.controller = Hand<S>{{vec<S>(-0.05, 0, 0), Quat<S>::Identity()}, S(0.001)};
   const auto a = this->world.add(left).value;
   const auto b = this->world.add(right).value;
   for (int i = 0; i < 50; ++i) {
@@ -211,7 +211,7 @@ TYPED_TEST(WorldOf, SpinOfACapsuleOffTheAxis_IsShown) {
 TYPED_TEST(WorldOf, BallInAHand_StrikesWithTheMomentumOfItsMotion) {
   using S = typename TypeParam::Scalar;
   auto carried = ball<TypeParam>(0, 0.1, 0);
-  carried.driver = Hand<S>{{vec<S>(0.2, 0, 0), Quat<S>::Identity()}, S(0.1)};  // 2 m/s
+  carried.controller = Hand<S>{{vec<S>(0.2, 0, 0), Quat<S>::Identity()}, S(0.1)};  // 2 m/s
   const auto hand = this->world.add(carried).value;
   const auto free = this->world.add(ball<TypeParam>(0.3, 0.1, 0)).value;
   ASSERT_EQ(this->world.step(S(0.1)), Status::kOk);
@@ -246,7 +246,7 @@ TYPED_TEST(WorldOf, UnyieldingHandAgainstAWall_IsBlocked) {
   using S = typename TypeParam::Scalar;
   auto hand = post<TypeParam>(0, 0.1);
   const auto wall = this->world.add(post<TypeParam>(0.5, 0.1)).value;
-  hand.driver = Hand<S>{{vec<S>(1, 0, 0), Quat<S>::Identity()}, S(0.1)};
+  hand.controller = Hand<S>{{vec<S>(1, 0, 0), Quat<S>::Identity()}, S(0.1)};
   const auto id = this->world.add(hand).value;
   for (int i = 0; i < 3; ++i) {
     ASSERT_EQ(this->world.step(S(0.1)), Status::kOk);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "batuta/world/driver.hpp"
+#include "batuta/world/controller.hpp"
 
 namespace batuta {
 

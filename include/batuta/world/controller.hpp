@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Drivers: the paper's black box [Kavan §2.1]. A driver says where its body goes during the rest of
-// a step, and is told what a contact did to it. A scene names one type, Scene::Driver, with the
-// members of FreeFlight below; a scene with several kinds names AnyDriver<...>. No virtual calls:
-// the compiler sees the whole step.
+// Controllers: the paper's black box [Kavan §2.1]. A controller says where its body goes during the
+// rest of a step, and is told what a contact did to it. A scene names one type, Scene::Controller,
+// with the members of FreeFlight below; a scene with several kinds names AnyController<...>. No
+// virtual calls: the compiler sees the whole step.
 
 #include <variant>
 
@@ -11,7 +11,7 @@
 
 namespace batuta {
 
-/// What a driver answers.
+/// What a controller answers.
 template <class Scalar>
 struct Course {
   Motion<Scalar> motion;     ///< of the geometry, over the rest of the step
@@ -19,7 +19,8 @@ struct Course {
                              ///< flight); false: motion.twist does, whatever momentum the body had
 };
 
-/// What a driver is told after a contact; the body's pose and momentum are already the new ones.
+/// What a controller is told after a contact; the body's pose and momentum are already the new
+/// ones.
 template <class Scalar>
 struct Feedback {
   Scalar time = 0;                              ///< in the step, s
@@ -66,59 +67,59 @@ struct Hand {
   void on_step_end(const Body<Scalar>& body, Scalar dt);
 };
 
-/// One of several drivers, chosen at run time.
+/// One of several controllers, chosen at run time.
 /// Bound: one comparison for each type.
 template <class Scalar, class First, class... Others>
-class AnyDriver {
+class AnyController {
  public:
-  AnyDriver() = default;
-  template <class Driver>
-  // cppcheck-suppress noExplicitConstructor ; deviation: any-driver
-  AnyDriver(const Driver& driver) : driver_(driver) {}
+  AnyController() = default;
+  template <class Controller>
+  // cppcheck-suppress noExplicitConstructor ; deviation: any-controller
+  AnyController(const Controller& controller) : controller_(controller) {}
 
-  /// The driver if it is a `Driver` at present, else null.
-  template <class Driver>
-  Driver* as() {
-    return std::get_if<Driver>(&driver_);
+  /// The controller if it is a `Controller` at present, else null.
+  template <class Controller>
+  Controller* as() {
+    return std::get_if<Controller>(&controller_);
   }
 
   Course<Scalar> course(const Body<Scalar>& body, Scalar t, Scalar duration) const {
     return course_of<First, Others...>(body, t, duration);
   }
   void on_contact(const Body<Scalar>& body, const Feedback<Scalar>& feedback) {
-    for_current([&](auto& driver) { driver.on_contact(body, feedback); });
+    for_current([&](auto& controller) { controller.on_contact(body, feedback); });
   }
   void on_step_end(const Body<Scalar>& body, Scalar dt) {
-    for_current([&](auto& driver) { driver.on_step_end(body, dt); });
+    for_current([&](auto& controller) { controller.on_step_end(body, dt); });
   }
 
-  /// Which driver it is, and that driver's state, for core/archive.hpp.
+  /// Which controller it is, and that controller's state, for core/archive.hpp.
   /// Bound: one comparison for each type.
   template <class ArchiveT>
   void archive(ArchiveT& ar) {
     constexpr int kOthers = sizeof...(Others);
-    const int kind = ar.count(static_cast<int>(driver_.index()), kOthers);
+    const int kind = ar.count(static_cast<int>(controller_.index()), kOthers);
     if (ar.shaping()) return shape_of<First, Others...>(ar);
     if (ar.reading()) become<First, Others...>(kind);
-    for_current([&ar](auto& driver) { ar(driver); });
+    for_current([&ar](auto& controller) { ar(controller); });
   }
 
  private:
-  template <class... Drivers, class ArchiveT>
+  template <class... Controllers, class ArchiveT>
   static void shape_of(ArchiveT& ar) {
-    const auto shape = [&ar](auto driver) { ar(driver); };
-    (shape(Drivers{}), ...);
+    const auto shape = [&ar](auto controller) { ar(controller); };
+    (shape(Controllers{}), ...);
   }
-  template <class... Drivers>
+  template <class... Controllers>
   void become(int kind) {
     int place = 0;
-    ((place++ == kind ? void(driver_ = Drivers{}) : void()), ...);
+    ((place++ == kind ? void(controller_ = Controllers{}) : void()), ...);
   }
 
-  template <class Driver, class... Rest>
+  template <class Controller, class... Rest>
   Course<Scalar> course_of(const Body<Scalar>& body, Scalar t, Scalar duration) const {
-    if (const Driver* driver = std::get_if<Driver>(&driver_))
-      return driver->course(body, t, duration);
+    if (const Controller* controller = std::get_if<Controller>(&controller_))
+      return controller->course(body, t, duration);
     if constexpr (sizeof...(Rest) > 0) {
       return course_of<Rest...>(body, t, duration);
     } else {
@@ -126,34 +127,34 @@ class AnyDriver {
     }
   }
 
-  // std::visit would link the exception of a valueless variant; drivers are plain data and never
-  // leave one.
+  // std::visit would link the exception of a valueless variant; controllers are plain data and
+  // never leave one.
   template <class Call>
   void for_current(const Call& call) {
     call_if<First>(call);
     (call_if<Others>(call), ...);
   }
-  template <class Driver, class Call>
+  template <class Controller, class Call>
   void call_if(const Call& call) {
-    if (Driver* driver = std::get_if<Driver>(&driver_)) call(*driver);
+    if (Controller* controller = std::get_if<Controller>(&controller_)) call(*controller);
   }
 
   static_assert(std::is_trivially_destructible_v<First> &&
                     (std::is_trivially_destructible_v<Others> && ...),
-                "AnyDriver: a driver must be plain data");
-  std::variant<First, Others...> driver_;
+                "AnyController: a controller must be plain data");
+  std::variant<First, Others...> controller_;
 };
 
-/// Whether a driver moves nothing but by its momentum: what has no mass to be pushed by then stands
-/// still, and no two such bodies are ever led into each other.
-template <class Driver>
+/// Whether a controller moves nothing but by its momentum: what has no mass to be pushed by then
+/// stands still, and no two such bodies are ever led into each other.
+template <class Controller>
 struct MovesByMomentumOnly : std::false_type {};
 template <class Scalar>
 struct MovesByMomentumOnly<FreeFlight<Scalar>> : std::true_type {};
 template <class Scalar>
 struct MovesByMomentumOnly<Fixed<Scalar>> : std::true_type {};
 template <class Scalar, class First, class... Others>
-struct MovesByMomentumOnly<AnyDriver<Scalar, First, Others...>>
+struct MovesByMomentumOnly<AnyController<Scalar, First, Others...>>
     : std::conjunction<MovesByMomentumOnly<First>, MovesByMomentumOnly<Others>...> {};
 
 }  // namespace batuta

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "batuta/world/driver.hpp"
+#include "batuta/world/controller.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@ namespace batuta {
 namespace {
 
 template <class Scalar>
-class Driver : public ::testing::Test {};
+class Controller : public ::testing::Test {};
 using Scalars = ::testing::Types<float, double>;
-TYPED_TEST_SUITE(Driver, Scalars);
+TYPED_TEST_SUITE(Controller, Scalars);
 
 template <class Scalar>
 constexpr double kSmall = 64.0 * static_cast<double>(kRoundOff<Scalar>);
@@ -35,7 +35,7 @@ void expect_near(const Pose<Scalar>& X, const Pose<Scalar>& Y) {
   EXPECT_NEAR(std::fabs(static_cast<double>(X.q_WB.dot(Y.q_WB))), 1, kSmall<Scalar>);
 }
 
-TYPED_TEST(Driver, Fixed_StandsStillWhateverItsMomentum) {
+TYPED_TEST(Controller, Fixed_StandsStillWhateverItsMomentum) {
   const Body<TypeParam> body = flying_body<TypeParam>();
   Fixed<TypeParam> fixed;
   fixed.on_contact(body, {});
@@ -48,7 +48,7 @@ TYPED_TEST(Driver, Fixed_StandsStillWhateverItsMomentum) {
   EXPECT_EQ(end.q_WB.coeffs(), body.X_WB.q_WB.coeffs());
 }
 
-TYPED_TEST(Driver, FreeFlight_FliesByItsMomentum) {
+TYPED_TEST(Controller, FreeFlight_FliesByItsMomentum) {
   const Body<TypeParam> body = flying_body<TypeParam>();
   FreeFlight<TypeParam> flight;
   flight.on_contact(body, {});
@@ -60,7 +60,7 @@ TYPED_TEST(Driver, FreeFlight_FliesByItsMomentum) {
   EXPECT_EQ(course.motion.twist.w_W, Vec3<TypeParam>(body.momentum.b_W / 4));
 }
 
-TYPED_TEST(Driver, Hand_IsAtItsTargetWhenTheStepEnds) {
+TYPED_TEST(Controller, Hand_IsAtItsTargetWhenTheStepEnds) {
   const Body<TypeParam> body = flying_body<TypeParam>();
   const auto dt = static_cast<TypeParam>(0.01);
   const Hand<TypeParam> hand = {target_of(body.X_WB), dt};
@@ -70,7 +70,7 @@ TYPED_TEST(Driver, Hand_IsAtItsTargetWhenTheStepEnds) {
   expect_near(pose_at(course.motion, dt), hand.target_W);
 }
 
-TYPED_TEST(Driver, HandPushedAsideOnItsWay_StillArrives) {
+TYPED_TEST(Controller, HandPushedAsideOnItsWay_StillArrives) {
   Body<TypeParam> body = flying_body<TypeParam>();
   const auto dt = static_cast<TypeParam>(0.01);
   const auto t = static_cast<TypeParam>(0.004);
@@ -84,7 +84,7 @@ TYPED_TEST(Driver, HandPushedAsideOnItsWay_StillArrives) {
   hand.on_step_end(body, dt);
 }
 
-TYPED_TEST(Driver, HandAskedForLessThanItsStep_IsOnItsWay) {
+TYPED_TEST(Controller, HandAskedForLessThanItsStep_IsOnItsWay) {
   const Body<TypeParam> body = flying_body<TypeParam>();
   const Hand<TypeParam> hand = {target_of(body.X_WB), TypeParam(1)};
   const Course<TypeParam> course = hand.course(body, TypeParam(0), TypeParam(0.5));
@@ -93,7 +93,7 @@ TYPED_TEST(Driver, HandAskedForLessThanItsStep_IsOnItsWay) {
   EXPECT_NEAR(half_way.p_W.x(), 1.5, kSmall<TypeParam>);
 }
 
-TYPED_TEST(Driver, HandAskedForMoreThanItsStep_NeverGoesPastItsTarget) {
+TYPED_TEST(Controller, HandAskedForMoreThanItsStep_NeverGoesPastItsTarget) {
   const Body<TypeParam> body = flying_body<TypeParam>();
   const Hand<TypeParam> hand = {target_of(body.X_WB), TypeParam(1)};
   const TypeParam duration(2);
@@ -104,7 +104,7 @@ TYPED_TEST(Driver, HandAskedForMoreThanItsStep_NeverGoesPastItsTarget) {
   }
 }
 
-TYPED_TEST(Driver, HandPushedAsideAtTheEndOfItsStep_IsLateRatherThanFast) {
+TYPED_TEST(Controller, HandPushedAsideAtTheEndOfItsStep_IsLateRatherThanFast) {
   const Body<TypeParam> body = flying_body<TypeParam>();
   const Hand<TypeParam> hand = {target_of(body.X_WB), TypeParam(1)};
   const TypeParam way = (hand.target_W.p_W - body.X_WB.p_W).norm();
@@ -115,7 +115,7 @@ TYPED_TEST(Driver, HandPushedAsideAtTheEndOfItsStep_IsLateRatherThanFast) {
   }
 }
 
-TYPED_TEST(Driver, HandWithoutAStep_StandsStill) {
+TYPED_TEST(Controller, HandWithoutAStep_StandsStill) {
   const Body<TypeParam> body = flying_body<TypeParam>();
   const Hand<TypeParam> hand = {target_of(body.X_WB), TypeParam(0)};
   const Course<TypeParam> course = hand.course(body, TypeParam(0), TypeParam(0));
@@ -123,22 +123,22 @@ TYPED_TEST(Driver, HandWithoutAStep_StandsStill) {
   EXPECT_TRUE(is_valid(course.motion));
 }
 
-TYPED_TEST(Driver, AnyDriver_IsTheOneItHolds) {
-  using Any = AnyDriver<TypeParam, Fixed<TypeParam>, FreeFlight<TypeParam>, Hand<TypeParam>>;
+TYPED_TEST(Controller, AnyController_IsTheOneItHolds) {
+  using Any = AnyController<TypeParam, Fixed<TypeParam>, FreeFlight<TypeParam>, Hand<TypeParam>>;
   const Body<TypeParam> body = flying_body<TypeParam>();
-  Any driver;
-  EXPECT_NE(driver.template as<Fixed<TypeParam>>(), nullptr);
-  EXPECT_EQ(driver.course(body, 0, 1).motion.twist.v_W, Vec3<TypeParam>(0, 0, 0));
+  Any controller;
+  EXPECT_NE(controller.template as<Fixed<TypeParam>>(), nullptr);
+  EXPECT_EQ(controller.course(body, 0, 1).motion.twist.v_W, Vec3<TypeParam>(0, 0, 0));
 
-  driver = FreeFlight<TypeParam>{};
-  EXPECT_TRUE(driver.course(body, 0, 1).by_momentum);
-  EXPECT_EQ(driver.template as<Fixed<TypeParam>>(), nullptr);
+  controller = FreeFlight<TypeParam>{};
+  EXPECT_TRUE(controller.course(body, 0, 1).by_momentum);
+  EXPECT_EQ(controller.template as<Fixed<TypeParam>>(), nullptr);
 
-  driver = Hand<TypeParam>{target_of(body.X_WB), 1};
-  ASSERT_NE(driver.template as<Hand<TypeParam>>(), nullptr);
-  driver.on_contact(body, {});
-  driver.on_step_end(body, 1);
-  expect_near(pose_at(driver.course(body, 0, 1).motion, TypeParam(1)), target_of(body.X_WB));
+  controller = Hand<TypeParam>{target_of(body.X_WB), 1};
+  ASSERT_NE(controller.template as<Hand<TypeParam>>(), nullptr);
+  controller.on_contact(body, {});
+  controller.on_step_end(body, 1);
+  expect_near(pose_at(controller.course(body, 0, 1).motion, TypeParam(1)), target_of(body.X_WB));
 }
 
 }  // namespace
