@@ -77,7 +77,7 @@ template <class Scalar>
 void Grip<Scalar>::command(const Pose<Scalar>& X_WB, Scalar step) {
   BATUTA_ASSERT(is_finite(step) && step > Scalar(0));
   hand_ = motion_between(target_, X_WB, step);
-  hand_.duration = (Scalar(1) + kLeastHorizon<Scalar>)*step;  // a late course looks beyond the step
+  hand_.duration = (Scalar(1) + kLeastHorizon<Scalar>)*step;  // a late plan looks beyond the step
   target_ = X_WB;
   step_ = step;
 }
@@ -95,7 +95,8 @@ Pose<Scalar> Grip<Scalar>::planned_at(Scalar t) const {
 }
 
 template <class Scalar>
-Course<Scalar> Grip<Scalar>::course(const Body<Scalar>& body, Scalar t, Scalar duration) const {
+PlannedMotion<Scalar> Grip<Scalar>::plan(const Body<Scalar>& body, Scalar t,
+                                         Scalar duration) const {
   const Scalar horizon = max_of(step_ - t, kLeastHorizon<Scalar> * step_);
   if (!(horizon > Scalar(0))) return {still(body.X_WB, duration), false};
   const Offset<Scalar> offset = offset_of(body.X_WB, planned_at(t));

@@ -4,8 +4,8 @@
 namespace batuta {
 
 template <class Scalar>
-Course<Scalar> Fixed<Scalar>::course(const Body<Scalar>& body, Scalar /*t*/,
-                                     Scalar duration) const {
+PlannedMotion<Scalar> Fixed<Scalar>::plan(const Body<Scalar>& body, Scalar /*t*/,
+                                          Scalar duration) const {
   return {still(body.X_WB, duration), false};
 }
 
@@ -17,8 +17,8 @@ template <class Scalar>
 void Fixed<Scalar>::on_step_end(const Body<Scalar>& /*body*/, Scalar /*dt*/) {}
 
 template <class Scalar>
-Course<Scalar> FreeFlight<Scalar>::course(const Body<Scalar>& body, Scalar /*t*/,
-                                          Scalar duration) const {
+PlannedMotion<Scalar> FreeFlight<Scalar>::plan(const Body<Scalar>& body, Scalar /*t*/,
+                                               Scalar duration) const {
   return {free_flight(body, duration), true};
 }
 
@@ -30,11 +30,12 @@ template <class Scalar>
 void FreeFlight<Scalar>::on_step_end(const Body<Scalar>& /*body*/, Scalar /*dt*/) {}
 
 template <class Scalar>
-Course<Scalar> Hand<Scalar>::course(const Body<Scalar>& body, Scalar t, Scalar duration) const {
+PlannedMotion<Scalar> Hand<Scalar>::plan(const Body<Scalar>& body, Scalar t,
+                                         Scalar duration) const {
   if (struck) return {free_flight(body, duration), true};
   const Scalar horizon = max_of(max_of(step - t, kLeastHorizon<Scalar> * step), duration);
   if (!(horizon > Scalar(0))) return {still(body.X_WB, duration), false};
-  Course<Scalar> answer = {motion_between(body.X_WB, target_W, horizon), false};
+  PlannedMotion<Scalar> answer = {motion_between(body.X_WB, target_W, horizon), false};
   answer.motion.duration = duration;
   return answer;
 }

@@ -271,7 +271,7 @@ TYPED_TEST(WorldOffsets, BodyThatGetsTooFar_IsLeftOutAndCounted) {
   test::own_place_of(*world.get(id.value)).z() = 1e9F;
   const auto before = test::own_place_of(*world.get(id.value));
   ASSERT_EQ(world.step(0.25F), Status::kOk);
-  EXPECT_EQ(world.report().courses_invalid, 1U);
+  EXPECT_EQ(world.report().plans_invalid, 1U);
   EXPECT_EQ(test::own_place_of(*world.get(id.value)), before);
 }
 

@@ -260,7 +260,7 @@ TYPED_TEST(HostileWorld, LoneBodyBeyondTheNumbers_IsHeldAndCounted) {
       ASSERT_EQ(world.step(dt), Status::kOk);
       const bool sound = test::is_sound(*std::as_const(world).get(world.id_at(0)));
       const bool counts_late = kIsLean<TypeParam> && step == 0;
-      EXPECT_TRUE(sound || counts_late || world.report().courses_invalid == 1U) << dt;
+      EXPECT_TRUE(sound || counts_late || world.report().plans_invalid == 1U) << dt;
       EXPECT_TRUE(sound || kIsLean<TypeParam>) << dt;
     }
   }
@@ -283,7 +283,7 @@ TYPED_TEST(TurningWorld, SpinToTheLimitAndBeyond_TurnsOrIsHeldAndCounted) {
     top.body.momentum.b_W = {static_cast<S>(rate) * moment, 0, 0};
     ASSERT_TRUE(world.add(top).ok());
     this->step(world, dt);
-    EXPECT_EQ(world.report().courses_invalid, share < 1 ? 0U : 1U) << share;
+    EXPECT_EQ(world.report().plans_invalid, share < 1 ? 0U : 1U) << share;
     const auto& q = world.get(world.id_at(0))->body.X_WB.q_WB;
     EXPECT_NEAR(static_cast<double>(q.norm()), 1, 8 * static_cast<double>(kRoundOff<S>)) << share;
   }

@@ -18,8 +18,8 @@ template <class S>
 struct Press : Fixed<S> {
   Vec3<S> v_W = Vec3<S>::Zero();
 
-  Course<S> course(const Body<S>& body, S /*t*/, S duration) const {
-    Course<S> course{still(body.X_WB, duration), false};
+  PlannedMotion<S> plan(const Body<S>& body, S /*t*/, S duration) const {
+    PlannedMotion<S> course{still(body.X_WB, duration), false};
     course.motion.twist.v_W = v_W;
     return course;
   }

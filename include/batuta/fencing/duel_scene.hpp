@@ -77,8 +77,8 @@ struct BladeController : CornersOf<SceneT> {
     }
   }
 
-  Course<Scalar> course(const Body<Scalar>& body, Scalar t, Scalar duration) const {
-    return holder.course(body, t, duration);
+  PlannedMotion<Scalar> plan(const Body<Scalar>& body, Scalar t, Scalar duration) const {
+    return holder.plan(body, t, duration);
   }
   void on_contact(const Body<Scalar>& body, const Feedback<Scalar>& feedback) {
     // Never full: the world answers at most kMaxContacts in a step.

@@ -64,7 +64,7 @@ class Grip {
   /// Where the hand wants B at the end of the coming step. @pre pose finite; step > 0, s
   void command(const Pose<Scalar>& X_WB, Scalar step);
 
-  Course<Scalar> course(const Body<Scalar>& body, Scalar t, Scalar duration) const;
+  PlannedMotion<Scalar> plan(const Body<Scalar>& body, Scalar t, Scalar duration) const;
   void on_contact(const Body<Scalar>& body, const Feedback<Scalar>& feedback);
   void on_step_end(const Body<Scalar>& body, Scalar dt);
 

@@ -60,7 +60,7 @@ template <bool kIsOn, class Feature, int kNumber>
 using FeatureIf = std::conditional_t<kIsOn, Feature, Absent<kNumber>>;
 
 /// The caller may read or change it between steps. What becomes unusable (not finite, or too far
-/// away to hold its size) is left out of the steps, and counted in StepReport::courses_invalid.
+/// away to hold its size) is left out of the steps, and counted in StepReport::plans_invalid.
 template <class SceneT>
 struct Actor : ShapeOf<SceneT>,
                FeatureIf<SceneT::kRotation, Controlled<typename SceneT::Controller>, 0>,

@@ -13,7 +13,7 @@ namespace batuta {
 
 /// What a controller answers.
 template <class Scalar>
-struct Course {
+struct PlannedMotion {
   Motion<Scalar> motion;     ///< of the geometry, over the rest of the step
   bool by_momentum = false;  ///< true: the body's momentum says how fast its matter moves (free
                              ///< flight); false: motion.twist does, whatever momentum the body had
@@ -31,8 +31,8 @@ struct Feedback {
 /// A body that nobody moves.
 template <class Scalar>
 struct Fixed {
-  /// The course over [t, t + duration] of the step. @pre 0 <= t, 0 <= duration
-  Course<Scalar> course(const Body<Scalar>& body, Scalar t, Scalar duration) const;
+  /// The plan over [t, t + duration] of the step. @pre 0 <= t, 0 <= duration
+  PlannedMotion<Scalar> plan(const Body<Scalar>& body, Scalar t, Scalar duration) const;
   /// Tells what a contact did.
   void on_contact(const Body<Scalar>& body, const Feedback<Scalar>& feedback);
   /// The step of length dt is over; the body is where it is.
@@ -42,12 +42,12 @@ struct Fixed {
 /// A body that flies by its momenta.
 template <class Scalar>
 struct FreeFlight {
-  Course<Scalar> course(const Body<Scalar>& body, Scalar t, Scalar duration) const;
+  PlannedMotion<Scalar> plan(const Body<Scalar>& body, Scalar t, Scalar duration) const;
   void on_contact(const Body<Scalar>& body, const Feedback<Scalar>& feedback);
   void on_step_end(const Body<Scalar>& body, Scalar dt);
 };
 
-/// A course towards a place is aimed at least this share of a step ahead: a body that was pushed
+/// A plan towards a place is aimed at least this share of a step ahead: a body that was pushed
 /// aside late in the step comes late rather than fast, and its velocity is a difference over a time
 /// in which rounding does not show.
 template <class Scalar>
@@ -62,7 +62,7 @@ struct Hand {
   Scalar step = 0;        ///< length of that step, s, > 0
   bool struck = false;    ///< a blow came in this step
 
-  Course<Scalar> course(const Body<Scalar>& body, Scalar t, Scalar duration) const;
+  PlannedMotion<Scalar> plan(const Body<Scalar>& body, Scalar t, Scalar duration) const;
   void on_contact(const Body<Scalar>& body, const Feedback<Scalar>& feedback);
   void on_step_end(const Body<Scalar>& body, Scalar dt);
 };
@@ -83,8 +83,8 @@ class AnyController {
     return std::get_if<Controller>(&controller_);
   }
 
-  Course<Scalar> course(const Body<Scalar>& body, Scalar t, Scalar duration) const {
-    return course_of<First, Others...>(body, t, duration);
+  PlannedMotion<Scalar> plan(const Body<Scalar>& body, Scalar t, Scalar duration) const {
+    return plan_of<First, Others...>(body, t, duration);
   }
   void on_contact(const Body<Scalar>& body, const Feedback<Scalar>& feedback) {
     for_current([&](auto& controller) { controller.on_contact(body, feedback); });
@@ -117,11 +117,11 @@ class AnyController {
   }
 
   template <class Controller, class... Rest>
-  Course<Scalar> course_of(const Body<Scalar>& body, Scalar t, Scalar duration) const {
+  PlannedMotion<Scalar> plan_of(const Body<Scalar>& body, Scalar t, Scalar duration) const {
     if (const Controller* controller = std::get_if<Controller>(&controller_))
-      return controller->course(body, t, duration);
+      return controller->plan(body, t, duration);
     if constexpr (sizeof...(Rest) > 0) {
-      return course_of<Rest...>(body, t, duration);
+      return plan_of<Rest...>(body, t, duration);
     } else {
       return {still(body.X_WB, duration), false};
     }

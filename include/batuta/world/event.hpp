@@ -56,8 +56,8 @@ struct StepReport {
   std::uint32_t searches_cut = 0;      ///< the search ran out of its budget
   std::uint32_t searches_invalid = 0;  ///< the search could not be asked (see Outcome::kInvalid)
   std::uint32_t answers_invalid = 0;   ///< the contact could not be answered: its numbers overflow
-  std::uint32_t courses_invalid =
-      0;  ///< a body or its controller's course was not finite, turned too far, or is so far from
+  std::uint32_t plans_invalid =
+      0;  ///< a body or its controller's plan was not finite, turned too far, or is so far from
           ///< the origin that numbers there are further apart than it is large
   std::uint32_t events_dropped = 0;  ///< beyond kMaxEvents: not recorded, but answered
   std::uint32_t contacts_untracked =
@@ -66,7 +66,7 @@ struct StepReport {
 
   bool complete() const {
     return pairs_dropped == 0 && contacts_dropped == 0 && searches_cut == 0 &&
-           searches_invalid == 0 && answers_invalid == 0 && courses_invalid == 0 &&
+           searches_invalid == 0 && answers_invalid == 0 && plans_invalid == 0 &&
            events_dropped == 0 && contacts_untracked == 0;
   }
 };

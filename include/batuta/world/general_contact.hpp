@@ -133,7 +133,7 @@ void GeneralWorld<SceneT>::stop_pair(BodyPair pair) {
   const Scalar share = now_ / dt_;
   for (const Slot proxy : {pair.first, pair.second}) {  // Bound: 2
     Body<Scalar>& body = actor_at(body_of(proxy)).body;
-    if (!tracks_[body_of(proxy)].course.by_momentum) continue;
+    if (!tracks_[body_of(proxy)].plan.by_momentum) continue;
     body.momentum.p_W *= share;
     body.momentum.b_W *= share;
   }
@@ -189,9 +189,9 @@ typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::margin_of(const Sigh
 template <class SceneT>
 Party<Scalar_of<SceneT>> GeneralWorld<SceneT>::party(std::size_t slot) {
   Body<Scalar>& body = actor_at(slot).body;
-  const Course<Scalar>& course = tracks_[slot].course;
-  if (!course.by_momentum) body.momentum = momentum_of(body, course.motion.twist);
-  return {&body, course.by_momentum ? twist_of(body) : course.motion.twist,
+  const PlannedMotion<Scalar>& plan = tracks_[slot].plan;
+  if (!plan.by_momentum) body.momentum = momentum_of(body, plan.motion.twist);
+  return {&body, plan.by_momentum ? twist_of(body) : plan.motion.twist,
           std::numeric_limits<Scalar>::max()};
 }
 
@@ -253,7 +253,7 @@ Capsule<Scalar_of<SceneT>> GeneralWorld<SceneT>::shape_W(int proxy) const {
   const Track& track = tracks_[body_of(proxy)];
   const bool is_here = !(track.start < now_);
   const Pose<Scalar> X_WB =
-      is_here ? actor.body.X_WB : pose_at(track.course.motion, now_ - track.start);
+      is_here ? actor.body.X_WB : pose_at(track.plan.motion, now_ - track.start);
   return to_world(X_WB, part_of(actor, part_at(proxy)));
 }
 

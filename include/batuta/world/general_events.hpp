@@ -114,11 +114,11 @@ void GeneralWorld<SceneT>::put_to_sleep() {
     if (is_struck || has_left(slot)) {
       this->start_over(slot, body.X_WB);
     } else if (this->is_quiet_for_long(slot) && is_supported(slot) &&
-               report_.contacts_untracked == 0 && tracks_[slot].course.by_momentum) {
+               report_.contacts_untracked == 0 && tracks_[slot].plan.by_momentum) {
       this->fall_asleep(slot);
       body.momentum = {};
       // Where it is found if nobody disturbs it.
-      tracks_[slot].course.motion = Matter::standing(body, Scalar(0));
+      tracks_[slot].plan.motion = Matter::standing(body, Scalar(0));
       tracks_[slot].stands = true;
     }
   }
@@ -180,7 +180,7 @@ void GeneralWorld<SceneT>::archive(Archive& ar) {
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
     const Track& track = tracks_[slot];
     bool stands = track.stands && is_present(slot) &&
-                  Matter::is_at_start(actor_at(slot).body, track.course.motion);
+                  Matter::is_at_start(actor_at(slot).body, track.plan.motion);
     ar(stands);
     if (ar.reading()) take_stand(slot, stands);
   }
@@ -189,7 +189,7 @@ void GeneralWorld<SceneT>::archive(Archive& ar) {
   }
 }
 
-/// What was read of a body's course: whether it stood where it is. What sleeps flew by its
+/// What was read of a body's plan: whether it stood where it is. What sleeps flew by its
 /// momentum; and who was disturbed before it was saved stands nowhere.
 template <class SceneT>
 void GeneralWorld<SceneT>::take_stand(std::size_t slot, bool stands) {
@@ -197,13 +197,13 @@ void GeneralWorld<SceneT>::take_stand(std::size_t slot, bool stands) {
   track.stands = stands;
   track.boxed = false;
   if constexpr (SceneT::kSleep) {
-    track.course.by_momentum = this->sleeps(slot);
+    track.plan.by_momentum = this->sleeps(slot);
     if (!stands) {
-      track.course.motion.X_WB.p_W.setConstant(std::numeric_limits<Scalar>::quiet_NaN());
+      track.plan.motion.X_WB.p_W.setConstant(std::numeric_limits<Scalar>::quiet_NaN());
     }
   }
   if (stands && is_present(slot)) {
-    track.course.motion = Matter::standing(actor_at(slot).body, Scalar(0));
+    track.plan.motion = Matter::standing(actor_at(slot).body, Scalar(0));
   }
 }
 

@@ -49,7 +49,7 @@ void GeneralWorld<SceneT>::begin_body(std::size_t slot) {
 template <class SceneT>
 bool GeneralWorld<SceneT>::is_disturbed(std::size_t slot) const {
   const BodyOf<SceneT>& body = actor_at(slot).body;
-  return !Matter::is_at_start(body, tracks_[slot].course.motion) ||
+  return !Matter::is_at_start(body, tracks_[slot].plan.motion) ||
          body.momentum.p_W != Vec3<Scalar>::Zero() || body.momentum.b_W != Vec3<Scalar>::Zero();
 }
 
@@ -77,7 +77,7 @@ void GeneralWorld<SceneT>::refresh() {
   search_watches();
 }
 
-/// What was known of a body whose course changes is no longer true.
+/// What was known of a body whose plan changes is no longer true.
 template <class SceneT>
 void GeneralWorld<SceneT>::drop_watches() {
   const auto is_stale = [this](BodyPair pair) {
@@ -94,12 +94,12 @@ void GeneralWorld<SceneT>::plan(std::size_t slot, bool is_begin) {
   Track& track = tracks_[slot];
   track.changed = false;
   const bool stayed =
-      is_begin && track.stands && Matter::is_at_start(actor_at(slot).body, track.course.motion);
+      is_begin && track.stands && Matter::is_at_start(actor_at(slot).body, track.plan.motion);
   track.start = now_;
-  if (!plan_course(slot, is_begin)) return leave_out(slot);
+  if (!plan_motion(slot, is_begin)) return leave_out(slot);
   track.present = true;
   track.fresh = true;
-  track.stands = is_begin && Matter::is_still(track.course.motion);
+  track.stands = is_begin && Matter::is_still(track.plan.motion);
   const bool idle = stayed && track.stands;
   if (idle && track.boxed && sweep_.is_idle(proxy_of(slot, 0))) return;
   put_boxes(slot, idle);
@@ -107,24 +107,24 @@ void GeneralWorld<SceneT>::plan(std::size_t slot, bool is_begin) {
 
 /// False: the body cannot take part.
 template <class SceneT>
-bool GeneralWorld<SceneT>::plan_course(std::size_t slot, bool is_begin) {
+bool GeneralWorld<SceneT>::plan_motion(std::size_t slot, bool is_begin) {
   ActorType& actor = actor_at(slot);
   Track& track = tracks_[slot];
   const Scalar duration = end_of(slot) - now_;
   if (!is_usable(actor)) {
-    ++report_.courses_invalid;
+    ++report_.plans_invalid;
     return false;
   }
   if (!is_held(slot) && !this->sleeps(slot)) {
-    track.course = Matter::ask(actor, now_, duration);
+    track.plan = Matter::ask(actor, now_, duration);
     if (is_begin) fall(slot, dt_);
-    if (is_valid(track.course.motion)) return true;
-    ++report_.courses_invalid;
+    if (is_valid(track.plan.motion)) return true;
+    ++report_.plans_invalid;
     fall(slot, now_ - dt_);  // as in hold(): what stands still does not fall
     track.held_until = dt_;
     report_.time_held = max_of(report_.time_held, dt_ - now_);
   }
-  track.course.motion = Matter::standing(actor.body, duration);
+  track.plan.motion = Matter::standing(actor.body, duration);
   return true;
 }
 
@@ -136,7 +136,7 @@ void GeneralWorld<SceneT>::fall(std::size_t slot, Scalar time) {
     Track& track = tracks_[slot];
     track.falls = track.falls || time > Scalar(0);
     if (!track.falls) return;
-    Matter::fall(actor_at(slot).body, track.course, settings_.gravity_W, time);
+    Matter::fall(actor_at(slot).body, track.plan, settings_.gravity_W, time);
   }
 }
 
@@ -156,8 +156,7 @@ void GeneralWorld<SceneT>::put_boxes(std::size_t slot, bool idle) {
   for (int part = 0; part < kParts; ++part) {  // Bound: kCapsulesPerBody
     const Slot proxy = proxy_of(slot, part);
     if (part < parts_of(actor)) {
-      sweep_.set(proxy, Matter::bound(Matter::mover(actor, part, tracks_[slot].course.motion)),
-                 idle);
+      sweep_.set(proxy, Matter::bound(Matter::mover(actor, part, tracks_[slot].plan.motion)), idle);
     } else {
       sweep_.remove(proxy);
     }
@@ -201,7 +200,7 @@ void GeneralWorld<SceneT>::collect(BodyPair pair) {
 template <class SceneT>
 bool GeneralWorld<SceneT>::may_pair(std::size_t a, std::size_t b) const {
   const bool walls =
-      Matter::is_still(tracks_[a].course.motion) && Matter::is_still(tracks_[b].course.motion) &&
+      Matter::is_still(tracks_[a].plan.motion) && Matter::is_still(tracks_[b].plan.motion) &&
       Matter::is_immovable(actor_at(a).body) && Matter::is_immovable(actor_at(b).body);
   return a != b && !walls && may_meet(actor_at(a), actor_at(b));
 }
@@ -237,7 +236,7 @@ template <class SceneT>
 typename MatterOf<SceneT>::Mover GeneralWorld<SceneT>::mover(int proxy, Scalar until) const {
   const Track& track = tracks_[body_of(proxy)];
   return Matter::mover(actor_at(body_of(proxy)), part_at(proxy),
-                       Matter::rest_of(track.course.motion, now_ - track.start, until - now_));
+                       Matter::rest_of(track.plan.motion, now_ - track.start, until - now_));
 }
 
 template <class SceneT>

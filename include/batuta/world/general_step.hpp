@@ -36,7 +36,7 @@ void GeneralWorld<SceneT>::restore(const GeneralWorld& saved) {
   report_ = saved.report_;
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
     Track& track = tracks_[slot];
-    track.course = saved.tracks_[slot].course;
+    track.plan = saved.tracks_[slot].plan;
     track.stands = saved.tracks_[slot].stands;
     track.boxed = false;
   }
@@ -143,13 +143,13 @@ void GeneralWorld<SceneT>::count_cut(const WatchType& watch) {
   }
 }
 
-/// Moves a body on its course, up to now; it has to be planned from there.
+/// Moves a body on its plan, up to now; it has to be planned from there.
 template <class SceneT>
 void GeneralWorld<SceneT>::bring(std::size_t slot, Scalar elapsed) {
   Track& track = tracks_[slot];
-  Matter::move(actor_at(slot).body, track.course.motion, elapsed);
+  Matter::move(actor_at(slot).body, track.plan.motion, elapsed);
   if constexpr (SceneT::kRotation && SceneT::kMaxPairs > 1) {  // look() asks where it is
-    track.course.motion.X_WB = actor_at(slot).body.X_WB;
+    track.plan.motion.X_WB = actor_at(slot).body.X_WB;
   }
   track.start = now_;
   track.changed = true;
@@ -165,7 +165,7 @@ void GeneralWorld<SceneT>::hold(std::size_t slot, Scalar until) {
   const Scalar held_before = max_of(track.held_until, now_);
   track.held_until = max_of(track.held_until, min_of(until, dt_));
   fall(slot, held_before - track.held_until);
-  track.course.motion = Matter::standing(actor_at(slot).body, track.course.motion.duration);
+  track.plan.motion = Matter::standing(actor_at(slot).body, track.plan.motion.duration);
   track.changed = true;
   is_changed_ = true;
   report_.time_held = max_of(report_.time_held, track.held_until - now_);
@@ -184,7 +184,7 @@ void GeneralWorld<SceneT>::end_step() {
     if (!tracks_[slot].present) continue;
     ActorType& actor = actor_at(slot);
     const Track& track = tracks_[slot];
-    if (!track.stands) Matter::move(actor.body, track.course.motion, dt_ - track.start);
+    if (!track.stands) Matter::move(actor.body, track.plan.motion, dt_ - track.start);
     if constexpr (SceneT::kRotation) actor.controller.on_step_end(actor.body, dt_);
   }
   if constexpr (SceneT::kMaxEvents > 0) end_touches();

@@ -2,7 +2,7 @@
 #pragma once
 // Many bodies, one step: everybody moves to the first contact, the contact is answered, and so on
 // to the end of the step [Kavan §2.1, §3, §4.2]. Only the bodies of a contact are planned, bounded
-// and searched anew; the others keep their course (src/world/world.md). One object, placed by the
+// and searched anew; the others keep their plan (src/world/world.md). One object, placed by the
 // caller; its size and the longest step are constants. Frame W, SI units; times within a step run
 // from 0 to dt.
 
@@ -134,15 +134,15 @@ class GeneralWorld : private SeedsOf<SceneT>,
 
   /// What the step knows of a body besides the actor.
   struct Track {
-    typename Matter::CourseType course;
+    typename Matter::PlanType plan;
     Scalar start = 0;       ///< in the step, s: the body's own pose is the one of this time
     Scalar held_until = 0;  ///< in the step, s; the body stays where it is until then
     bool present = false;   ///< takes part in the step
-    bool changed = false;   ///< its course has to be planned
-    bool fresh = false;     ///< its course was planned, its pairs are not collected yet
-    bool stands = false;    ///< its course was to stand still for a whole step, and did
+    bool changed = false;   ///< its plan has to be planned
+    bool fresh = false;     ///< its plan was planned, its pairs are not collected yet
+    bool stands = false;    ///< its plan was to stand still for a whole step, and did
     bool falls = false;     ///< was given its fall of this step
-    bool boxed = false;     ///< its boxes are those of its last course
+    bool boxed = false;     ///< its boxes are those of its last plan
   };
 
   // Plan: general_plan.hpp.
@@ -155,7 +155,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
   void refresh();
   void drop_watches();
   void plan(std::size_t slot, bool is_begin);
-  bool plan_course(std::size_t slot, bool is_begin);
+  bool plan_motion(std::size_t slot, bool is_begin);
   void fall(std::size_t slot, Scalar time);
   void leave_out(std::size_t slot);
   void put_boxes(std::size_t slot, bool idle);
@@ -257,8 +257,8 @@ class GeneralWorld : private SeedsOf<SceneT>,
   /// What counts as rest in this step, m/s.
   Scalar rest_speed_ = 0;
   int contacts_answered_ = 0;
-  bool is_begin_ = false;    ///< nobody's course of this step is planned yet
-  bool is_changed_ = false;  ///< somebody's course has to be planned
+  bool is_begin_ = false;    ///< nobody's plan of this step is planned yet
+  bool is_changed_ = false;  ///< somebody's plan has to be planned
 };
 
 }  // namespace batuta

@@ -169,7 +169,7 @@ void LeanWorld<SceneT>::begin_body(std::size_t slot) {
   }
   Scalar mass = step_mass(*actor);
   if (mass != body.inverse_mass) {
-    ++report_.courses_invalid;
+    ++report_.plans_invalid;
     if constexpr (SceneT::kGravity) {
       body.momentum_W = before;
       mass = step_mass(*actor) >= Scalar(0) ? Scalar(0) : kAbsent;

@@ -10,7 +10,7 @@ namespace batuta {
 
 struct SceneCost {
   std::size_t world = 0;     ///< bytes of World<Scene>, all that the scene needs
-  std::size_t body = 0;      ///< of these, for one more body: actor, course, boxes
+  std::size_t body = 0;      ///< of these, for one more body: actor, plan, boxes
   std::size_t pair = 0;      ///< for one more of kMaxPairs
   std::size_t event = 0;     ///< for one more of kMaxEvents
   std::uint64_t rounds = 0;  ///< most rounds of a step

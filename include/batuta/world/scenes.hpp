@@ -19,7 +19,7 @@ struct StraightSpheres : Scene {
   static constexpr RestingContact kResting = RestingContact::kNone;
 };
 
-/// Two capsules on courses that the caller knows: events say when and where they meet, and change
+/// Two capsules on plans that the caller knows: events say when and where they meet, and change
 /// nothing.
 struct DetectionOnly : Scene {
   static constexpr bool kResponse = false;

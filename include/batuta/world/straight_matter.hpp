@@ -18,7 +18,7 @@ struct StraightMatter {
   using ActorType = Actor<SceneT>;
   static constexpr bool kBalls = Search::kForSpheres;
 
-  struct CourseType {
+  struct PlanType {
     MotionType motion;
   };
   struct Sight {
@@ -48,7 +48,7 @@ struct StraightMatter {
     return zero == Scalar(0) && body.inverse_mass >= Scalar(0);  // NaN where one is not finite
   }
   static void prepare(ActorType& /*actor*/) {}
-  static CourseType ask(const ActorType& actor, Scalar /*t*/, Scalar duration) {
+  static PlanType ask(const ActorType& actor, Scalar /*t*/, Scalar duration) {
     return {{actor.body.p_W, velocity_of(actor.body), duration}};
   }
   static MotionType standing(const BodyType& body, Scalar duration) {
@@ -65,10 +65,10 @@ struct StraightMatter {
   static MotionType rest_of(const MotionType& motion, Scalar t, Scalar duration) {
     return {position_at(motion, t), motion.v_W, duration};
   }
-  static void fall(BodyType& body, CourseType& course, const Vec3<Scalar>& gravity_W, Scalar time) {
+  static void fall(BodyType& body, PlanType& plan, const Vec3<Scalar>& gravity_W, Scalar time) {
     if (!(body.inverse_mass > Scalar(0))) return;
     body.momentum_W += (time / body.inverse_mass) * gravity_W;
-    course.motion.v_W = velocity_of(body);
+    plan.motion.v_W = velocity_of(body);
   }
 
   static Mover mover(const ActorType& actor, int part, const MotionType& motion) {

@@ -22,7 +22,7 @@ struct TurningMatter {
   using Search = typename SceneT::Search;
   using BodyType = Body<Scalar>;
   using MotionType = Motion<Scalar>;
-  using CourseType = Course<Scalar>;
+  using PlanType = PlannedMotion<Scalar>;
   using ActorType = Actor<SceneT>;
 
   /// What a search saw of a pair.
@@ -60,13 +60,13 @@ struct TurningMatter {
   }
   /// No valid one where the caller, or bytes that were restored, spoiled the orientation: a
   /// controller may take it for one.
-  static CourseType ask(const ActorType& actor, Scalar t, Scalar duration) {
+  static PlanType ask(const ActorType& actor, Scalar t, Scalar duration) {
     constexpr Scalar kUnitWithin = Scalar(1) / 512;  // of the squared length, as in archive.cpp
     const Scalar square = actor.body.X_WB.q_WB.squaredNorm();
     if (std::abs(square - Scalar(1)) <= kUnitWithin) {
-      return actor.controller.course(actor.body, t, duration);
+      return actor.controller.plan(actor.body, t, duration);
     }
-    CourseType none;
+    PlanType none;
     none.motion = still(actor.body.X_WB, std::numeric_limits<Scalar>::quiet_NaN());
     return none;
   }
@@ -91,12 +91,12 @@ struct TurningMatter {
     rest.duration = duration;
     return rest;
   }
-  /// What `time` of falling adds to a body that its momentum moves, and to its course; a time below
+  /// What `time` of falling adds to a body that its momentum moves, and to its plan; a time below
   /// zero takes it back.
-  static void fall(BodyType& body, CourseType& course, const Vec3<Scalar>& gravity_W, Scalar time) {
-    if (!course.by_momentum || !(body.inverse_mass > Scalar(0))) return;
+  static void fall(BodyType& body, PlanType& plan, const Vec3<Scalar>& gravity_W, Scalar time) {
+    if (!plan.by_momentum || !(body.inverse_mass > Scalar(0))) return;
     body.momentum.p_W += (time / body.inverse_mass) * gravity_W;
-    course.motion.twist.v_W = body.inverse_mass * body.momentum.p_W;
+    plan.motion.twist.v_W = body.inverse_mass * body.momentum.p_W;
   }
 
   static Mover mover(const ActorType& actor, int part, const MotionType& motion) {

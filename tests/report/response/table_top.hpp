@@ -38,8 +38,8 @@ template <class S>
 struct OpenHand : Grip<S> {
   bool open = true;
 
-  Course<S> course(const Body<S>& body, S t, S duration) const {
-    return open ? FreeFlight<S>{}.course(body, t, duration) : Grip<S>::course(body, t, duration);
+  PlannedMotion<S> plan(const Body<S>& body, S t, S duration) const {
+    return open ? FreeFlight<S>{}.plan(body, t, duration) : Grip<S>::plan(body, t, duration);
   }
 };
 

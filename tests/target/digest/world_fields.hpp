@@ -20,7 +20,7 @@ inline void add(Answer& answer, const StepReport<float>& report) {
   answer.add("searches_cut", report.searches_cut);
   answer.add("searches_invalid", report.searches_invalid);
   answer.add("answers_invalid", report.answers_invalid);
-  answer.add("courses_invalid", report.courses_invalid);
+  answer.add("plans_invalid", report.plans_invalid);
   answer.add("events_dropped", report.events_dropped);
   answer.add("contacts_untracked", report.contacts_untracked);
   answer.add("time_held", report.time_held);

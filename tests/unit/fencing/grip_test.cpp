@@ -37,7 +37,7 @@ class GripOf : public ::testing::Test {
 
   void command() { grip.command(hand(now() + kStep), static_cast<S>(kStep)); }
   void move(double from, double to) {
-    const auto course = grip.course(body, static_cast<S>(from), static_cast<S>(to - from));
+    const auto course = grip.plan(body, static_cast<S>(from), static_cast<S>(to - from));
     EXPECT_FALSE(course.by_momentum);
     body.X_WB = pose_at(course.motion, static_cast<S>(to - from));
     body.momentum = momentum_of(body, course.motion.twist);
@@ -80,14 +80,14 @@ TYPED_TEST(GripOf, Held_FollowsTheHand) {
 TYPED_TEST(GripOf, Held_MatterMovesLikeTheHand) {
   this->step();
   this->command();
-  const auto course = this->grip.course(this->body, TypeParam(0), TypeParam(kStep));
+  const auto course = this->grip.plan(this->body, TypeParam(0), TypeParam(kStep));
   EXPECT_NEAR(course.motion.twist.v_W.x(), 0.5, 1e-3);
   EXPECT_NEAR(course.motion.twist.w_W.z(), 0.8, 1e-3);
 }
 
 TYPED_TEST(GripOf, NothingCommanded_StandsStill) {
   this->grip.on_step_end(this->body, TypeParam(kStep));
-  const auto course = this->grip.course(this->body, TypeParam(0), TypeParam(0.5));
+  const auto course = this->grip.plan(this->body, TypeParam(0), TypeParam(0.5));
   EXPECT_EQ(course.motion.twist.v_W.norm(), TypeParam(0));
   EXPECT_EQ(course.motion.duration, TypeParam(0.5));
 }
@@ -128,7 +128,7 @@ TYPED_TEST(GripOf, FirstMomentAfterABlow_IsFreeFlight) {
   this->body.momentum = momentum_of(this->body, Twist<S>{vec<S>(0, -3, 1), vec<S>(0, 5, 2)});
   const auto flight = free_flight(this->body, S(kStep));
   this->grip.on_contact(this->body, {S(0), S(0.4), Vec3<S>::Zero()});
-  const auto course = this->grip.course(this->body, S(0), S(kStep));
+  const auto course = this->grip.plan(this->body, S(0), S(kStep));
   // s = 0.01 after the step: the hand's weight is 3e-4.
   EXPECT_LE((course.motion.twist.v_W - flight.twist.v_W).norm(), S(5e-3));
   EXPECT_LE((course.motion.twist.w_W - flight.twist.w_W).norm(), S(2e-2));
@@ -195,7 +195,7 @@ TYPED_TEST(GripOf, LastMomentOfAStep_HasTheHandsVelocity) {
   this->command();
   const S late = S(kStep) * (S(1) - S(1e-6));
   this->move(0, static_cast<double>(late));
-  const auto course = this->grip.course(this->body, late, S(kStep) - late);
+  const auto course = this->grip.plan(this->body, late, S(kStep) - late);
   EXPECT_NEAR(course.motion.twist.v_W.x(), 0.5, 5e-3);
   EXPECT_LE(std::abs(course.motion.twist.v_W.y()), S(5e-3));
 }

@@ -40,7 +40,7 @@ TYPED_TEST(Controller, Fixed_StandsStillWhateverItsMomentum) {
   Fixed<TypeParam> fixed;
   fixed.on_contact(body, {});
   fixed.on_step_end(body, TypeParam(1));
-  const Course<TypeParam> course = fixed.course(body, TypeParam(0.25), TypeParam(0.75));
+  const PlannedMotion<TypeParam> course = fixed.plan(body, TypeParam(0.25), TypeParam(0.75));
   EXPECT_FALSE(course.by_momentum);
   EXPECT_EQ(course.motion.duration, TypeParam(0.75));
   const Pose<TypeParam> end = pose_at(course.motion, TypeParam(0.75));
@@ -53,7 +53,7 @@ TYPED_TEST(Controller, FreeFlight_FliesByItsMomentum) {
   FreeFlight<TypeParam> flight;
   flight.on_contact(body, {});
   flight.on_step_end(body, TypeParam(1));
-  const Course<TypeParam> course = flight.course(body, TypeParam(0), TypeParam(0.5));
+  const PlannedMotion<TypeParam> course = flight.plan(body, TypeParam(0), TypeParam(0.5));
   EXPECT_TRUE(course.by_momentum);
   EXPECT_EQ(course.motion.duration, TypeParam(0.5));
   EXPECT_EQ(course.motion.twist.v_W, Vec3<TypeParam>(1, -2, 3));
@@ -64,7 +64,7 @@ TYPED_TEST(Controller, Hand_IsAtItsTargetWhenTheStepEnds) {
   const Body<TypeParam> body = flying_body<TypeParam>();
   const auto dt = static_cast<TypeParam>(0.01);
   const Hand<TypeParam> hand = {target_of(body.X_WB), dt};
-  const Course<TypeParam> course = hand.course(body, TypeParam(0), dt);
+  const PlannedMotion<TypeParam> course = hand.plan(body, TypeParam(0), dt);
   EXPECT_FALSE(course.by_momentum);
   EXPECT_EQ(course.motion.duration, dt);
   expect_near(pose_at(course.motion, dt), hand.target_W);
@@ -75,10 +75,10 @@ TYPED_TEST(Controller, HandPushedAsideOnItsWay_StillArrives) {
   const auto dt = static_cast<TypeParam>(0.01);
   const auto t = static_cast<TypeParam>(0.004);
   Hand<TypeParam> hand = {target_of(body.X_WB), dt};
-  body.X_WB = pose_at(hand.course(body, TypeParam(0), dt).motion, t);
+  body.X_WB = pose_at(hand.plan(body, TypeParam(0), dt).motion, t);
   body.X_WB.p_W += Vec3<TypeParam>(0, TypeParam(0.1), 0);
   hand.on_contact(body, {});
-  const Course<TypeParam> rest = hand.course(body, t, dt - t);
+  const PlannedMotion<TypeParam> rest = hand.plan(body, t, dt - t);
   EXPECT_EQ(rest.motion.duration, dt - t);
   expect_near(pose_at(rest.motion, dt - t), hand.target_W);
   hand.on_step_end(body, dt);
@@ -87,7 +87,7 @@ TYPED_TEST(Controller, HandPushedAsideOnItsWay_StillArrives) {
 TYPED_TEST(Controller, HandAskedForLessThanItsStep_IsOnItsWay) {
   const Body<TypeParam> body = flying_body<TypeParam>();
   const Hand<TypeParam> hand = {target_of(body.X_WB), TypeParam(1)};
-  const Course<TypeParam> course = hand.course(body, TypeParam(0), TypeParam(0.5));
+  const PlannedMotion<TypeParam> course = hand.plan(body, TypeParam(0), TypeParam(0.5));
   EXPECT_EQ(course.motion.duration, TypeParam(0.5));
   const Pose<TypeParam> half_way = pose_at(course.motion, TypeParam(0.5));
   EXPECT_NEAR(half_way.p_W.x(), 1.5, kSmall<TypeParam>);
@@ -98,7 +98,7 @@ TYPED_TEST(Controller, HandAskedForMoreThanItsStep_NeverGoesPastItsTarget) {
   const Hand<TypeParam> hand = {target_of(body.X_WB), TypeParam(1)};
   const TypeParam duration(2);
   for (const TypeParam t : {TypeParam(0), TypeParam(1), TypeParam(1.5)}) {
-    const Course<TypeParam> course = hand.course(body, t, duration);
+    const PlannedMotion<TypeParam> course = hand.plan(body, t, duration);
     EXPECT_EQ(course.motion.duration, duration);
     expect_near(pose_at(course.motion, duration), hand.target_W);
   }
@@ -109,7 +109,7 @@ TYPED_TEST(Controller, HandPushedAsideAtTheEndOfItsStep_IsLateRatherThanFast) {
   const Hand<TypeParam> hand = {target_of(body.X_WB), TypeParam(1)};
   const TypeParam way = (hand.target_W.p_W - body.X_WB.p_W).norm();
   for (const TypeParam left : {TypeParam(0), TypeParam(1e-6)}) {
-    const Course<TypeParam> course = hand.course(body, TypeParam(1) - left, left);
+    const PlannedMotion<TypeParam> course = hand.plan(body, TypeParam(1) - left, left);
     EXPECT_LE(course.motion.twist.v_W.norm(), TypeParam(8.001) * way);
     EXPECT_TRUE(is_valid(course.motion));
   }
@@ -118,7 +118,7 @@ TYPED_TEST(Controller, HandPushedAsideAtTheEndOfItsStep_IsLateRatherThanFast) {
 TYPED_TEST(Controller, HandWithoutAStep_StandsStill) {
   const Body<TypeParam> body = flying_body<TypeParam>();
   const Hand<TypeParam> hand = {target_of(body.X_WB), TypeParam(0)};
-  const Course<TypeParam> course = hand.course(body, TypeParam(0), TypeParam(0));
+  const PlannedMotion<TypeParam> course = hand.plan(body, TypeParam(0), TypeParam(0));
   EXPECT_EQ(course.motion.twist.v_W, Vec3<TypeParam>(0, 0, 0));
   EXPECT_TRUE(is_valid(course.motion));
 }
@@ -128,17 +128,17 @@ TYPED_TEST(Controller, AnyController_IsTheOneItHolds) {
   const Body<TypeParam> body = flying_body<TypeParam>();
   Any controller;
   EXPECT_NE(controller.template as<Fixed<TypeParam>>(), nullptr);
-  EXPECT_EQ(controller.course(body, 0, 1).motion.twist.v_W, Vec3<TypeParam>(0, 0, 0));
+  EXPECT_EQ(controller.plan(body, 0, 1).motion.twist.v_W, Vec3<TypeParam>(0, 0, 0));
 
   controller = FreeFlight<TypeParam>{};
-  EXPECT_TRUE(controller.course(body, 0, 1).by_momentum);
+  EXPECT_TRUE(controller.plan(body, 0, 1).by_momentum);
   EXPECT_EQ(controller.template as<Fixed<TypeParam>>(), nullptr);
 
   controller = Hand<TypeParam>{target_of(body.X_WB), 1};
   ASSERT_NE(controller.template as<Hand<TypeParam>>(), nullptr);
   controller.on_contact(body, {});
   controller.on_step_end(body, 1);
-  expect_near(pose_at(controller.course(body, 0, 1).motion, TypeParam(1)), target_of(body.X_WB));
+  expect_near(pose_at(controller.plan(body, 0, 1).motion, TypeParam(1)), target_of(body.X_WB));
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ TYPED_TEST(LeanLimits, BodyBrokenByTheCaller_IsLeftOutAndCounted) {
   const auto other = world.add(ball<TypeParam>(1, -2)).value;
   world.get(broken)->body.momentum_W.x() = std::numeric_limits<S>::quiet_NaN();
   ASSERT_EQ(world.step(1), Status::kOk);
-  EXPECT_EQ(world.report().courses_invalid, 1U);
+  EXPECT_EQ(world.report().plans_invalid, 1U);
   EXPECT_FALSE(world.report().complete());
   EXPECT_EQ(world.get(broken)->body.p_W.x(), S(0));
   EXPECT_NEAR(world.get(other)->body.p_W.x(), -1, 1e-5);
@@ -73,7 +73,7 @@ TYPED_TEST(LeanLimits, SpeedThatOverflows_IsRefusedOrHeldWhereOthersMeetIt) {
   const auto other = world.add(ball<TypeParam>(0, 1)).value;
   world.get(held)->body = fast.body;
   ASSERT_EQ(world.step(1), Status::kOk);
-  EXPECT_EQ(world.report().courses_invalid, 1U);
+  EXPECT_EQ(world.report().plans_invalid, 1U);
   EXPECT_EQ(world.report().time_held, S(1));
   EXPECT_FALSE(world.report().complete());
   EXPECT_EQ(world.get(held)->body.p_W, fast.body.p_W);
@@ -90,7 +90,7 @@ TYPED_TEST(LeanLimits, GravityThatOverflows_HoldsTheBodyWithItsMomentum) {
   const auto held = world.add(heavy).value;
   const auto other = world.add(ball<TypeParam>(0, 1)).value;
   ASSERT_EQ(world.step(1), Status::kOk);
-  EXPECT_EQ(world.report().courses_invalid, 1U);
+  EXPECT_EQ(world.report().plans_invalid, 1U);
   EXPECT_EQ(world.get(held)->body.p_W, heavy.body.p_W);
   EXPECT_EQ(world.get(held)->body.momentum_W.y(), S(5));
   EXPECT_EQ(world.get(held)->body.momentum_W.z(), S(0));

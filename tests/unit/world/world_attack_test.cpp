@@ -69,7 +69,7 @@ TEST(WorldAttack, TooFastASpinUnderGravity_StandsAndGathersNoFall) {
   ASSERT_TRUE(id.ok());
   for (int i = 0; i < 100; ++i) {
     ASSERT_EQ(world->step(kDt), Status::kOk);
-    ASSERT_EQ(world->report().courses_invalid, 1U);
+    ASSERT_EQ(world->report().plans_invalid, 1U);
   }
   const Actor<TightScene>& after = *world->get(id.value);
   EXPECT_EQ(after.body.X_WB.p_W.z(), 0);

@@ -155,7 +155,7 @@ TEST(WorldLimits, SpinBeyondTheLimit_HoldsTheBodyAndSaysSo) {
   spinner.body.momentum.b_W = vec<double>(1e9, 0, 0);
   const auto id = world.add(spinner).value;
   ASSERT_EQ(world.step(1.0), Status::kOk);
-  EXPECT_EQ(world.report().courses_invalid, 1);
+  EXPECT_EQ(world.report().plans_invalid, 1);
   EXPECT_EQ(world.get(id)->body.X_WB.p_W, Vec3<double>::Zero());
 }
 
@@ -216,7 +216,7 @@ TEST(WorldLimits, BodyThatTheCallerSpoils_IsLeftOutAndCounted) {
   const auto healthy = world.add(ball<TightScene>(3, 0.1, 1)).value;
   world.get(spoilt)->body.X_WB.p_W.x() = std::nan("");
   ASSERT_EQ(world.step(0.1), Status::kOk);
-  EXPECT_GE(world.report().courses_invalid, 1U);
+  EXPECT_GE(world.report().plans_invalid, 1U);
   EXPECT_NEAR(world.get(healthy)->body.X_WB.p_W.x(), 3.1, 1e-12);
   world.get(spoilt)->body.X_WB.p_W.x() = 0;
   ASSERT_EQ(world.step(0.1), Status::kOk);

@@ -62,7 +62,7 @@ class Blades {
     for (Blade& blade : blades) {  // Bound: 2
       blade.motion = free_flight(blade.body, duration);
       if (is_usable(blade) && is_valid(blade.motion)) continue;
-      ++report.courses_invalid;
+      ++report.plans_invalid;
       blade.motion = still(blade.body.X_WB, duration);
       good = false;
     }

@@ -61,14 +61,14 @@ void begin(Ball& ball) {
   ball.v_W.setZero();
   ball.present = is_usable(ball);
   ball.moves = ball.present && ball.body.inverse_mass > 0.F;
-  if (!ball.present) ++report.courses_invalid;
+  if (!ball.present) ++report.plans_invalid;
 }
 
 void aim(Ball& ball) {
   if (!ball.moves) return;
   for (int i = 0; i < 3; ++i) ball.v_W[i] = ball.body.inverse_mass * ball.body.momentum_W[i];
   if (is_finite(ball.v_W)) return;
-  ++report.courses_invalid;
+  ++report.plans_invalid;
   hold(ball);
 }
 
