@@ -18,14 +18,16 @@ bool has_all_digits(Scalar x) {
 
 template <class Scalar>
 Status validate(const AdvancementOptions<Scalar>& options) {
-  const bool good =
-      options.slab >= Scalar(0) && options.slab <= Scalar(1) && options.budget <= kMaxBudget;
+  const bool good = options.contact_tolerance >= Scalar(0) &&
+                    options.contact_tolerance <= Scalar(1) && options.budget <= kMaxBudget;
   return good ? Status::kOk : Status::kInvalidArgument;
 }
 
 template <class Scalar>
-Scalar slab_of(const MovingPair<Scalar>& pair, const AdvancementOptions<Scalar>& options) {
-  return max_of(options.slab * pair.scale, kLeastSlab<Scalar> * query_length(pair));
+Scalar contact_tolerance_of(const MovingPair<Scalar>& pair,
+                            const AdvancementOptions<Scalar>& options) {
+  return max_of(options.contact_tolerance * pair.scale,
+                kLeastContactTolerance<Scalar> * query_length(pair));
 }
 
 template <class Scalar>
@@ -40,10 +42,10 @@ bool can_be_searched(const MovingPair<Scalar>& pair, const AdvancementOptions<Sc
          has_all_digits(length) && length <= kLargestCoordinate<Scalar>;
 }
 
-#define BATUTA_INSTANTIATE(S)                                             \
-  template Status validate(const AdvancementOptions<S>&);                 \
-  template S slab_of(const MovingPair<S>&, const AdvancementOptions<S>&); \
-  template S inflation_of(const MovingPair<S>&);                          \
+#define BATUTA_INSTANTIATE(S)                                                          \
+  template Status validate(const AdvancementOptions<S>&);                              \
+  template S contact_tolerance_of(const MovingPair<S>&, const AdvancementOptions<S>&); \
+  template S inflation_of(const MovingPair<S>&);                                       \
   template bool can_be_searched(const MovingPair<S>&, const AdvancementOptions<S>&);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE

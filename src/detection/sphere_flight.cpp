@@ -7,12 +7,13 @@ namespace batuta {
 
 namespace {
 
-/// Least slab over S: the entry is aimed at half of it, with room on either side for the error of
-/// the aim and for eps (sphere_flight.md).
+/// Least contact tolerance over S: the entry is aimed at half of it, with room on either side for
+/// the error of the aim and for eps (sphere_flight.md).
 template <class Scalar>
-constexpr Scalar kLeastFlightSlab = 128 * kRoundOff<Scalar>;
+constexpr Scalar kLeastFlightTolerance = 128 * kRoundOff<Scalar>;
 
-/// Share of the least slab that is eps: what rounding can do to the evaluation that certifies.
+/// Share of the least contact tolerance that is eps: what rounding can do to the evaluation that
+/// certifies.
 template <class Scalar>
 constexpr Scalar kEvaluationShare = Scalar(0.125);
 
@@ -31,8 +32,8 @@ template <class Scalar>
 }
 
 template <class Scalar>
-Scalar least_slab(Scalar apart, Scalar length, Scalar radii) {
-  return kLeastFlightSlab<Scalar> * (apart + length + radii + kLeastLength<Scalar>);
+Scalar least_tolerance(Scalar apart, Scalar length, Scalar radii) {
+  return kLeastFlightTolerance<Scalar> * (apart + length + radii + kLeastLength<Scalar>);
 }
 
 template <class Scalar>
@@ -43,19 +44,20 @@ bool are_not_negative(Scalar a, Scalar b, Scalar c) {
 }  // namespace
 
 template <class Scalar>
-SphereAnswer<Scalar> search_spheres(const SphereFlight<Scalar>& flight, Scalar slab) {
+SphereAnswer<Scalar> search_spheres(const SphereFlight<Scalar>& flight, Scalar contact_tolerance) {
   const Vec3<Scalar>& start = flight.between;
   const Vec3<Scalar> travel = flight.v * flight.duration;
   const Scalar radii = flight.radii;
   const Scalar apart = distance_at<Scalar>(start, travel, Scalar(0));
   const Scalar square = travel.squaredNorm();
   const Scalar length = std::sqrt(square);
-  const Scalar least = least_slab(apart, length, radii);
+  const Scalar least = least_tolerance(apart, length, radii);
   const Scalar closing = -start.dot(travel);
   SphereAnswer<Scalar> answer;
   answer.closing = closing;
-  if (!is_finite(least * least) || !are_not_negative(radii, flight.duration, slab)) return answer;
-  const Scalar tau = max_of(slab, least);
+  if (!is_finite(least * least) || !are_not_negative(radii, flight.duration, contact_tolerance))
+    return answer;
+  const Scalar tau = max_of(contact_tolerance, least);
   answer.outcome = Outcome::kTouching;
   if (!(apart - radii > tau)) return answer;
 
@@ -83,13 +85,13 @@ SphereAnswer<Scalar> search_spheres(const SphereFlight<Scalar>& flight, Scalar s
 }
 
 template <class Scalar>
-Scalar contact_gap_of(const SphereFlight<Scalar>& flight, Scalar slab) {
+Scalar contact_gap_of(const SphereFlight<Scalar>& flight, Scalar contact_tolerance) {
   const Vec3<Scalar>& start = flight.between;
   const Vec3<Scalar> travel = flight.v * flight.duration;
   const Scalar length = std::sqrt(travel.squaredNorm());
   const Scalar least =
-      least_slab(distance_at<Scalar>(start, travel, Scalar(0)), length, flight.radii);
-  return max_of(slab, least) + least * kEvaluationShare<Scalar>;
+      least_tolerance(distance_at<Scalar>(start, travel, Scalar(0)), length, flight.radii);
+  return max_of(contact_tolerance, least) + least * kEvaluationShare<Scalar>;
 }
 
 template <class Scalar>

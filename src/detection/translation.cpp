@@ -10,8 +10,8 @@ namespace batuta {
 
 namespace {
 
-/// Share of the slab at which the entry is predicted: inside it by more than a prediction errs, and
-/// far enough from contact for the judge (translation.md).
+/// Share of the contact tolerance at which the entry is predicted: inside it by more than a
+/// prediction errs, and far enough from contact for the judge (translation.md).
 template <class Scalar>
 constexpr Scalar kAim = Scalar(0.75);
 
@@ -23,9 +23,9 @@ constexpr Scalar kSteadyInflation = 48 * kRoundOff<Scalar>;
 template <class Scalar>
 class Glide {
  public:
-  Glide(const MovingPair<Scalar>& pair, Scalar scale, Scalar slab)
+  Glide(const MovingPair<Scalar>& pair, Scalar scale, Scalar contact_tolerance)
       : unit_(in_units(pair, scale)),
-        slab_(slab * scale),
+        contact_tolerance_(contact_tolerance * scale),
         radii_(unit_.A.radius + unit_.B.radius),
         epsilon_(kSteadyInflation<Scalar> * unit_.scale) {}
 
@@ -36,13 +36,13 @@ class Glide {
     return closest_points<Scalar>(axis_A(), axis_B(theta));
   }
   bool is_contact(const ClosestPoints<Scalar>& closest) const {
-    return !(closest.distance - radii_ > slab_);
+    return !(closest.distance - radii_ > contact_tolerance_);
   }
 
-  /// The instant worth a look: where the pair enters the slab, or else where the middles are
-  /// closest.
+  /// The instant worth a look: where the pair enters the contact tolerance, or else where the
+  /// middles are closest.
   Scalar instant_to_look_at() const {
-    const Scalar rho = radii_ + kAim<Scalar> * slab_;
+    const Scalar rho = radii_ + kAim<Scalar> * contact_tolerance_;
     const Scalar entry = first_entry<Scalar>({axis_A(), axis_B(Scalar(0)), unit_.B.v, rho});
     if (entry > theta_ && entry <= Scalar(1)) return entry;
     const Scalar square = unit_.B.v.squaredNorm();
@@ -51,13 +51,13 @@ class Glide {
     return clamp(closest, theta_, Scalar(1));
   }
 
-  /// Advances while the line between the middles proves a gap of more than the slab, without a
-  /// distance evaluation; returns its direction.
+  /// Advances while the line between the middles proves a gap of more than the contact tolerance,
+  /// without a distance evaluation; returns its direction.
   Vec3<Scalar> advance_along_middles() {
     Vec3<Scalar> n = line_of_middles();
     if (!(largest_component(n) > Scalar(0))) return n;
     n = unit(n);
-    (void)advance_along(n, slab_, Scalar(1));
+    (void)advance_along(n, contact_tolerance_, Scalar(1));
     return n;
   }
 
@@ -116,9 +116,9 @@ class Glide {
     return theta_ >= until;
   }
 
-  /// What a proof that begins at theta has to exceed: at the start a gap within the slab is a
-  /// touch.
-  Scalar least_here() const { return theta_ > Scalar(0) ? Scalar(0) : slab_; }
+  /// What a proof that begins at theta has to exceed: at the start a gap within the contact
+  /// tolerance is a touch.
+  Scalar least_here() const { return theta_ > Scalar(0) ? Scalar(0) : contact_tolerance_; }
 
   /// Lower bound of the gap along n at the start, less what rounding can do.
   Scalar clearance_at_start(const Vec3<Scalar>& n) const {
@@ -128,7 +128,7 @@ class Glide {
   }
 
   MovingPair<Scalar> unit_;
-  Scalar slab_;
+  Scalar contact_tolerance_;
   Scalar radii_;
   Scalar epsilon_;
   Scalar theta_ = 0;
@@ -171,7 +171,7 @@ SearchResult<Scalar> search_translation(const MovingPair<Scalar>& pair,
                                         const AdvancementOptions<Scalar>& options) {
   if (!can_be_searched(pair, options) || turns(pair.A) || turns(pair.B)) return {};
   const Scalar scale = window_scale(pair.scale);
-  Glide<Scalar> glide(pair, scale, slab_of(pair, options));
+  Glide<Scalar> glide(pair, scale, contact_tolerance_of(pair, options));
   const Vec3<Scalar> first = glide.advance_along_middles();
   SearchResult<Scalar> result;
   result.outcome = Outcome::kBudget;

@@ -17,13 +17,13 @@ template <class Scalar>
 class Walk {
  public:
   /// @param pair  with lengths in the ScaleWindow; it must outlive the walk
-  /// @param slab  in its unit
+  /// @param contact tolerance  in its unit
   /// @param inflation  kInflation; tests try less, to see that it is needed
   // cppcheck-suppress uninitMemberVar ; deviation: walk-features
-  Walk(const MovingPair<Scalar>& pair, Scalar slab, Scalar inflation)
+  Walk(const MovingPair<Scalar>& pair, Scalar contact_tolerance, Scalar inflation)
       : pair_(pair),
         radii_(pair.A.radius + pair.B.radius),
-        slab_(slab),
+        contact_tolerance_(contact_tolerance),
         state_{{},
                {},
                pair.B.v * pair.duration,
@@ -53,19 +53,21 @@ class Walk {
 
   ClosestPoints<Scalar> closest() const { return closest_points(state_.A.axis(), state_.B.axis()); }
   Scalar gap(const ClosestPoints<Scalar>& closest) const { return closest.distance - radii_; }
-  bool is_contact(const ClosestPoints<Scalar>& closest) const { return !(gap(closest) > slab_); }
+  bool is_contact(const ClosestPoints<Scalar>& closest) const {
+    return !(gap(closest) > contact_tolerance_);
+  }
 
   /// From twice the middle of A's axis to twice that of B's.
   Vec3<Scalar> line_of_middles() const {
     return (state_.B.p[0] + state_.B.p[1]) - (state_.A.p[0] + state_.A.p[1]);
   }
 
-  /// Advances while n, held fixed, proves a gap of more than the slab, without
+  /// Advances while n, held fixed, proves a gap of more than the contact tolerance, without
   /// a distance evaluation. @pre n is a unit vector, or zero
   void advance_along(const Vec3<Scalar>& n) {
     Clearances<Scalar> f;
-    hold(f, n, state_, radii_ + slab_);
-    advance(unless_spinning(proven_free(f, horizon()), n, radii_ + slab_));
+    hold(f, n, state_, radii_ + contact_tolerance_);
+    advance(unless_spinning(proven_free(f, horizon()), n, radii_ + contact_tolerance_));
   }
 
   /// Advances as far as the normal of `closest` proves: held fixed or, where
@@ -93,7 +95,7 @@ class Walk {
   /// `closest` are two points on them: the closest ones if the features still
   /// are, and never closer.
   bool shows_contact(ClosestPoints<Scalar>& closest) {
-    if (!follow(features_, state_.A, state_.B, radii_ + slab_)) return false;
+    if (!follow(features_, state_.A, state_.B, radii_ + contact_tolerance_)) return false;
     const ClosestPoints<Scalar> same = points_at(features_, state_.A.axis(), state_.B.axis());
     if (!is_contact(same) || !(same.distance > Scalar(0))) return false;
     closest = same;
@@ -160,7 +162,7 @@ class Walk {
 
   const MovingPair<Scalar>& pair_;
   Scalar radii_;
-  Scalar slab_;
+  Scalar contact_tolerance_;
   Scalar theta_ = 0;
   Features<Scalar> features_;  ///< of the last evaluation
   PairState<Scalar> state_;    ///< at theta
@@ -243,7 +245,7 @@ SearchResult<Scalar> search_inflated(const MovingPair<Scalar>& pair,
                                      const Vec3<Scalar>& seed_AB, Scalar inflation) {
   const Scalar scale = window_scale(query_length(pair));
   const auto search = [&](const MovingPair<Scalar>& unit) {
-    Walk<Scalar> walk(unit, slab_of(pair, options) * scale, inflation);
+    Walk<Scalar> walk(unit, contact_tolerance_of(pair, options) * scale, inflation);
     const Vec3<Scalar> first = direction_of(seed_AB, walk.line_of_middles());
     walk.advance_along(first);
     return answer(pair, walk, scale, walk_on(walk, options.budget), first);

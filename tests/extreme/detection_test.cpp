@@ -87,8 +87,8 @@ TYPED_TEST(Searches, HostilePair_IsNeverCalledFreeForWantOfNumbers) {
   const Two<S> two = good_two(S(1));
   const auto good = make_moving_pair(two.A, two.B).value;
   test::for_each_spoiled<S>(good, kDraws, [](const MovingPair<S>& pair, bool is_number) {
-    for (const S slab : {S(0), S(1e-6), S(1)}) {
-      const auto found = search_advancement<S>(pair, {slab, 64});
+    for (const S contact_tolerance : {S(0), S(1e-6), S(1)}) {
+      const auto found = search_advancement<S>(pair, {contact_tolerance, 64});
       ASSERT_LE(found.evaluations, 64U);
       EXPECT_TRUE(is_number || found.outcome != Outcome::kFree || is_finite(found.t_free));
     }
@@ -160,11 +160,11 @@ TYPED_TEST(Searches, HostileSpheres_AreRefusedOrSearched) {
   using S = TypeParam;
   struct Flight {
     SphereFlight<S> flight = {{2, S(0.25), 0}, {-2, 0, 0}, S(0.5), 1};
-    S slab = S(1e-4);
+    S contact_tolerance = S(1e-4);
   };
   test::for_each_spoiled<S>(Flight{}, kDraws, [](const Flight& f, bool is_number) {
-    const auto found = search_spheres(f.flight, f.slab);
-    const bool all_touch = f.slab == std::numeric_limits<S>::infinity();
+    const auto found = search_spheres(f.flight, f.contact_tolerance);
+    const bool all_touch = f.contact_tolerance == std::numeric_limits<S>::infinity();
     if (!is_number && !all_touch) {
       EXPECT_EQ(found.outcome, Outcome::kInvalid);
     }

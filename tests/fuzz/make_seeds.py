@@ -80,7 +80,7 @@ def moving(ends, r, place=ORIGIN, v=ORIGIN, w=None):
 
 def query(A, B, turns):
     """Both as moving() takes them; A, and B if it has one, with an angular velocity."""
-    end = b"\x00" + b"\x3f" + b"\x00" + b"\x00"  # 1 s, 64 evaluations, default slab, no seed
+    end = b"\x00" + b"\x3f" + b"\x00" + b"\x00"  # 1 s, 64 evaluations, default contact tolerance, no seed
     flags = bytes([turns]) + moving(*A) + (bytes([len(B) == 5]) if turns else b"")
     return GRID + flags + moving(*B) + end
 

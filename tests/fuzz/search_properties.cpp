@@ -46,7 +46,7 @@ Question draw_question(Bytes& bytes, Numbers from) {
   question.A.motion.duration = duration;
   question.B.motion.duration = duration;
   question.options.budget = 1U + bytes.byte();
-  question.options.slab = bytes.flag() ? bytes.share() * 0x1p-10F : 1e-6F;
+  question.options.contact_tolerance = bytes.flag() ? bytes.share() * 0x1p-10F : 1e-6F;
   if (bytes.flag()) question.seed_AB = bytes.vector(from);
   return question;
 }
@@ -98,16 +98,17 @@ void check_truth(const RealPair& real, const MovingPair<float>& pair, const Answ
   if (answer.outcome == Outcome::kInvalid) return;
   const double eps = inflation_of(pair);
   const double real_eps = eps * kRoundOff<double> / kU;
-  const double contact = static_cast<double>(slab_of(pair, options)) + eps + real_eps;
+  const double contact = static_cast<double>(contact_tolerance_of(pair, options)) + eps + real_eps;
   const double t_free = answer.t_free;
   if (answer.outcome == Outcome::kTouching) {
-    return require(real.gap(0) <= contact, "what touches at the start is within the slab");
+    return require(real.gap(0) <= contact,
+                   "what touches at the start is within the contact_tolerance");
   }
   if (answer.outcome != Outcome::kBudget || t_free > 0) {
     require(real.least_gap(t_free) > -real_eps, "no contact before the proven end");
   }
   if (answer.outcome == Outcome::kContact) {
-    require(real.gap(t_free) <= contact, "what is called contact is within the slab");
+    require(real.gap(t_free) <= contact, "what is called contact is within the contact_tolerance");
   }
 }
 
@@ -158,7 +159,7 @@ void check_other_ways(const Question& question, const MovingPair<float>& pair, c
             "the same in other units, to the last bit");
   }
   Question thick = question;
-  const float contact = slab_of(pair, question.options) + inflation_of(pair);
+  const float contact = contact_tolerance_of(pair, question.options) + inflation_of(pair);
   thick.B.capsule_B.radius =
       (question.B.capsule_B.radius + 2 * contact) * (1 + 8 * kRoundOff<float>);
   const Result<MovingPair<float>> thick_pair = make_moving_pair(thick.A, thick.B);

@@ -105,7 +105,7 @@ bool stays(const BodyT& body) {
 /// apart (src/world/encounter.md), at the speeds that their energy allows.
 template <class BodyT>
 double margin_of(const BodyT& A, const BodyT& B, double reaches, double energy, double dt,
-                 double slab) {
+                 double contact_tolerance) {
   const auto speed = [&](const BodyT& body) {
     const double v = std::sqrt(2 * energy * static_cast<double>(body.inverse_mass));
     return v + std::sqrt(2 * energy * sharpest(body)) * reaches;
@@ -113,8 +113,9 @@ double margin_of(const BodyT& A, const BodyT& B, double reaches, double energy, 
   const double places = flight_of(A, 0).X_WB.p_W.template cast<double>().norm() +
                         flight_of(B, 0).X_WB.p_W.template cast<double>().norm();
   const double L = places + reaches + (speed(A) + speed(B)) * dt;
-  const double contact = std::max(slab, static_cast<double>(kLeastSlab<float>)) * L +
-                         static_cast<double>(kInflation<float>) * L;
+  const double contact =
+      std::max(contact_tolerance, static_cast<double>(kLeastContactTolerance<float>)) * L +
+      static_cast<double>(kInflation<float>) * L;
   return 2 * (2 * contact + 64 * kU * (places + L));
 }
 
@@ -129,8 +130,9 @@ struct Meeting {
 template <class SceneT>
 std::vector<Meeting> meetings_of(const World<SceneT>& world, double energy, float dt) {
   std::vector<Meeting> meetings;
-  double slab = 0;
-  if constexpr (SceneT::Search::kHasSlab) slab = static_cast<double>(world.settings().search.slab);
+  double contact_tolerance = 0;
+  if constexpr (SceneT::Search::kHasContactTolerance)
+    contact_tolerance = static_cast<double>(world.settings().search.contact_tolerance);
   for (int pair = 0; pair < SceneT::kMaxBodies * SceneT::kMaxBodies; ++pair) {
     const auto a = static_cast<std::uint16_t>(pair / SceneT::kMaxBodies);
     const auto b = static_cast<std::uint16_t>(pair % SceneT::kMaxBodies);
@@ -139,7 +141,7 @@ std::vector<Meeting> meetings_of(const World<SceneT>& world, double energy, floa
     if (a >= b || A == nullptr || B == nullptr || !may_meet(*A, *B)) continue;
     if (stays(A->body) && stays(B->body)) continue;
     const double allowed = margin_of(A->body, B->body, reach_of(*A) + reach_of(*B), energy,
-                                     static_cast<double>(dt), slab);
+                                     static_cast<double>(dt), contact_tolerance);
     for (int i = 0; i < parts_of(*A) * parts_of(*B); ++i) {
       const RealPair real({shape_of(*A, i / parts_of(*B)), flight_of(A->body, dt)},
                           {shape_of(*B, i % parts_of(*B)), flight_of(B->body, dt)});

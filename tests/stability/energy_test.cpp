@@ -99,8 +99,8 @@ const double kGainOfARounding = 64 * static_cast<double>(kRoundOff<S>);
 
 /// A pair that parts, finds no room for its margin and turns back within the step may overlap by
 /// less than that margin (src/world/world.md, "No room"): twice what its search calls contact, the
-/// slab of 1e-6 S or 96 u S and 72 u S, with S < 10 m beside walls of 4 m. About once in a million
-/// rough contacts one does.
+/// contact tolerance of 1e-6 S or 96 u S and 72 u S, with S < 10 m beside walls of 4 m. About once
+/// in a million rough contacts one does.
 template <class S>
 const double kTurnedBack = 2 * 10 *
                            (std::max(1e-6, 96.0 * static_cast<double>(kRoundOff<S>)) +

@@ -30,8 +30,8 @@ Findings judge(const Claim& claim, const Truth& truth) {
   if (!contact && !touching) return found;
   const double doubt = truth.fast().rounding();
   const double near = std::min(found.gap_at_free, truth.fast().gap(claim.t_hit));
-  found.false_contact = near > claim.slab + 2 * claim.inflation + doubt;
-  found.loose = contact && found.gap_at_free > claim.slab + claim.inflation + doubt;
+  found.false_contact = near > claim.contact_tolerance + 2 * claim.inflation + doubt;
+  found.loose = contact && found.gap_at_free > claim.contact_tolerance + claim.inflation + doubt;
   return found;
 }
 

@@ -33,10 +33,10 @@ class Truth {
 /// An answer, free of its scalar.
 struct Claim {
   Outcome outcome = Outcome::kInvalid;
-  double t_free = 0;     ///< s
-  double t_hit = 0;      ///< s
-  double slab = 0;       ///< tau, m
-  double inflation = 0;  ///< eps, m
+  double t_free = 0;             ///< s
+  double t_hit = 0;              ///< s
+  double contact_tolerance = 0;  ///< tau, m
+  double inflation = 0;          ///< eps, m
 };
 /// L of advancement.hpp, m.
 template <class Scalar>
@@ -49,7 +49,7 @@ template <class Scalar>
 Claim claim_of(const MovingPair<Scalar>& pair, const AdvancementOptions<Scalar>& options,
                const SearchResult<Scalar>& found) {
   return {found.outcome, static_cast<double>(found.t_free), static_cast<double>(found.t_hit),
-          static_cast<double>(slab_of(pair, options)),
+          static_cast<double>(contact_tolerance_of(pair, options)),
           static_cast<double>(kInflation<Scalar> * query_length_of(pair))};
 }
 

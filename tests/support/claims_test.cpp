@@ -6,7 +6,7 @@
 namespace batuta::test {
 namespace {
 
-constexpr double kSlab = 1e-6;
+constexpr double kContactTolerance = 1e-6;
 constexpr double kEps = 1e-15;
 
 /// A ball of radius 0.1 comes from x = 2 towards one at the origin, in contact from t = 0.45 on.
@@ -21,7 +21,7 @@ Truth approach(double speed = 4) {
 }
 
 Findings judged(Outcome outcome, double t_free, double t_hit, double speed = 4) {
-  return judge({outcome, t_free, t_hit, kSlab, kEps}, approach(speed));
+  return judge({outcome, t_free, t_hit, kContactTolerance, kEps}, approach(speed));
 }
 
 TEST(Claims, TrueAnswers_AreFoundTrue) {

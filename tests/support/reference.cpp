@@ -236,14 +236,14 @@ typename Reference<Real>::Look Reference<Real>::look(Real t) const {
 }
 
 template <class Real>
-March<Real> Reference<Real>::march(Real slab, Real t0, Real t1,
+March<Real> Reference<Real>::march(Real contact_tolerance, Real t0, Real t1,
                                    std::uint32_t max_evaluations) const {
   March<Real> answer;
   answer.t_free = t0;
   while (answer.evaluations < max_evaluations) {  // Bound: max_evaluations
     ++answer.evaluations;
     const Look now = look(answer.t_free);
-    if (now.gap <= slab) {
+    if (now.gap <= contact_tolerance) {
       answer.verdict = Verdict::kReached;
       return answer;
     }

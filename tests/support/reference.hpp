@@ -34,7 +34,7 @@ struct LeastGap {
 
 enum class Verdict : std::uint8_t {
   kFree,     ///< proven: gap > 0 on all of [0, duration]
-  kReached,  ///< proven free on [0, t_free], and the gap at t_free is at most the slab
+  kReached,  ///< proven free on [0, t_free], and the gap at t_free is at most the contact tolerance
   kUnknown,  ///< proven free on [0, t_free]; the evaluations did not suffice for more
 };
 
@@ -76,13 +76,14 @@ class Reference {
     return least_gap_after(t0, duration_, samples);
   }
 
-  /// Proves the pair free step by step. @pre slab >= 2 rounding()
+  /// Proves the pair free step by step. @pre contact tolerance >= 2 rounding()
   /// Bound: max_evaluations.
-  March<Real> march(Real slab, std::uint32_t max_evaluations = kAmple) const {
-    return march(slab, Real(0), duration_, max_evaluations);
+  March<Real> march(Real contact_tolerance, std::uint32_t max_evaluations = kAmple) const {
+    return march(contact_tolerance, Real(0), duration_, max_evaluations);
   }
   /// The same for [t0, t1]: kFree has t_free = t1, and nothing is said of [0, t0).
-  March<Real> march(Real slab, Real t0, Real t1, std::uint32_t max_evaluations = kAmple) const;
+  March<Real> march(Real contact_tolerance, Real t0, Real t1,
+                    std::uint32_t max_evaluations = kAmple) const;
 
   static constexpr std::uint32_t kAmple = 100'000;
   static constexpr int kSections = 48;  ///< golden sections: 0.618^48 = 1e-10 of two samples

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The searches that never miss against 20,300 times of contact known to many digits, for both
 // scalars: search_advancement() on all of them, search_translation() where nothing turns. With
-// tau = slab_of() and eps = kInflation L every row must keep what advancement.hpp states:
+// tau = contact_tolerance_of() and eps = kInflation L every row must keep what advancement.hpp
+// states:
 // - a contact on the way is never answered with kFree, one at the start with nothing but kTouching,
 //   and the default budget suffices;
 // - t_free is never later than the contact, not by a rounding error;
@@ -80,7 +81,7 @@ struct Answered {
     return claim.outcome == Outcome::kContact || claim.outcome == Outcome::kTouching;
   }
   double gap(double t) const { return static_cast<double>(reference.gap(t)); }
-  double contact_gap() const { return claim.slab + claim.inflation; }
+  double contact_gap() const { return claim.contact_tolerance + claim.inflation; }
 };
 
 void expect_true(const Answered& row) {
@@ -156,7 +157,7 @@ class Judge {
   void see_times(const Answered& row) {
     const double gap = row.gap(row.claim.t_free);
     least_gap_ = std::min(least_gap_, gap / row.uS);
-    most_gap_ = std::max(most_gap_, (gap - row.claim.slab) / row.uS);
+    most_gap_ = std::max(most_gap_, (gap - row.claim.contact_tolerance) / row.uS);
     if (row.truth.kind != test::kOnTheWay) return;
     const double rate = std::abs(row.truth.rate);
     const double T = static_cast<double>(row.reference.duration());

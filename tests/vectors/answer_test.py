@@ -134,7 +134,7 @@ class Answer(unittest.TestCase):
         fine, _ = self.ask("toc", toc_file(-1), *how, "0.01")
         self.assertLess(int(coarse[1][4]) * 50, int(fine[1][4]))
 
-    def test_tolerance_sets_the_slab(self):
+    def test_tolerance_sets_the_contact_tolerance(self):
         """Over S, which no gap of the query exceeds."""
         for method in ("advancement", "translation"):
             coarse, _ = self.ask("toc", toc_file(-1), "--method", method, "--tolerance", "1")

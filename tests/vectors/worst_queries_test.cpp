@@ -30,9 +30,9 @@ constexpr std::uint32_t kLimit180 = 75;
 
 struct CostlyTruth {
   int kind = kNever;
-  double t = 0;          ///< s; free until here
-  double least_gap = 0;  ///< m; what sampling found, so not below the truth
-  double slab = 0;       ///< m
+  double t = 0;                  ///< s; free until here
+  double least_gap = 0;          ///< m; what sampling found, so not below the truth
+  double contact_tolerance = 0;  ///< m
   std::uint32_t limit = 0;
 };
 
@@ -41,7 +41,7 @@ CostlyTruth read_truth(host::QueryRow& row) {
   truth.kind = static_cast<int>(row.decimal("kind"));
   truth.t = row.decimal("t");
   truth.least_gap = row.decimal("gmin");
-  truth.slab = row.decimal("slab");
+  truth.contact_tolerance = row.decimal("contact_tolerance");
   const std::uint32_t limit = row.decimal("degrees") <= 45 ? kLimit45 : kLimit180;
   truth.limit = std::max(limit, static_cast<std::uint32_t>(row.decimal("evaluations")));
   return truth;
@@ -50,7 +50,7 @@ CostlyTruth read_truth(host::QueryRow& row) {
 template <class Scalar>
 AdvancementOptions<Scalar> options_for(const MovingPair<Scalar>& pair, const CostlyTruth& truth) {
   AdvancementOptions<Scalar> options;
-  options.slab = static_cast<Scalar>(truth.slab) / pair.scale;
+  options.contact_tolerance = static_cast<Scalar>(truth.contact_tolerance) / pair.scale;
   return options;
 }
 
@@ -63,15 +63,16 @@ double gap_when(host::QueryRow& row, double t) {
 template <class Scalar>
 void expect_true(host::QueryRow& row, const CostlyTruth& truth, const MovingPair<Scalar>& pair,
                  const SearchResult<Scalar>& found) {
-  const auto slab = static_cast<double>(slab_of(pair, options_for(pair, truth)));
+  const auto contact_tolerance =
+      static_cast<double>(contact_tolerance_of(pair, options_for(pair, truth)));
   const auto inflation = 2 * static_cast<double>(kInflation<Scalar> * pair.scale);
   const auto t_free = static_cast<double>(found.t_free);
   EXPECT_TRUE(truth.kind != kOnTheWay || t_free <= truth.t);
   EXPECT_TRUE(truth.kind != kAtStart || found.outcome == Outcome::kTouching);
   EXPECT_TRUE(found.outcome != Outcome::kFree || truth.kind == kNever);
   if (found.outcome != Outcome::kContact && found.outcome != Outcome::kTouching) return;
-  EXPECT_LE(gap_when(row, t_free), slab + inflation);
-  EXPECT_TRUE(truth.kind != kNever || truth.least_gap <= slab + inflation);
+  EXPECT_LE(gap_when(row, t_free), contact_tolerance + inflation);
+  EXPECT_TRUE(truth.kind != kNever || truth.least_gap <= contact_tolerance + inflation);
 }
 
 template <class Scalar>

@@ -2,8 +2,8 @@
 #pragma once
 // Time of contact that never misses. From an instant at which the capsules are apart, the longest
 // step is taken that a normal, moving with them, proves free; then again, until the gap is within
-// the slab or the end is reached [Kavan §3, in place of its stepping]. Derivation, proof and the
-// meaning of every constant: src/detection/advancement.md.
+// the contact tolerance or the end is reached [Kavan §3, in place of its stepping]. Derivation,
+// proof and the meaning of every constant: src/detection/advancement.md.
 
 #include "batuta/detection/moving_pair.hpp"
 
@@ -15,17 +15,17 @@ namespace batuta {
 template <class Scalar>
 inline constexpr Scalar kInflation = 72 * kRoundOff<Scalar>;
 
-/// Least slab over L that a search can resolve; a smaller one is raised to it.
+/// Least contact tolerance over L that a search can resolve; a smaller one is raised to it.
 template <class Scalar>
-inline constexpr Scalar kLeastSlab = 96 * kRoundOff<Scalar>;
+inline constexpr Scalar kLeastContactTolerance = 96 * kRoundOff<Scalar>;
 
 /// Most distance evaluations that a search may be given.
 inline constexpr std::uint32_t kMaxBudget = 4096;
 
 template <class Scalar>
 struct AdvancementOptions {
-  /// A gap of at most slab S counts as contact, S = MovingPair::scale; in [0, 1].
-  Scalar slab = Scalar(1e-6);
+  /// A gap of at most contact_tolerance S counts as contact, S = MovingPair::scale; in [0, 1].
+  Scalar contact_tolerance = Scalar(1e-6);
   /// Distance evaluations, at most kMaxBudget. Where they do not suffice the answer is kBudget.
   std::uint32_t budget = 64;
 };
@@ -34,15 +34,18 @@ struct AdvancementOptions {
 template <class Scalar>
 Status validate(const AdvancementOptions<Scalar>& options);
 
-/// The gap, m, that counts as contact for this pair: max(slab S, kLeastSlab L).
+/// The gap, m, that counts as contact for this pair: max(contact_tolerance S,
+/// kLeastContactTolerance L).
 template <class Scalar>
-Scalar slab_of(const MovingPair<Scalar>& pair, const AdvancementOptions<Scalar>& options);
+Scalar contact_tolerance_of(const MovingPair<Scalar>& pair,
+                            const AdvancementOptions<Scalar>& options);
 
 /// eps, m: kInflation L, what rounding can do to this pair.
 template <class Scalar>
 Scalar inflation_of(const MovingPair<Scalar>& pair);
 
-/// First contact in [0, duration]; none is missed. With eps = inflation_of() and tau = slab_of():
+/// First contact in [0, duration]; none is missed. With eps = inflation_of() and tau =
+/// contact_tolerance_of():
 /// @param seed_AB  a normal that may separate the pair, such as the witness of the last search of
 ///   the same two; zero: the line between the middles of the axes is tried. It can save
 ///   evaluations, and never changes what is proven.
@@ -50,9 +53,10 @@ Scalar inflation_of(const MovingPair<Scalar>& pair);
 ///   kFree: the true gap is > 0 on all of [0, duration]. The witness is the last one that was
 ///     needed; with evaluations == 0 only its normal is set, the one that separates;
 ///   kContact: the true gap is > 0 on [0, t_free], and at t_free it is at most tau + eps. t_hit:
-///     where the witness foresees the gap to vanish, or to be least (a graze within the slab). The
-///     witness is two points within the slab of contact: the closest ones, or those nearest to each
-///     other on the features that were closest at the last evaluation;
+///     where the witness foresees the gap to vanish, or to be least (a graze within the contact
+///     tolerance). The witness is two points within the contact tolerance of contact: the closest
+///     ones, or those nearest to each other on the features that were closest at the last
+///     evaluation;
 ///   kTouching: the gap at t = 0 is at most tau; gap_rate tells whether the two part;
 ///   kBudget: free on [0, t_free], unknown after; without evaluations the witness is not set;
 ///   kInvalid: options out of range; a distance that cannot be told; L above kLargestCoordinate; or

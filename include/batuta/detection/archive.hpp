@@ -14,8 +14,8 @@ constexpr EpsilonIn last_of(EpsilonIn) {
 
 template <class Scalar>
 void archive(Archive& ar, AdvancementOptions<Scalar>& options) {
-  auto& [slab, budget] = options;
-  ar(slab, budget);
+  auto& [contact_tolerance, budget] = options;
+  ar(contact_tolerance, budget);
 }
 
 template <class Scalar>

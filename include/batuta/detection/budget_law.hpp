@@ -2,12 +2,12 @@
 #pragma once
 // How many distance evaluations to allow a certified search, for pairs that stay close for a whole
 // step:
-//   slab = kappa^3 / 6 * lever (turn / budget)^3
+//   contact tolerance = kappa^3 / 6 * lever (turn / budget)^3
 // `turn` is the furthest that a body turns in the step, rad; `lever` the sum of the two distances
 // of the axis ends from their axes of rotation, m. Each of the three follows from the two others,
 // at compile time. kappa is measured, not proven, and pairs that slide along each other at about
-// the slab's distance may need more (src/detection/budget_law.md): the search then answers kBudget,
-// free up to t_free. Nothing is missed. "Suffices" below means: by the law.
+// the contact tolerance's distance may need more (src/detection/budget_law.md): the search then
+// answers kBudget, free up to t_free. Nothing is missed. "Suffices" below means: by the law.
 
 #include "batuta/core/types.hpp"
 
@@ -34,31 +34,32 @@ constexpr Scalar cube_root(Scalar x) {
   return root * (Scalar(1) + Scalar(4) * kRoundOff<Scalar>);
 }
 
-/// Least slab, over the lever, at which `budget` evaluations suffice.
+/// Least contact tolerance, over the lever, at which `budget` evaluations suffice.
 /// @pre turn >= 0, rad; budget >= kLeastLawBudget
 template <class Scalar>
-constexpr Scalar slab_for(Scalar turn, std::uint32_t budget) {
+constexpr Scalar contact_tolerance_for(Scalar turn, std::uint32_t budget) {
   const Scalar share = kBudgetKappa<Scalar> * turn / static_cast<Scalar>(budget);
   const Scalar rounded_up = Scalar(1) + Scalar(16) * kRoundOff<Scalar>;
   return share * share * share / Scalar(6) * rounded_up;
 }
 
-/// Furthest turn in a step, rad, at which `budget` evaluations suffice for a slab over the lever.
-/// @pre slab >= 0; budget >= kLeastLawBudget
+/// Furthest turn in a step, rad, at which `budget` evaluations suffice for a contact tolerance over
+/// the lever.
+/// @pre contact tolerance >= 0; budget >= kLeastLawBudget
 template <class Scalar>
-constexpr Scalar turn_for(std::uint32_t budget, Scalar slab) {
+constexpr Scalar turn_for(std::uint32_t budget, Scalar contact_tolerance) {
   const Scalar rounded_down = Scalar(1) - Scalar(16) * kRoundOff<Scalar>;
-  return static_cast<Scalar>(budget) / kBudgetKappa<Scalar> * cube_root(Scalar(6) * slab) *
-         rounded_down;
+  return static_cast<Scalar>(budget) / kBudgetKappa<Scalar> *
+         cube_root(Scalar(6) * contact_tolerance) * rounded_down;
 }
 
 /// Fewest evaluations that suffice.
-/// @pre turn >= 0; slab over the lever > 0
+/// @pre turn >= 0; contact tolerance over the lever > 0
 /// @returns at least kLeastLawBudget; the largest number there is where no number suffices
 template <class Scalar>
-constexpr std::uint32_t budget_for(Scalar turn, Scalar slab) {
+constexpr std::uint32_t budget_for(Scalar turn, Scalar contact_tolerance) {
   constexpr std::uint32_t kMost = std::numeric_limits<std::uint32_t>::max();
-  const Scalar root = cube_root(Scalar(6) * slab);
+  const Scalar root = cube_root(Scalar(6) * contact_tolerance);
   if (!(root > Scalar(0))) return kMost;
   const Scalar share = kBudgetKappa<Scalar> * turn / root;
   constexpr std::uint32_t kConvertible = kMost / 2;

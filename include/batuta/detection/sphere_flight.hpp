@@ -28,23 +28,25 @@ struct SphereAnswer {
 };
 
 /// First contact in [0, duration]; none is missed. With S = |between| + |v| duration + radii:
-/// @param slab  m, >= 0; a smaller one than the arithmetic resolves is raised
+/// @param contact tolerance  m, >= 0; a smaller one than the arithmetic resolves is raised
 /// @returns
 ///   kFree: the true gap is > 0 on [0, duration]; t_free = t_hit = duration;
 ///   kContact: the true gap is > 0 on [0, t_free], and at t_free at most contact_gap_of();
 ///   kTouching: the gap at t = 0 is at most contact_gap_of(); t_free = t_hit = 0;
 ///   kBudget: nothing is known, t_free = 0, where the certificate fails; by sphere_flight.md it
 ///     does not;
-///   kInvalid: not finite (but an infinite slab: all touch); negative radii, duration or slab; S^2
+///   kInvalid: not finite (but an infinite contact tolerance: all touch); negative radii, duration
+///   or contact tolerance; S^2
 ///     not finite.
 /// Bound: no loop; one evaluation.
 template <class Scalar>
-SphereAnswer<Scalar> search_spheres(const SphereFlight<Scalar>& flight, Scalar slab);
+SphereAnswer<Scalar> search_spheres(const SphereFlight<Scalar>& flight, Scalar contact_tolerance);
 
 /// The largest gap, m, at which search_spheres() may speak of contact:
-/// tau + 16 u S, tau = max(slab, 128 u (S + 2^-40 m)). @pre the flight and the slab are valid
+/// tau + 16 u S, tau = max(contact tolerance, 128 u (S + 2^-40 m)). @pre the flight and the contact
+/// tolerance are valid
 template <class Scalar>
-Scalar contact_gap_of(const SphereFlight<Scalar>& flight, Scalar slab);
+Scalar contact_gap_of(const SphereFlight<Scalar>& flight, Scalar contact_tolerance);
 
 /// The tightest box of a sphere whose centre moves, over the duration, rounded outward so that it
 /// holds every point of it at every instant (src/detection/straight_pair.md).

@@ -45,7 +45,7 @@ DuelSettings<Scalar, SearchT, SceneT> duel_settings() {
   if constexpr (SceneT::kTargets) {
     settings.target = kAllParts & ~mask_of(BodyPart::kWeaponHand);  // the bell guard covers it
   }
-  if constexpr (SceneT::kTargets && !SearchT::kHasSlab) {
+  if constexpr (SceneT::kTargets && !SearchT::kHasContactTolerance) {
     settings.touch.epsilon = Scalar(0.001F);
     settings.touch.unit = EpsilonIn::kMetres;
   }

@@ -160,8 +160,8 @@ void archive(Archive& ar, WorldSettings<SceneT>& settings) {
   ar(static_cast<FeatureIf<kKnowsRest<SceneT>, RestSettings<Scalar>, 0>&>(settings));
   ar(static_cast<FeatureIf<SceneT::kGravity, GravitySettings<Scalar>, 1>&>(settings));
   if constexpr (SceneT::Search::kForSpheres) {
-    auto& [slab] = settings.search;
-    ar(slab);
+    auto& [contact_tolerance] = settings.search;
+    ar(contact_tolerance);
   } else {
     ar(settings.search);
   }

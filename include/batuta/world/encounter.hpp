@@ -26,8 +26,8 @@ struct EncounterOptions {
   Scalar rest_speed = 0;           ///< eps_r, m/s, > 0
   Scalar separation = 0;           ///< D, m, > 0
   Scalar min_separation_time = 0;  ///< least f(D), s, > 0
-  /// Gap below which the next search might call parting bodies touching, m, > 0: by its slab or by
-  /// rounding (src/world/encounter.md).
+  /// Gap below which the next search might call parting bodies touching, m, > 0: by its contact
+  /// tolerance or by rounding (src/world/encounter.md).
   Scalar margin = 0;
   bool settles = false;  ///< resting contacts that approach get the impulse as well
 };

@@ -89,13 +89,13 @@ struct Scene {
   /// Distance evaluations of one search. Where they do not suffice, the bodies are held, and
   /// counted.
   static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
-  // A scene may state two of kTurnPerStep, kSlab and kBudget; detection/budget_law.hpp gives the
-  // third.
+  // A scene may state two of kTurnPerStep, kContactTolerance and kBudget; detection/budget_law.hpp
+  // gives the third.
   /// Furthest that a body turns in a step, rad; 0: not stated.
   static constexpr float kTurnPerStep = 0;
-  /// A gap of kSlab S counts as contact (MovingPair::scale); 0: not stated, then what the law asks
-  /// for, and no less than the search's own default.
-  static constexpr float kSlab = 0;
+  /// A gap of kContactTolerance S counts as contact (MovingPair::scale); 0: not stated, then what
+  /// the law asks for, and no less than the search's own default.
+  static constexpr float kContactTolerance = 0;
 };
 
 /// What the members of a world do not show of its scene, for the fingerprint of what is saved.
@@ -121,24 +121,27 @@ struct SearchOf {
 
   static_assert(std::is_same_v<typename Search::Scalar, Scalar>,
                 "Scene::Search: name it with the scene's Scalar");
-  static_assert(SceneT::kTurnPerStep >= 0 && SceneT::kSlab >= 0 && SceneT::kSlab <= 1,
-                "Scene: kTurnPerStep is at least 0, kSlab 0 ... 1");
-  static_assert(
-      Search::kHasSlab || (SceneT::kSlab == 0 && SceneT::kTurnPerStep == 0),
-      "Scene: kSlab and kTurnPerStep have a meaning for Advancement and Translation only");
+  static_assert(SceneT::kTurnPerStep >= 0 && SceneT::kContactTolerance >= 0 &&
+                    SceneT::kContactTolerance <= 1,
+                "Scene: kTurnPerStep is at least 0, kContactTolerance 0 ... 1");
+  static_assert(Search::kHasContactTolerance ||
+                    (SceneT::kContactTolerance == 0 && SceneT::kTurnPerStep == 0),
+                "Scene: kContactTolerance and kTurnPerStep have a meaning for Advancement and "
+                "Translation only");
   static_assert(SceneT::kTurnPerStep == 0 || SceneT::kBudget >= kLeastLawBudget,
                 "Scene: kTurnPerStep takes a kBudget of at least 8");
-  static_assert(SceneT::kSlab == 0 || SceneT::kTurnPerStep == 0 ||
-                    budget_for(SceneT::kTurnPerStep, SceneT::kSlab) <= SceneT::kBudget,
-                "Scene: kBudget does not suffice for this kTurnPerStep and kSlab; "
-                "budget_for(turn, slab) tells what does");
+  static_assert(SceneT::kContactTolerance == 0 || SceneT::kTurnPerStep == 0 ||
+                    budget_for(SceneT::kTurnPerStep, SceneT::kContactTolerance) <= SceneT::kBudget,
+                "Scene: kBudget does not suffice for this kTurnPerStep and kContactTolerance; "
+                "budget_for(turn, contact_tolerance) tells what does");
 
   /// Options that spend the scene's budget.
   static constexpr Options options() {
-    const Scalar stated = static_cast<Scalar>(SceneT::kSlab);
-    const Scalar asked = slab_for(static_cast<Scalar>(SceneT::kTurnPerStep), SceneT::kBudget);
-    if constexpr (Search::kHasSlab) {
-      const Scalar own = Options{}.slab;
+    const Scalar stated = static_cast<Scalar>(SceneT::kContactTolerance);
+    const Scalar asked =
+        contact_tolerance_for(static_cast<Scalar>(SceneT::kTurnPerStep), SceneT::kBudget);
+    if constexpr (Search::kHasContactTolerance) {
+      const Scalar own = Options{}.contact_tolerance;
       return Search::options(SceneT::kBudget, stated > Scalar(0) ? stated : max_of(own, asked));
     } else {
       return Search::options(SceneT::kBudget, Scalar(0));

@@ -61,7 +61,7 @@ SearchResult<Scalar> step_through(const MovingPair<Scalar>& pair, const SearchSe
 template <class Scalar, class Search>
 SearchResult<Scalar> search_by(const MovingPair<Scalar>& pair, const SearchSettings& settings) {
   typename Search::Options options;
-  if (settings.tolerance) options.slab = static_cast<Scalar>(*settings.tolerance);
+  if (settings.tolerance) options.contact_tolerance = static_cast<Scalar>(*settings.tolerance);
   options.budget = settings.budget.value_or(kMaxBudget);
   return Search::search(pair, options, Vec3<Scalar>::Zero());
 }

@@ -14,7 +14,7 @@ struct MyScene : batuta::Scene {
   using Search = batuta::SEARCH;
   static constexpr std::uint32_t kBudget = BUDGET;
   static constexpr float kTurnPerStep = 0.785F;
-  static constexpr float kSlab = 8e-4F;
+  static constexpr float kContactTolerance = 8e-4F;
 };
 
 }  // namespace

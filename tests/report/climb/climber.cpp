@@ -142,7 +142,7 @@ std::uint32_t evaluations_of(const test::Query& query) {
   const auto pair = make_moving_pair(test::cast<double>(query.A), test::cast<double>(query.B));
   if (!pair.ok()) return 0;
   AdvancementOptions<double> options;
-  options.slab = kTau / pair.value.scale;
+  options.contact_tolerance = kTau / pair.value.scale;
   options.budget = kMaxBudget;
   return search_advancement(pair.value, options).evaluations;
 }

@@ -30,7 +30,8 @@ struct Summit {
   std::uint32_t evaluations = 0;
 };
 
-/// Distance evaluations of the search in double, slab kTau, ample budget. 0: not a query.
+/// Distance evaluations of the search in double, contact tolerance kTau, ample budget. 0: not a
+/// query.
 std::uint32_t evaluations_of(const test::Query& query);
 
 /// The worst query that the `index`-th climb on this ground comes to, a function of its arguments.

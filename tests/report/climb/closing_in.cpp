@@ -13,10 +13,10 @@ namespace batuta::report {
 namespace {
 
 constexpr std::uint64_t kSeed = 20080229;
-constexpr double kSlab = 1e-10;       // over S
-constexpr double kClearStart = 0.05;  // over S
-constexpr double kThinnest = 0.01;    // m
-constexpr double kThickest = 0.5;     // m
+constexpr double kContactTolerance = 1e-10;  // over S
+constexpr double kClearStart = 0.05;         // over S
+constexpr double kThinnest = 0.01;           // m
+constexpr double kThickest = 0.5;            // m
 constexpr int kSamples = 200;
 
 struct Near {
@@ -45,7 +45,7 @@ std::optional<Near> brought_near(const Near& query, const test::LeastGap<double>
 
 void ask(Figures& figures, const Near& near) {
   AdvancementOptions<double> options;
-  options.slab = kSlab;
+  options.contact_tolerance = kContactTolerance;
   options.budget = kMaxBudget;
   const auto pair = make_moving_pair(near.A, near.B);
   if (!pair.ok()) return;

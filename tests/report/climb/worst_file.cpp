@@ -129,7 +129,7 @@ Line line_of(const KnownQuery& known) {
   const TrueAnswer& answer = known.answer;
   Line line;
   line.add("family", costly.family).add(line_of(costly.summit.query));
-  line.add_decimal("degrees", costly.degrees).add_decimal("slab", kTau);
+  line.add_decimal("degrees", costly.degrees).add_decimal("contact_tolerance", kTau);
   line.add_decimal("evaluations", costly.summit.evaluations).add_decimal("kind", answer.kind);
   line.add_decimal("t", static_cast<double>(answer.t));
   line.add_decimal("gmin", static_cast<double>(answer.least.gap));

@@ -3,7 +3,7 @@
 // Queries that cost much, with what is true of them, as a query file (port/host/query_file.hpp):
 // T, A..., B... by the bits of their floats; then, in decimal, what they cost and the truth:
 //   degrees          no body turns further
-//   slab             tau, m
+//   contact tolerance             tau, m
 //   evaluations      that the search took in double when the file was last written
 //   kind             0 no contact, 1 contact at t, 2 overlap at the start (t = 0)
 //   t                s; kind 1: free up to here by proof, and overlapping right after; by samples

@@ -29,7 +29,7 @@ def _largest(hist):
     return hist.edge(max(hist)) if hist else None
 
 
-HEADER = ["queries", "tried", "missed", "late", "false contacts", "slack beyond the slab", "disordered", "invalid", "kBudget",
+HEADER = ["queries", "tried", "missed", "late", "false contacts", "slack beyond the contact tolerance", "disordered", "invalid", "kBudget",
           "not told by the reference", "hits: evaluations, mean", "99.9 %", "max", "free: mean", "max"]
 
 
@@ -71,7 +71,7 @@ def _inflation_picture(rows, folder):
 
 
 TEXT = """Every claim is held against the reference: *missed*, "free" where there is overlap; *late*, overlap at or before `t_free`;
-*false*, contact where the gap is above the slab and twice the inflation; *slack*, a contact whose gap at `t_free` is above the slab
+*false*, contact where the gap is above the contact tolerance and twice the inflation; *slack*, a contact whose gap at `t_free` is above the contact tolerance
 and the inflation; *disordered*, not 0 <= `t_free` <= `t_hit` <= duration. Part of the claims are also probed with dense samples.
 The inflation is what a search adds to the radii for its rounding; grazes are asked again with less of it.
 

@@ -9,21 +9,21 @@ FILES = ["search"]
 
 # Label, method, swept setting; the place gives the look.
 CURVES = [
-    ("advancement, slab", "advancement", "slab"),
+    ("advancement, contact tolerance", "advancement", "contact tolerance"),
     ("stepping, epsilon", "stepping", "epsilon"),
     ("stepping, halvings", "stepping", "halvings"),
     ("regula falsi, iterations", "regula-falsi", "iterations"),
     ("Illinois, iterations", "illinois", "iterations"),
-    ("translation, slab", "translation", "slab"),
-    ("conservative advancement, slab", "conservative", "slab"),
+    ("translation, contact tolerance", "translation", "contact tolerance"),
+    ("conservative advancement, contact tolerance", "conservative", "contact tolerance"),
 ]
 STILL = ["translation", "sphere"]  # families in which nothing turns
 # What the tables show of each method: its default setting.
 DEFAULTS = [
-    ("advancement", "slab", 1e-6),
-    ("translation", "slab", 1e-6),
+    ("advancement", "contact tolerance", 1e-6),
+    ("translation", "contact tolerance", 1e-6),
     ("stepping", "halvings", 24),
-    ("conservative", "slab", 1e-6),
+    ("conservative", "contact tolerance", 1e-6),
     ("regula-falsi", "iterations", 8),
     ("illinois", "iterations", 8),
 ]
@@ -174,7 +174,7 @@ def _figures(rows):
     for label, families, method in GROUPS:
         for scalar in ("float", "double"):
             chosen = _turning(rows) if families is None else rows.among(family=families)
-            chosen = chosen.where(scalar=scalar, method=method, swept="slab")
+            chosen = chosen.where(scalar=scalar, method=method, swept="contact tolerance")
             budgets = [row["said_budget"] / row["queries"] for _, row in _default_rows(chosen)]
             for _, row in _default_rows(chosen.merged(by=["method", "swept", "setting"])):
                 lines.append([label, scalar, number(_mean(row, "contact_evaluations")),
@@ -198,9 +198,9 @@ TEXT = """Every query is answered by every search with one setting swept and the
 independent truth. Stepping and what is built on it take thousands of evaluations and are asked fewer of the queries.
 
 - *Error*: of `t_free`, the instant at which a caller may stop, over the length of the step; of the contacts that were found.
-  What was missed or left open (kBudget) has no error and is counted instead. Near a graze a small slab is reached early.
+  What was missed or left open (kBudget) has no error and is counted instead. Near a graze a small contact tolerance is reached early.
 - *Missed*: "free" where the truth is contact, however shallow; how deep is told over S, the largest length in the query.
-- *False*: contact where the gap stays above the slab and the rounding.
+- *False*: contact where the gap stays above the contact tolerance and the rounding.
 - *Late*: `t_free` lies after the contact. *Overlap passed*: the deepest one before a late `t_free`, over S.
 - *Time*: of a query with the setting up of its pair, as a multiple of one plain segment-segment distance in double (textbook
   form) in the same run.
@@ -216,7 +216,7 @@ def page(tables, folder):
     parts += [_main_picture(rows, folder, scalar) + "\n" for scalar in ("double", "float")]
     parts += [_evaluation_picture(rows, folder), "\n", _budget_picture(rows, folder), "\n"]
     parts += [_family_picture(rows, folder, scalar) + "\n" for scalar in ("double", "float")]
-    parts += ["### The library's searches, slab 1e-6\n\n", _figures(rows), "\n"]
+    parts += ["### The library's searches, contact tolerance 1e-6\n\n", _figures(rows), "\n"]
     parts += ["### Default settings\n\nAll settings: [search_all.md](search_all.md), data: [search.csv](search.csv).\n"]
     return "".join(parts + list(_default_tables(rows)))
 

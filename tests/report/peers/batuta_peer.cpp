@@ -83,12 +83,14 @@ void add(std::vector<PeerPtr>& peers, const Words& words) {
 
 std::vector<PeerPtr> batuta_peers() {
   std::vector<PeerPtr> peers;
-  add<Advancement<double>>(peers, {"advancement_double", "slab 1e-6 S; budget 64"});
-  add<Advancement<float>>(peers,
-                          {"advancement_float", "slab 6e-6 S (the least of float); budget 64"});
-  add<Translation<double>>(peers, {"translation_double", "slab 1e-6 S; budget 64", true});
+  add<Advancement<double>>(peers, {"advancement_double", "contact_tolerance 1e-6 S; budget 64"});
+  add<Advancement<float>>(
+      peers, {"advancement_float", "contact_tolerance 6e-6 S (the least of float); budget 64"});
+  add<Translation<double>>(peers,
+                           {"translation_double", "contact_tolerance 1e-6 S; budget 64", true});
   add<Translation<float>>(
-      peers, {"translation_float", "slab 6e-6 S (the least of float); budget 64", true});
+      peers,
+      {"translation_float", "contact_tolerance 6e-6 S (the least of float); budget 64", true});
   add<Stepping<double>>(
       peers, {"stepping_double", "epsilon half the thinner radius; 4096 steps; 24 halvings"});
   return peers;

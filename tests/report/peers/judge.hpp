@@ -13,8 +13,8 @@ namespace batuta::peers {
 inline constexpr double kDeep = 1e-3;
 inline constexpr double kSlight = 1e-6;
 
-// Gaps over S from which none may be reported. Below the lesser one are the slabs of certified
-// searches in float.
+// Gaps over S from which none may be reported. Below the lesser one are the contact tolerances of
+// certified searches in float.
 inline constexpr double kFar = 1e-3;
 inline constexpr double kNear = 1e-5;
 

@@ -40,9 +40,9 @@ SearchResult<Scalar> result_of(Outcome outcome, Scalar t_free, Scalar t_hit,
 }  // namespace
 
 template <class Scalar>
-SearchResult<Scalar> search_conservative(const MovingPair<Scalar>& pair, Scalar slab,
+SearchResult<Scalar> search_conservative(const MovingPair<Scalar>& pair, Scalar contact_tolerance,
                                          std::uint32_t budget) {
-  const Scalar contact = slab * pair.scale;
+  const Scalar contact = contact_tolerance * pair.scale;
   Scalar t = 0;
   for (std::uint32_t used = 1; used <= budget; ++used) {
     const CapsuleGap<Scalar> gap = gap_at(pair, t);

@@ -9,9 +9,10 @@ namespace batuta::report {
 
 /// Classic directional conservative advancement (Mirtich; also Bullet's and FCL's): from t on, the
 /// gap along the normal of t shrinks no faster than a speed, so that gap / speed is free. Contact
-/// means gap <= slab S. Rounding is not accounted for. Bound: budget evaluations, then kBudget.
+/// means gap <= contact_tolerance S. Rounding is not accounted for. Bound: budget evaluations, then
+/// kBudget.
 template <class Scalar>
-SearchResult<Scalar> search_conservative(const MovingPair<Scalar>& pair, Scalar slab,
+SearchResult<Scalar> search_conservative(const MovingPair<Scalar>& pair, Scalar contact_tolerance,
                                          std::uint32_t budget);
 
 enum class FalsePosition : std::uint8_t {

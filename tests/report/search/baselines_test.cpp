@@ -26,17 +26,17 @@ void for_each_case(Check&& check) {
   }
 }
 
-TEST(Conservative, Answers_AreTheTruthToTheSlab) {
+TEST(Conservative, Answers_AreTheTruthToTheTolerance) {
   int contacts = 0;
   for_each_case([&](const Case& query, const MovingPair<double>& pair) {
-    constexpr double kSlab = 1e-9;
-    const auto answer = search_conservative(pair, kSlab, 100'000);
+    constexpr double kContactTolerance = 1e-9;
+    const auto answer = search_conservative(pair, kContactTolerance, 100'000);
     ASSERT_NE(answer.outcome, Outcome::kBudget);
     if (query.truth.contact) ++contacts;
     EXPECT_EQ(answer.outcome == Outcome::kFree, !query.truth.contact);
     if (answer.outcome != Outcome::kContact) return;
     EXPECT_LE(answer.t_free, query.truth.time + kRounding * pair.duration);
-    EXPECT_LE(gap_at(pair, answer.t_free).gap, kSlab * pair.scale);
+    EXPECT_LE(gap_at(pair, answer.t_free).gap, kContactTolerance * pair.scale);
   });
   EXPECT_GT(contacts, 40);
 }

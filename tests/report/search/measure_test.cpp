@@ -99,7 +99,7 @@ TEST(Score, Free_IsAMissWhereThereIsContact) {
   EXPECT_EQ(found["near_evaluations_sum:sum"], "0");
 }
 
-TEST(Score, Contact_IsFalseWhereTheGapStaysAboveTheSlab) {
+TEST(Score, Contact_IsFalseWhereTheGapStaysAboveTheTolerance) {
   auto found = scored(balls(1), answered(Outcome::kContact, 0.5, 0.5));
   EXPECT_EQ(found["false_contacts:sum"], "1");
   EXPECT_EQ(found["error_free:hist"], "");

@@ -16,9 +16,9 @@ template <class Scalar>
 using Pair = MovingPair<Scalar>;
 
 template <class Scalar>
-AdvancementOptions<Scalar> slab_options(double slab) {
+AdvancementOptions<Scalar> tolerance_options(double contact_tolerance) {
   AdvancementOptions<Scalar> options;
-  options.slab = static_cast<Scalar>(slab);
+  options.contact_tolerance = static_cast<Scalar>(contact_tolerance);
   return options;
 }
 
@@ -50,13 +50,16 @@ double rounding(const Pair<Scalar>& pair) {
 }
 
 template <class Scalar>
-double slab_gap(const Pair<Scalar>& pair, double slab) {
-  return static_cast<double>(slab_of(pair, slab_options<Scalar>(slab))) + rounding(pair);
+double tolerance_gap(const Pair<Scalar>& pair, double contact_tolerance) {
+  return static_cast<double>(
+             contact_tolerance_of(pair, tolerance_options<Scalar>(contact_tolerance))) +
+         rounding(pair);
 }
 
 template <class Scalar>
 double default_gap(const Pair<Scalar>& pair, double /*setting*/) {
-  return static_cast<double>(slab_of(pair, AdvancementOptions<Scalar>{})) + rounding(pair);
+  return static_cast<double>(contact_tolerance_of(pair, AdvancementOptions<Scalar>{})) +
+         rounding(pair);
 }
 
 template <class Scalar>
@@ -117,23 +120,23 @@ void append_baselines(std::vector<Method<Scalar>>& all) {
                   no_gap<Scalar>, true},
                  {1, 2, 4, 8});
   append<Scalar>(all,
-                 {"conservative", "slab",
-                  [](const Pair<Scalar>& pair, double slab) {
-                    return search_conservative(pair, static_cast<Scalar>(slab),
+                 {"conservative", "contact_tolerance",
+                  [](const Pair<Scalar>& pair, double contact_tolerance) {
+                    return search_conservative(pair, static_cast<Scalar>(contact_tolerance),
                                                kConservativeBudget);
                   },
-                  slab_gap<Scalar>},
+                  tolerance_gap<Scalar>},
                  {1e-2, 1e-3, 1e-4, 1e-5, 1e-6});
 }
 
 template <class Scalar>
 void append_advancement(std::vector<Method<Scalar>>& all) {
   append<Scalar>(all,
-                 {"advancement", "slab",
-                  [](const Pair<Scalar>& pair, double slab) {
-                    return search_advancement(pair, slab_options<Scalar>(slab));
+                 {"advancement", "contact_tolerance",
+                  [](const Pair<Scalar>& pair, double contact_tolerance) {
+                    return search_advancement(pair, tolerance_options<Scalar>(contact_tolerance));
                   },
-                  slab_gap<Scalar>},
+                  tolerance_gap<Scalar>},
                  {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10});
   append<Scalar>(all,
                  {"advancement", "budget",
@@ -147,11 +150,11 @@ void append_advancement(std::vector<Method<Scalar>>& all) {
 template <class Scalar>
 void append_translation(std::vector<Method<Scalar>>& all) {
   append<Scalar>(all,
-                 {"translation", "slab",
-                  [](const Pair<Scalar>& pair, double slab) {
-                    return search_translation(pair, slab_options<Scalar>(slab));
+                 {"translation", "contact_tolerance",
+                  [](const Pair<Scalar>& pair, double contact_tolerance) {
+                    return search_translation(pair, tolerance_options<Scalar>(contact_tolerance));
                   },
-                  slab_gap<Scalar>},
+                  tolerance_gap<Scalar>},
                  {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10});
 }
 

@@ -14,14 +14,16 @@ namespace batuta::testing_detection {
 
 /// More than any case needs: outcomes are looked at with it, counts by themselves.
 inline constexpr std::uint32_t kAmple = 2048;
-inline constexpr double kSlab = 1e-6;  // m
+inline constexpr double kContactTolerance = 1e-6;  // m
 
 /// Slab in m; a search takes it relative to the size of the query.
 template <class Scalar>
-AdvancementOptions<Scalar> options_for(const MovingPair<Scalar>& pair, double slab = kSlab,
+AdvancementOptions<Scalar> options_for(const MovingPair<Scalar>& pair,
+                                       double contact_tolerance = kContactTolerance,
                                        std::uint32_t budget = kAmple) {
   AdvancementOptions<Scalar> options;
-  options.slab = min_of(static_cast<Scalar>(slab) / pair.scale, Scalar(1));
+  options.contact_tolerance =
+      min_of(static_cast<Scalar>(contact_tolerance) / pair.scale, Scalar(1));
   options.budget = budget;
   return options;
 }
@@ -36,14 +38,15 @@ struct Asked {
 
 template <class Scalar>
 Asked<Scalar> ask(const MovingCapsule<Scalar>& A, const MovingCapsule<Scalar>& B,
-                  double slab = kSlab, std::uint32_t budget = kAmple) {
+                  double contact_tolerance = kContactTolerance, std::uint32_t budget = kAmple) {
   const Result<MovingPair<Scalar>> pair = make_moving_pair(A, B);
   EXPECT_TRUE(pair.ok());
-  return {A, B, pair.value, options_for(pair.value, slab, budget)};
+  return {A, B, pair.value, options_for(pair.value, contact_tolerance, budget)};
 }
 template <class Scalar>
-Asked<Scalar> ask(const Case& c, double slab = kSlab, std::uint32_t budget = kAmple) {
-  return ask<Scalar>(moving<Scalar>(c.A), moving<Scalar>(c.B), slab, budget);
+Asked<Scalar> ask(const Case& c, double contact_tolerance = kContactTolerance,
+                  std::uint32_t budget = kAmple) {
+  return ask<Scalar>(moving<Scalar>(c.A), moving<Scalar>(c.B), contact_tolerance, budget);
 }
 
 /// Everything that the answer claims, held against the truth about the numbers that were asked.
@@ -69,7 +72,8 @@ SearchResult<Scalar> search_truly(const Asked<Scalar>& asked, const std::string&
   return found;
 }
 
-/// kFree where the case is free, else kContact, or kTouching where it starts within the slab.
+/// kFree where the case is free, else kContact, or kTouching where it starts within the contact
+/// tolerance.
 inline void expect_outcome(const Case& c, Outcome outcome) {
   if (c.t == kNever) {
     EXPECT_EQ(outcome, Outcome::kFree) << c.name;

@@ -30,15 +30,15 @@ TEST(AdvancementCases, Table_IsTheReferencesOwn) {
   }
 }
 
-/// The gap at t_free is within the slab, so the time is right to slab / closing speed, and never
-/// late: both are among the claims.
+/// The gap at t_free is within the contact tolerance, so the time is right to contact tolerance /
+/// closing speed, and never late: both are among the claims.
 TEST(AdvancementCases, Double_OutcomeAndTimeOfTheTable) {
   for (const Case& c : all_cases()) {
     const auto found = search_truly(ask<double>(c), c.name);
     expect_outcome(c, found.outcome);
     if (found.outcome != Outcome::kContact) continue;
     EXPECT_LE(found.t_free, c.t + kDigitsGiven) << c.name;
-    EXPECT_LT(found.gap_rate, kSlab) << c.name;
+    EXPECT_LT(found.gap_rate, kContactTolerance) << c.name;
   }
 }
 
@@ -48,12 +48,12 @@ TEST(AdvancementCases, Double_ForeseesWhereTheGapVanishes) {
     const auto found = search_truly(ask<double>(c), c.name);
     if (found.outcome != Outcome::kContact) continue;
     const test::Reference<double> truth(moving(c.A), moving(c.B));
-    EXPECT_LE(std::abs(truth.gap(found.t_hit)), kSlab) << c.name;
+    EXPECT_LE(std::abs(truth.gap(found.t_hit)), kContactTolerance) << c.name;
     EXPECT_LE(found.t_hit - found.t_free, 1e-3) << c.name;
   }
 }
 
-TEST(AdvancementCases, Double_SmallerSlabIsCloser) {
+TEST(AdvancementCases, Double_SmallerToleranceIsCloser) {
   for (const Case& c : robust_cases()) {
     if (c.t == kNever) continue;
     const auto found = search_truly(ask<double>(c, 1e-12), c.name);
@@ -65,7 +65,7 @@ TEST(AdvancementCases, Double_SmallerSlabIsCloser) {
 TEST(AdvancementCases, Float_OutcomeOfTheTable) {
   for (const Case& c : robust_cases()) {
     const auto found = search_truly(ask<float>(c), c.name);
-    // Gaps of 1e-5 are within the least slab of a float: contact is a true answer too.
+    // Gaps of 1e-5 are within the least contact tolerance of a float: contact is a true answer too.
     const std::string name = c.name;
     const bool slight = name == "T10" || name == "T29";
     if (!slight || found.outcome == Outcome::kFree) expect_outcome(c, found.outcome);
@@ -83,7 +83,7 @@ TEST(AdvancementCases, Float_DelicateCasesClaimNothingUntrue) {
   }
 }
 
-TEST(AdvancementCases, WideSlab_TakesNearMissForContact) {
+TEST(AdvancementCases, WideTolerance_TakesNearMissForContact) {
   const Case near{"T06", post_z(kO, .1), ball({-2, .2001, 0}, .1, {4, 0, 0})};
   const auto passed = search_truly(ask<double>(near, 1e-3), near.name);
   EXPECT_TRUE(passed.outcome == Outcome::kFree || passed.outcome == Outcome::kContact);
@@ -94,8 +94,9 @@ TEST(AdvancementCases, WideSlab_TakesNearMissForContact) {
 
 constexpr std::uint32_t kDefaultBudget = 64;
 
-/// T18 rolls on within the slab's reach for the whole step: it has to fit the default budget only.
-/// Counts of the prototype in which the method was first tried, slab 1e-6 m.
+/// T18 rolls on within the contact tolerance's reach for the whole step: it has to fit the default
+/// budget only. Counts of the prototype in which the method was first tried, contact tolerance 1e-6
+/// m.
 TEST(AdvancementCases, Double_CostsNoMoreThanThePrototype) {
   const std::vector<std::pair<std::string, std::uint32_t>> prototype = {
       {"T01", 2},  {"T02", 2},   {"T08", 6},

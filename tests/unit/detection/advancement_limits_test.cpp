@@ -25,7 +25,7 @@ TYPED_TEST(AdvancementLimits, AnyBudget_StopsBeforeContactOrTellsTheTruth) {  //
     const auto full = search_truly(ask<TypeParam>(c), c.name);
     TypeParam t_free = 0;
     for (std::uint32_t budget = 0; budget <= full.evaluations; ++budget) {  // Bound: kAmple
-      const auto found = search_truly(ask<TypeParam>(c, kSlab, budget), c.name);
+      const auto found = search_truly(ask<TypeParam>(c, kContactTolerance, budget), c.name);
       EXPECT_GE(found.t_free, t_free) << c.name << ", budget " << budget;
       t_free = found.t_free;
       if (found.outcome == Outcome::kBudget) continue;
@@ -38,7 +38,7 @@ TYPED_TEST(AdvancementLimits, AnyBudget_StopsBeforeContactOrTellsTheTruth) {  //
 TYPED_TEST(AdvancementLimits, LastingNearContactWithBudgetFour_IsFreeForAWhile) {  // T46
   for (const Case& c : delicate_cases()) {
     if (std::string(c.name) != "T18") continue;
-    const auto found = search_truly(ask<TypeParam>(c, kSlab, 4), c.name);
+    const auto found = search_truly(ask<TypeParam>(c, kContactTolerance, 4), c.name);
     EXPECT_EQ(found.outcome, Outcome::kBudget);
     EXPECT_GT(found.t_free, 0);
     return;
@@ -47,7 +47,7 @@ TYPED_TEST(AdvancementLimits, LastingNearContactWithBudgetFour_IsFreeForAWhile) 
 }
 
 TYPED_TEST(AdvancementLimits, NoBudget_NoDistanceIsLookedAt) {  // T46
-  const auto found = search_truly(ask<TypeParam>(two_bars(3, -4), kSlab, 0), "T46");
+  const auto found = search_truly(ask<TypeParam>(two_bars(3, -4), kContactTolerance, 0), "T46");
   EXPECT_EQ(found.outcome, Outcome::kBudget);
   EXPECT_EQ(found.evaluations, 0U);
 }
@@ -113,8 +113,8 @@ TYPED_TEST(AdvancementLimits, SpinBeyondTheLimit_IsRefused) {  // T51, T20
   EXPECT_FALSE(make_moving_pair(moving<TypeParam>(bar_y(0, 0)), spinning).ok());
 }
 
-/// Rounding of the axis shows after many turns, and the least slab grows with them: float is asked
-/// for fewer.
+/// Rounding of the axis shows after many turns, and the least contact tolerance grows with them:
+/// float is asked for fewer.
 TYPED_TEST(AdvancementLimits, SpinAboutTheOwnAxis_ShowsNothing) {  // T20
   const Vec3<double> w(0, 1e4, 0);
   const double duration = std::is_same_v<TypeParam, float> ? 0.02 : 0.25;
@@ -140,9 +140,9 @@ TYPED_TEST(AdvancementLimits, SubnormalLengths_NeverFreeWrongly) {  // T51
 
 TYPED_TEST(AdvancementLimits, OptionsOutOfRange_AreRefused) {
   auto asked = ask<TypeParam>(two_bars(3, -4));
-  const auto outcome = [&](TypeParam slab, std::uint32_t budget) {
+  const auto outcome = [&](TypeParam contact_tolerance, std::uint32_t budget) {
     AdvancementOptions<TypeParam> options;
-    options.slab = slab;
+    options.contact_tolerance = contact_tolerance;
     options.budget = budget;
     const bool valid = validate(options) == Status::kOk;
     const Outcome found = search_advancement(asked.pair, options).outcome;
@@ -165,7 +165,7 @@ SearchResult<Scalar> bar_and_post(double length, double time) {
       {kO, {-length, 0, 0}, {length, 0, 0}, .05 * length, kO, {0, 0, kPi / time}}, time);
   const auto B =
       moving<Scalar>({{0, .8 * length, 0}, {0, 0, -length}, {0, 0, length}, .05 * length}, time);
-  return search_truly(ask<Scalar>(A, B, kSlab * length), "T08");
+  return search_truly(ask<Scalar>(A, B, kContactTolerance * length), "T08");
 }
 
 TYPED_TEST(AdvancementLimits, FastAndSmall_IsSlowAndLarge) {  // T52
@@ -183,7 +183,8 @@ TYPED_TEST(AdvancementLimits, AstronomicAndMinute_NeverFreeWrongly) {  // T53
   const double k = 1e-25;
   const auto small = ask<TypeParam>(
       moving<TypeParam>({kO, {0, -k, 0}, {0, k, 0}, .1 * k}),
-      moving<TypeParam>({{3 * k, 0, 0}, {0, -k, 0}, {0, k, 0}, .1 * k, {-4 * k, 0, 0}}), kSlab * k);
+      moving<TypeParam>({{3 * k, 0, 0}, {0, -k, 0}, {0, k, 0}, .1 * k, {-4 * k, 0, 0}}),
+      kContactTolerance * k);
   EXPECT_EQ(search_truly(small, "T53, small").outcome, Outcome::kContact);
   EXPECT_EQ(bar_and_post<TypeParam>(k, 1).outcome, Outcome::kContact);
 }

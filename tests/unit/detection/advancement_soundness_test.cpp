@@ -23,7 +23,7 @@ struct ShortEdges {
   S vx;
   Vec3<S> w;
   Vec3<S> seed;
-  S slab;
+  S contact_tolerance;
 
   MovingCapsule<S> A() const { return body(a, radius_A, 0, 0, Vec3<S>::Zero()); }
   MovingCapsule<S> B() const { return body(b, radius_B, x, vx, w); }
@@ -44,7 +44,7 @@ template <class S>
 void expect_true(const ShortEdges<S>& query) {
   const MovingPair<S> pair = make_moving_pair(query.A(), query.B()).value;
   AdvancementOptions<S> options;
-  options.slab = query.slab;
+  options.contact_tolerance = query.contact_tolerance;
   options.budget = 2048;
   const auto found = search_advancement(pair, options, query.seed);
   const test::Truth truth(query.A(), query.B());

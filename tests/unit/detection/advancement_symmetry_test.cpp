@@ -26,10 +26,10 @@ using Change = std::function<void(MovingCapsule<Scalar>&)>;
 template <class Scalar>
 double doubt(const Asked<Scalar>& asked) {
   const Scalar eps = kInflation<Scalar> * test::query_length_of(asked.pair);
-  return static_cast<double>(slab_of(asked.pair, asked.options) + 2 * eps);
+  return static_cast<double>(contact_tolerance_of(asked.pair, asked.options) + 2 * eps);
 }
 
-/// Both answers are free up to their t_free, and the gap there is within the slab.
+/// Both answers are free up to their t_free, and the gap there is within the contact tolerance.
 template <class Scalar>
 void expect_same(const Case& c, const Asked<Scalar>& asked, const SearchResult<Scalar>& found,
                  const SearchResult<Scalar>& changed) {
@@ -111,7 +111,7 @@ TYPED_TEST(AdvancementSymmetry, LengthsTimesPowerOfTwo_SameBits) {  // T38
         return m;
       };
       const auto again =
-          ask<TypeParam>(scaled(asked.A), scaled(asked.B), std::ldexp(kSlab, exponent));
+          ask<TypeParam>(scaled(asked.A), scaled(asked.B), std::ldexp(kContactTolerance, exponent));
       const auto same = search_advancement(again.pair, again.options);
       EXPECT_EQ(same.outcome, found.outcome) << c.name;
       EXPECT_EQ(same.t_free, found.t_free) << c.name;
@@ -130,7 +130,8 @@ Case bar_and_post(double scale, double rate = kPi) {
 
 TYPED_TEST(AdvancementSymmetry, LengthsTimesMillion_SameTime) {  // T38
   for (const double scale : {1e-6, 1e6}) {
-    const auto found = search_truly(ask<TypeParam>(bar_and_post(scale), kSlab * scale), "T38");
+    const auto found =
+        search_truly(ask<TypeParam>(bar_and_post(scale), kContactTolerance * scale), "T38");
     const auto plain = search_truly(ask<TypeParam>(bar_and_post(1)), "T08");
     ASSERT_EQ(found.outcome, Outcome::kContact);
     EXPECT_NEAR(found.t_free, plain.t_free, 8 * kRoundOff<TypeParam>);

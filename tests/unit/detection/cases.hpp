@@ -121,7 +121,8 @@ inline std::vector<Case> spatial_cases() {
 }
 
 /// Contacts and passes that a search which samples cannot be held to: exact grazes, gaps of a few
-/// slabs that last, contact at the last instant. Rounded to float they may go either way.
+/// contact tolerances that last, contact at the last instant. Rounded to float they may go either
+/// way.
 inline std::vector<Case> delicate_cases() {
   const Capsule64 thick{kO, {0, 0, -1}, {0, 0, 1}, .9};
   const auto roller = [](double x, double y, double z) {

@@ -73,7 +73,7 @@ TEST(WalkForesees, BallOnACircle_MeetsWhereTheParabolaDoes) {
     ASSERT_LT(truth, 1);
     for (const bool A_turns : {false, true}) {
       const MovingPair<double> pair = Circling(angle, turn).pair(A_turns, 1);
-      const Walk<double> walk(pair, kSlab, kInflation<double>);
+      const Walk<double> walk(pair, kContactTolerance, kInflation<double>);
       // a gap of 0.05 m and more, from lengths of less than 16 m
       EXPECT_NEAR(walk.foreseen_contact(walk.closest()), truth, 64 * kU * (16 / 0.05))
           << angle << A_turns;
@@ -90,13 +90,14 @@ TEST(WalkForesees, BallOnACircle_PartsAsFastAsItDoes) {
   for (const bool A_turns : {false, true}) {
     const MovingPair<double> pair = Circling(angle, turn).pair(A_turns, duration);
     const MovingPair<double> unit = in_units(pair, scale);
-    const Walk<double> walk(unit, kSlab * scale, kInflation<double>);
+    const Walk<double> walk(unit, kContactTolerance * scale, kInflation<double>);
     EXPECT_NEAR(walk.rate(walk.closest(), pair, scale), on_circle(angle, turn).rate, 64 * kU * 16)
         << A_turns;
   }
 }
 
-/// With a slab so wide that the parabola shows: a ball passes another at a distance of 1 m.
+/// With a contact tolerance so wide that the parabola shows: a ball passes another at a distance of
+/// 1 m.
 TEST(TranslationForesees, BallThatPasses_MeetsWhereTheParabolaDoes) {
   const double speed = 3;
   const double duration = 2;

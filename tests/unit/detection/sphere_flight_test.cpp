@@ -51,7 +51,7 @@ struct Spheres {
 
 /// Whether all that is claimed is true.
 template <class Scalar>
-testing::AssertionResult is_true(const Spheres<Scalar>& spheres, Scalar slab,
+testing::AssertionResult is_true(const Spheres<Scalar>& spheres, Scalar contact_tolerance,
                                  const SphereAnswer<Scalar>& answer) {
   const Scalar duration = spheres.A.duration;
   const bool in_order = Scalar(0) <= answer.t_free && answer.t_free <= answer.t_hit;
@@ -61,7 +61,7 @@ testing::AssertionResult is_true(const Spheres<Scalar>& spheres, Scalar slab,
   const Exact until = Exact{answer.t_free};
   const Exact least = spheres.least_gap(until);
   const Exact now = spheres.gap_at(until);
-  const auto contact = Exact{contact_gap_of(spheres.flight(), slab)};
+  const auto contact = Exact{contact_gap_of(spheres.flight(), contact_tolerance)};
   bool holds = false;
   if (answer.outcome == Outcome::kFree) holds = least > 0 && answer.t_free == duration;
   if (answer.outcome == Outcome::kContact) holds = least > 0 && now <= contact;
@@ -109,7 +109,7 @@ class Draw {
     drawn.B.duration = drawn.A.duration;
     return drawn;
   }
-  Scalar slab(const SphereFlight<Scalar>& flight) {
+  Scalar contact_tolerance(const SphereFlight<Scalar>& flight) {
     return one_in(2) ? Scalar(0) : flight.radii * ten_to(-7, -2);
   }
 
@@ -132,9 +132,9 @@ TYPED_TEST(SphereFlightOf, AnyFlight_NothingMissedNothingLate) {
   int grazes = 0;
   for (int i = 0; i < 150000; ++i) {
     const auto spheres = draw.spheres();
-    const auto slab = draw.slab(spheres.flight());
-    const auto answer = search_spheres(spheres.flight(), slab);
-    ASSERT_TRUE(is_true(spheres, slab, answer)) << "query " << i;
+    const auto contact_tolerance = draw.contact_tolerance(spheres.flight());
+    const auto answer = search_spheres(spheres.flight(), contact_tolerance);
+    ASSERT_TRUE(is_true(spheres, contact_tolerance, answer)) << "query " << i;
     ++outcomes[static_cast<std::size_t>(answer.outcome)];
     const Exact least = spheres.least_gap(Exact{spheres.A.duration});
     grazes += std::abs(least) < Exact{1e-5} * Exact{spheres.flight().radii} ? 1 : 0;
@@ -146,7 +146,8 @@ TYPED_TEST(SphereFlightOf, AnyFlight_NothingMissedNothingLate) {
   EXPECT_GT(grazes, 5000);
 }
 
-/// t_hit is off by no more than what the slab bends: it is within the slab of the surfaces.
+/// t_hit is off by no more than what the contact tolerance bends: it is within the contact
+/// tolerance of the surfaces.
 TYPED_TEST(SphereFlightOf, HeadOn_ForeseesTheInstant) {
   Draw<TypeParam> draw;
   for (int i = 0; i < 10000; ++i) {
@@ -162,27 +163,27 @@ TYPED_TEST(SphereFlightOf, HeadOn_ForeseesTheInstant) {
 
 /// @param x, y  of B from A; @param v  along x
 template <class Scalar>
-SphereAnswer<Scalar> pass(Scalar x, Scalar y, Scalar v, Scalar radii, Scalar slab,
+SphereAnswer<Scalar> pass(Scalar x, Scalar y, Scalar v, Scalar radii, Scalar contact_tolerance,
                           Scalar duration = 1) {
-  return search_spheres<Scalar>({{x, y, 0}, {v, 0, 0}, radii, duration}, slab);
+  return search_spheres<Scalar>({{x, y, 0}, {v, 0, 0}, radii, duration}, contact_tolerance);
 }
 
 TYPED_TEST(SphereFlightOf, CasesOfTheTable_OutcomeOfTheTable) {
   using S = TypeParam;
-  const S slab = S(1e-6);
-  const auto bullet = pass<S>(-50, 0, 1000, S(0.02), slab);
+  const S contact_tolerance = S(1e-6);
+  const auto bullet = pass<S>(-50, 0, 1000, S(0.02), contact_tolerance);
   EXPECT_EQ(bullet.outcome, Outcome::kContact);
   EXPECT_NEAR(double(bullet.t_hit), 0.04998, 1e-6);
-  EXPECT_NE(pass<S>(-2, S(0.2), 4, S(0.2), slab).outcome, Outcome::kFree);
-  EXPECT_EQ(pass<S>(-2, S(0.2001), 4, S(0.2), slab).outcome, Outcome::kFree);
-  const auto near_graze = pass<S>(-2, S(0.1999), 4, S(0.2), slab);
+  EXPECT_NE(pass<S>(-2, S(0.2), 4, S(0.2), contact_tolerance).outcome, Outcome::kFree);
+  EXPECT_EQ(pass<S>(-2, S(0.2001), 4, S(0.2), contact_tolerance).outcome, Outcome::kFree);
+  const auto near_graze = pass<S>(-2, S(0.1999), 4, S(0.2), contact_tolerance);
   EXPECT_EQ(near_graze.outcome, Outcome::kContact);
   EXPECT_LE(double(near_graze.t_free), 0.498419058825);
   EXPECT_NEAR(double(near_graze.t_hit), 0.498419058825, 1e-3);
-  const auto points = pass<S>(2, 0, -4, 0, slab);
+  const auto points = pass<S>(2, 0, -4, 0, contact_tolerance);
   EXPECT_EQ(points.outcome, Outcome::kContact);
   EXPECT_NEAR(double(points.t_hit), 0.5, 1e-5);
-  const auto slow = pass<S>(S(0.2001), 0, S(-1e-3), S(0.2), slab);
+  const auto slow = pass<S>(S(0.2001), 0, S(-1e-3), S(0.2), contact_tolerance);
   EXPECT_EQ(slow.outcome, Outcome::kContact);
   EXPECT_NEAR(double(slow.t_hit), 0.1, 2e-4);
   EXPECT_EQ(pass<S>(S(0.2001), 0, S(-1e-3), S(0.2), S(1e-3)).outcome, Outcome::kTouching);
@@ -233,8 +234,8 @@ TYPED_TEST(SphereFlightOf, ExtremeSizes_NothingMissedNothingLate) {
 
 TYPED_TEST(SphereFlightOf, BadInput_IsRefused) {
   using S = TypeParam;
-  const auto is_refused = [](const SphereFlight<S>& flight, S slab) {
-    return search_spheres(flight, slab).outcome == Outcome::kInvalid;
+  const auto is_refused = [](const SphereFlight<S>& flight, S contact_tolerance) {
+    return search_spheres(flight, contact_tolerance).outcome == Outcome::kInvalid;
   };
   const SphereFlight<S> good{{1, 0, 0}, {-1, 0, 0}, S(0.5), 1};
   EXPECT_FALSE(is_refused(good, 0));

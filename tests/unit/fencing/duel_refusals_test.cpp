@@ -73,7 +73,7 @@ TYPED_TEST(PaperDuelRefusals, SearchOptionsOutOfRange_AreRefused) {
 
 TYPED_TEST(CertifiedDuelRefusals, SearchOptionsOutOfRange_AreRefused) {
   EXPECT_TRUE(this->refuses([](auto& s) { s.touch.budget = kMaxBudget + 1; }));
-  EXPECT_TRUE(this->refuses([](auto& s) { s.touch.slab = -1; }));
+  EXPECT_TRUE(this->refuses([](auto& s) { s.touch.contact_tolerance = -1; }));
   EXPECT_TRUE(
       this->refuses([](auto& s) { s.world.search.budget = TypeParam::SceneType::kBudget + 1; }));
 }

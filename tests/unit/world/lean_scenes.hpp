@@ -166,7 +166,7 @@ class Lean : public ::testing::Test {
  protected:
   static constexpr bool kIsFloat = std::is_same_v<typename SceneT::Scalar, float>;
   static constexpr double kRounding = kIsFloat ? 1e-6 : 1e-14;
-  /// Capsules are answered within a slab, and not at one instant.
+  /// Capsules are answered within a contact tolerance, and not at one instant.
   static constexpr double kSame = kIsFloat ? 2e-3 : SceneT::Search::kForSpheres ? 1e-9 : 1e-4;
 };
 using LeanScenes = ::testing::Types<LeanScene<Spheres, float>, LeanScene<Spheres, double>,

@@ -17,7 +17,7 @@ constexpr double kDt = 0.1;
 constexpr int kGrid = 4000;  ///< of a step: no graze that changes anything is shorter
 
 /// Impulses only, with contact a thousand times nearer than by default: what is left between the
-/// two is rounding and the slab.
+/// two is rounding and the contact tolerance.
 template <int kParts>
 struct Impulses : Scene {
   using Scalar = double;
@@ -30,7 +30,7 @@ struct Impulses : Scene {
   static constexpr int kMaxEvents = 128;
   static constexpr bool kOwners = false;
   static constexpr RestingContact kResting = RestingContact::kNone;
-  static constexpr float kSlab = 1e-10F;
+  static constexpr float kContactTolerance = 1e-10F;
 };
 
 /// A body about its centre of mass: a capsule, or three that stand out from the centre. These have
@@ -80,9 +80,9 @@ std::vector<test::Happening> contacts_of(const WorldT& world) {
   return contacts;
 }
 
-/// A contact is answered where the gap is within the slab, and the pair is then opened by about as
-/// much. What that is worth in time and place grows with each contact that follows from it; it is
-/// at most tenfold in these scenes, and there are up to five in a row.
+/// A contact is answered where the gap is within the contact tolerance, and the pair is then opened
+/// by about as much. What that is worth in time and place grows with each contact that follows from
+/// it; it is at most tenfold in these scenes, and there are up to five in a row.
 constexpr double kNear = 1e-9 * 1e4;
 
 template <int kParts>

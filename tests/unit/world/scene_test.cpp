@@ -42,7 +42,7 @@ TEST(Scene, EachOptionOutOfRange_IsRefused) {
     EXPECT_TRUE(refuses<Plain>([bad](auto& settings) { settings.min_separation_time = bad; }));
   }
   for (const double bad : {-1.0, 1.1, infinity, std::nan("")}) {
-    EXPECT_TRUE(refuses<Plain>([bad](auto& settings) { settings.search.slab = bad; }));
+    EXPECT_TRUE(refuses<Plain>([bad](auto& settings) { settings.search.contact_tolerance = bad; }));
   }
   EXPECT_TRUE(refuses<Paper>([](auto& settings) { settings.search.max_steps = 0; }));
   EXPECT_TRUE(refuses<Paper>([](auto& settings) { settings.search.halvings = -1; }));
@@ -67,15 +67,16 @@ struct SpinScene : Scene {
   static constexpr float kTurnPerStep = 3.0F;
 };
 struct CoarseScene : SpinScene {
-  static constexpr float kSlab = 6e-3F;
+  static constexpr float kContactTolerance = 6e-3F;
 };
 
-TEST(Scene, TurnAndBudget_GiveTheSlab) {
-  const float slab = WorldSettings<SpinScene>{}.search.slab;
-  EXPECT_EQ(slab, slab_for(3.0F, 32));
-  EXPECT_GT(slab, 1e-3F);
-  EXPECT_EQ(WorldSettings<CoarseScene>{}.search.slab, 6e-3F);
-  EXPECT_EQ(WorldSettings<Scene>{}.search.slab, AdvancementOptions<float>{}.slab);
+TEST(Scene, TurnAndBudget_GiveTheTolerance) {
+  const float contact_tolerance = WorldSettings<SpinScene>{}.search.contact_tolerance;
+  EXPECT_EQ(contact_tolerance, contact_tolerance_for(3.0F, 32));
+  EXPECT_GT(contact_tolerance, 1e-3F);
+  EXPECT_EQ(WorldSettings<CoarseScene>{}.search.contact_tolerance, 6e-3F);
+  EXPECT_EQ(WorldSettings<Scene>{}.search.contact_tolerance,
+            AdvancementOptions<float>{}.contact_tolerance);
 }
 
 TEST(Scene, PairRestitution_IsThatOfTheBouncierBody) {

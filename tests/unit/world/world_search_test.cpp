@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a world makes of its scene's search: budget, slab, seed, and what the search refuses.
+// What a world makes of its scene's search: budget, contact tolerance, seed, and what the search
+// refuses.
 
 #include <gtest/gtest.h>
 
@@ -40,7 +41,8 @@ TYPED_TEST(SearchOfWorld, PartingBodies_AreNotHeld) {
     auto settings = WorldSettings<TypeParam>{};
     settings.separation *= S(scale);
     settings.rest_speed *= S(scale);
-    if constexpr (TypeParam::Search::kHasSlab) settings.search.slab = S(1e-3);
+    if constexpr (TypeParam::Search::kHasContactTolerance)
+      settings.search.contact_tolerance = S(1e-3);
     ASSERT_EQ(world.configure(settings), Status::kOk);
     (void)world.add(ball<TypeParam>(0, 0.1 * scale, scale));
     auto wall = post<TypeParam>(3 * scale, 0.1 * scale);
@@ -95,7 +97,8 @@ TYPED_TEST(SearchOfWorld, UnyieldingHandLedAwayFromTheWall_Leaves) {
     for (int i = 0; i < 3; ++i) {
       ASSERT_EQ(world.step(S(0.1)), Status::kOk);
       EXPECT_EQ(world.report().blocked, 1U) << round;
-      EXPECT_EQ(world.report().overlaps_at_start, 0U) << "within the slab is not overlapping";
+      EXPECT_EQ(world.report().overlaps_at_start, 0U)
+          << "within the contact_tolerance is not overlapping";
       EXPECT_GT(gap_between(world, 0, 1), -1e-6);
       EXPECT_LT(gap_between(world, 0, 1), 1e-4);
     }
@@ -130,7 +133,7 @@ TYPED_TEST(SearchOfWorld, WiresWithoutRadius_StayHeldAndCounted) {
   using S = typename TypeParam::Scalar;
   World<TypeParam> world;
   auto settings = WorldSettings<TypeParam>{};
-  if constexpr (!TypeParam::Search::kHasSlab) settings.search.unit = EpsilonIn::kMetres;
+  if constexpr (!TypeParam::Search::kHasContactTolerance) settings.search.unit = EpsilonIn::kMetres;
   ASSERT_EQ(world.configure(settings), Status::kOk);
   auto hand = unyielding_hand<TypeParam>(0.5);
   auto wall = post<TypeParam>(0.5, 0);

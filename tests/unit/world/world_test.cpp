@@ -379,8 +379,9 @@ TEST(World, FloatAgreesWithDouble) {
     const auto& f = single.get(single.id_at(slot))->body;
     const auto& d = oracle.get(oracle.id_at(slot))->body;
     EXPECT_LT((f.X_WB.p_W.cast<double>() - d.X_WB.p_W).norm(), 1e-4);
-    // Each takes a gap within its own slab for contact, 6e-6 S in float: seen from the axes the
-    // normal differs by the slab over the radii, and the impulse of 2.7 N s with it.
+    // Each takes a gap within its own contact tolerance for contact, 6e-6 S in float: seen from the
+    // axes the normal differs by the contact tolerance over the radii, and the impulse of 2.7 N s
+    // with it.
     EXPECT_LT((f.momentum.p_W.cast<double>() - d.momentum.p_W).norm(), 1e-3);
     EXPECT_LT((f.momentum.b_W.cast<double>() - d.momentum.b_W).norm(), 1e-4);
   }

@@ -61,7 +61,8 @@ class Duelists : public price::Blades {
     const AdvancementOptions<float> options;
     const float size =
         length(blades[0].body.X_WB.p_W) + length(blades[1].body.X_WB.p_W) + pair.scale;
-    return 2 * (slab_of(pair, options) + inflation_of(pair)) + 64 * kRoundOff<float> * size;
+    return 2 * (contact_tolerance_of(pair, options) + inflation_of(pair)) +
+           64 * kRoundOff<float> * size;
   }
 
   void answer(const SearchResult<float>& found, const MovingPair<float>& pair, float dt) {
