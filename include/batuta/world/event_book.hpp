@@ -5,8 +5,8 @@
 
 #include "batuta/core/fixed_list.hpp"
 #include "batuta/world/broadphase.hpp"
+#include "batuta/world/candidate_pair.hpp"
 #include "batuta/world/event.hpp"
-#include "batuta/world/watch.hpp"
 
 namespace batuta {
 

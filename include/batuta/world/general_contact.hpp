@@ -23,44 +23,44 @@ void GeneralWorld<SceneT>::look(BodyPair pair, Sight& sight) {
 }
 
 template <class SceneT>
-void GeneralWorld<SceneT>::answer_turning(const WatchType& watch, const Sight& sight) {
-  const std::size_t a = body_of(watch.pair.first);
-  const std::size_t b = body_of(watch.pair.second);
+void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const Sight& sight) {
+  const std::size_t a = body_of(candidate.pair.first);
+  const std::size_t b = body_of(candidate.pair.second);
   const CapsuleGap<Scalar>& witness = sight.search.witness;
   Nearest<Scalar> nearest = {contact_from(witness, sight.origin_W), witness.axes.s, witness.axes.u};
   if constexpr (kLeads) {
-    if (is_immovable(watch.pair)) return block(watch, sight, nearest);
+    if (is_immovable(candidate.pair)) return block(candidate, sight, nearest);
   }
-  const Scalar margin = margin_of(sight, watch.pair);
+  const Scalar margin = margin_of(sight, candidate.pair);
   const std::array<Momentum<Scalar>, 2> before = {actor_at(a).body.momentum,
                                                   actor_at(b).body.momentum};
   std::array<Party<Scalar>, 2> parties = {party(a), party(b)};
   if constexpr (SceneT::kLineContact) {
-    nearest.contact = pressed(watch.pair, parties, nearest.contact, margin);
+    nearest.contact = pressed(candidate.pair, parties, nearest.contact, margin);
   }
   const auto options = options_for(margin);
   if constexpr (SceneT::kMaxBodies > 2) {
-    make_room(watch.pair, nearest.contact, options, parties);
+    make_room(candidate.pair, nearest.contact, options, parties);
   }
-  const bool is_last = uses_up_answers(watch.pair);
-  const auto impulse = impulse_for(watch.pair, parties, nearest.contact, is_last);
+  const bool is_last = uses_up_answers(candidate.pair);
+  const auto impulse = impulse_for(candidate.pair, parties, nearest.contact, is_last);
   const auto answer = answer_contact(parties[0], parties[1], nearest.contact, impulse, options);
   if (!answer.ok()) {
     actor_at(a).body.momentum = before[0];
     actor_at(b).body.momentum = before[1];
     ++report_.answers_invalid;
-    hold_pair(watch.pair, dt_);
+    hold_pair(candidate.pair, dt_);
     return;
   }
   const bool is_tight =
       answer.value.separated && nearest.contact.gap + opened(answer.value) < margin;
-  charge(watch.pair, answer.value, is_last || is_tight);
+  charge(candidate.pair, answer.value, is_last || is_tight);
   if constexpr (kSettles) {
-    if (is_tight) stop_pair(watch.pair);
+    if (is_tight) stop_pair(candidate.pair);
   }
   notify_controller(a, answer.value, answer.value.separation.shift_A_W);
   notify_controller(b, answer.value, answer.value.separation.shift_B_W);
-  record(watch, nearest, answer.value);
+  record(candidate, nearest, answer.value);
 }
 
 /// The impulse that the pair's laws give; without restitution where the scene's bodies settle.
@@ -147,14 +147,14 @@ bool GeneralWorld<SceneT>::is_immovable(BodyPair pair) const {
 }
 
 template <class SceneT>
-void GeneralWorld<SceneT>::block(const WatchType& watch, const Sight& sight,
+void GeneralWorld<SceneT>::block(const CandidateType& candidate, const Sight& sight,
                                  const Nearest<Scalar>& nearest) {
   EncounterAnswer<Scalar> answer;
   answer.v_rel = sight.search.gap_rate;
   answer.kind = classify(answer.v_rel, rest_speed_);
   ++report_.blocked;
-  hold_pair(watch.pair, dt_);
-  record(watch, nearest, answer);
+  hold_pair(candidate.pair, dt_);
+  record(candidate, nearest, answer);
 }
 
 template <class SceneT>
@@ -273,37 +273,39 @@ void GeneralWorld<SceneT>::notify_controller(std::size_t slot,
 
 /// Bodies that do not turn: an impulse, after which they part, and what parts is free for good.
 template <class SceneT>
-void GeneralWorld<SceneT>::answer_straight(const WatchType& watch) {
-  ActorType& A = actor_at(body_of(watch.pair.first));
-  ActorType& B = actor_at(body_of(watch.pair.second));
+void GeneralWorld<SceneT>::answer_straight(const CandidateType& candidate) {
+  ActorType& A = actor_at(body_of(candidate.pair.first));
+  ActorType& B = actor_at(body_of(candidate.pair.second));
   Scalar restitution = 0;
   if constexpr (SceneT::kRestitution) {
     restitution = pair_restitution(A.restitution, B.restitution);
   }
-  const Nearest<Scalar> at = nearest(watch.pair);
+  const Nearest<Scalar> at = nearest(candidate.pair);
   const auto hit = straight_impulse(A.body, B.body, at.contact.normal_BA_W, restitution);
   EncounterAnswer<Scalar> answer;
   answer.kind = ContactKind::kColliding;
   answer.v_rel = hit.v_rel;
   answer.impulse = hit.impulse;
-  record(watch, at, answer);
+  record(candidate, at, answer);
 }
 
 /// Without response: the contact is told once, and everybody moves on.
 template <class SceneT>
-void GeneralWorld<SceneT>::only_tell(const WatchType& watch) {
-  if (!watch.is_contact() || contacts_answered_ == SceneT::kMaxContacts) return count_cut(watch);
+void GeneralWorld<SceneT>::only_tell(const CandidateType& candidate) {
+  if (!candidate.is_contact() || contacts_answered_ == SceneT::kMaxContacts)
+    return count_cut(candidate);
   ++contacts_answered_;
   if constexpr (SceneT::kRotation) {
     Sight& sight = sights_.earliest();
-    if constexpr (SceneT::kMaxPairs > 1) look(watch.pair, sight);  // the only pair's is known
+    if constexpr (SceneT::kMaxPairs > 1) look(candidate.pair, sight);  // the only pair's is known
     EncounterAnswer<Scalar> answer;
     answer.v_rel = sight.search.gap_rate;
     answer.kind = classify(answer.v_rel, settings_.rest_speed);
     const CapsuleGap<Scalar>& witness = sight.search.witness;
-    record(watch, {contact_from(witness, sight.origin_W), witness.axes.s, witness.axes.u}, answer);
+    record(candidate, {contact_from(witness, sight.origin_W), witness.axes.s, witness.axes.u},
+           answer);
   } else {
-    record(watch, nearest(watch.pair), {});
+    record(candidate, nearest(candidate.pair), {});
   }
 }
 

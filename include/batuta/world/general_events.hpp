@@ -29,24 +29,24 @@ Status GeneralWorld<SceneT>::remove(BodyId id) {
 }
 
 template <class SceneT>
-void GeneralWorld<SceneT>::record(const WatchType& watch, const Nearest<Scalar>& nearest,
+void GeneralWorld<SceneT>::record(const CandidateType& candidate, const Nearest<Scalar>& nearest,
                                   const EncounterAnswer<Scalar>& answer) {
   if (answer.impulse > Scalar(0)) ++report_.collisions;
   if (answer.separated) ++report_.separations;
-  if (watch.outcome == Outcome::kTouching && !(nearest.contact.gap > Scalar(0))) {
+  if (candidate.outcome == Outcome::kTouching && !(nearest.contact.gap > Scalar(0))) {
     ++report_.overlaps_at_start;
     report_.deepest_overlap = max_of(report_.deepest_overlap, -nearest.contact.gap);
   }
   if constexpr (SceneT::kMaxEvents > 0) {
-    ContactEvent<Scalar> event = event_of(watch.pair, nearest);
+    ContactEvent<Scalar> event = event_of(candidate.pair, nearest);
     event.contact_kind = answer.kind;
     event.time = now_;
     event.v_rel = answer.v_rel;
     event.impulse = answer.impulse;
     event.kind = EventKind::kPersist;
-    if (!this->is_touching(watch.pair)) {
+    if (!this->is_touching(candidate.pair)) {
       event.kind = EventKind::kBegin;
-      if (!this->begin_touch(watch.pair)) ++report_.contacts_untracked;
+      if (!this->begin_touch(candidate.pair)) ++report_.contacts_untracked;
     }
     if (!this->push(event)) ++report_.events_dropped;
   }

@@ -12,7 +12,7 @@ void GeneralWorld<SceneT>::begin_step(Scalar dt) {
   report_ = {};
   this->clear_events();
   this->clear_repeats();
-  watches_.clear();
+  candidates_.clear();
   sights_.forget();
   now_ = 0;
   dt_ = dt;
@@ -62,7 +62,7 @@ void GeneralWorld<SceneT>::refresh() {
     const bool is_begin = is_begin_;
     is_begin_ = false;
     is_changed_ = false;
-    drop_watches();
+    drop_candidates();
     for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
       if (tracks_[slot].changed) plan(slot, is_begin);
     }
@@ -74,17 +74,17 @@ void GeneralWorld<SceneT>::refresh() {
     }
     for (Track& track : tracks_) track.fresh = false;  // Bound: kMaxBodies
   }
-  search_watches();
+  search_candidates();
 }
 
 /// What was known of a body whose plan changes is no longer true.
 template <class SceneT>
-void GeneralWorld<SceneT>::drop_watches() {
+void GeneralWorld<SceneT>::drop_candidates() {
   const auto is_stale = [this](BodyPair pair) {
     return tracks_[body_of(pair.first)].changed || tracks_[body_of(pair.second)].changed;
   };
-  for (int i = watches_.size() - 1; i >= 0; --i) {  // Bound: kMaxPairs
-    if (is_stale(watches_[i].pair)) watches_.remove_swapping(i);
+  for (int i = candidates_.size() - 1; i >= 0; --i) {  // Bound: kMaxPairs
+    if (is_stale(candidates_[i].pair)) candidates_.remove_swapping(i);
   }
   if (is_stale(sights_.pair())) sights_.forget();
 }
@@ -186,9 +186,9 @@ void GeneralWorld<SceneT>::collect(BodyPair pair) {
   const std::size_t a = body_of(pair.first);
   const std::size_t b = body_of(pair.second);
   if ((is_held(a) && is_held(b)) || !may_pair(a, b)) return;
-  WatchType watch;
-  watch.pair = pair;
-  const bool has_room = watches_.push(watch);
+  CandidateType candidate;
+  candidate.pair = pair;
+  const bool has_room = candidates_.push(candidate);
   if constexpr (kCanOverflow) {
     if (has_room) return;
     ++report_.pairs_dropped;
@@ -206,30 +206,30 @@ bool GeneralWorld<SceneT>::may_pair(std::size_t a, std::size_t b) const {
 }
 
 template <class SceneT>
-void GeneralWorld<SceneT>::search_watches() {
-  for (int i = 0; i < watches_.size(); ++i) {  // Bound: kMaxPairs
-    if (!watches_[i].asked) search(watches_[i]);
+void GeneralWorld<SceneT>::search_candidates() {
+  for (int i = 0; i < candidates_.size(); ++i) {  // Bound: kMaxPairs
+    if (!candidates_[i].asked) search(candidates_[i]);
   }
-  for (int i = watches_.size() - 1; i >= 0; --i) {  // Bound: kMaxPairs
-    if (watches_[i].outcome == Outcome::kFree) watches_.remove_swapping(i);
+  for (int i = candidates_.size() - 1; i >= 0; --i) {  // Bound: kMaxPairs
+    if (candidates_[i].outcome == Outcome::kFree) candidates_.remove_swapping(i);
   }
 }
 
-/// What was seen of the earliest watch is kept: its contact then needs no other evaluation.
+/// What was seen of the earliest candidate is kept: its contact then needs no other evaluation.
 template <class SceneT>
-void GeneralWorld<SceneT>::search(WatchType& watch) {
+void GeneralWorld<SceneT>::search(CandidateType& candidate) {
   ++report_.pairs;
   const Scalar until =
-      min_of(end_of(body_of(watch.pair.first)), end_of(body_of(watch.pair.second)));
+      min_of(end_of(body_of(candidate.pair.first)), end_of(body_of(candidate.pair.second)));
   Sight& sight = sights_.spare();
-  search_pair(watch.pair, until, sight);
+  search_pair(candidate.pair, until, sight);
   report_.evaluations += sight.evaluations();
-  watch.asked = true;
-  watch.outcome = sight.outcome();
-  watch.since = now_;
-  watch.free_for = sight.t_free();
-  watch.near_after = sight.near_after();
-  if (watch.outcome != Outcome::kFree) sights_.offer(watch.pair, watch.free_until());
+  candidate.asked = true;
+  candidate.outcome = sight.outcome();
+  candidate.since = now_;
+  candidate.free_for = sight.t_free();
+  candidate.near_after = sight.near_after();
+  if (candidate.outcome != Outcome::kFree) sights_.offer(candidate.pair, candidate.free_until());
 }
 
 template <class SceneT>

@@ -58,15 +58,16 @@ template <class SceneT>
 void GeneralWorld<SceneT>::run_round() {
   refresh();
   const Scalar released = next_release();
-  const int earliest = WatchOrder::earliest(watches_);
-  if (earliest == WatchOrder::kNone || released < watches_[earliest].free_until()) {
+  const int earliest = CandidateOrder::earliest(candidates_);
+  if (earliest == CandidateOrder::kNone || released < candidates_[earliest].free_until()) {
     return release(released);
   }
-  const Scalar time = min_of(watches_[earliest].free_until(), dt_);
-  const int chosen = SceneT::kMaxPairs > 1 ? WatchOrder::among_ties(watches_, earliest) : earliest;
-  const WatchType watch = watches_[chosen];
-  watches_.remove_swapping(chosen);
-  answer(watch, time);
+  const Scalar time = min_of(candidates_[earliest].free_until(), dt_);
+  const int chosen =
+      SceneT::kMaxPairs > 1 ? CandidateOrder::among_ties(candidates_, earliest) : earliest;
+  const CandidateType candidate = candidates_[chosen];
+  candidates_.remove_swapping(chosen);
+  answer(candidate, time);
 }
 
 /// The first time at which a held body is released, or the end of the step.
@@ -93,25 +94,25 @@ void GeneralWorld<SceneT>::release(Scalar time) {
   }
 }
 
-/// @param time  not later than the watch's own: another one that ties with it may be earlier
+/// @param time  not later than the candidate's own: another one that ties with it may be earlier
 template <class SceneT>
-void GeneralWorld<SceneT>::answer(const WatchType& watch, Scalar time) {
-  const bool is_own_time = time == watch.free_until();
-  const bool is_known = is_own_time && is_same(watch.pair, sights_.pair());
+void GeneralWorld<SceneT>::answer(const CandidateType& candidate, Scalar time) {
+  const bool is_own_time = time == candidate.free_until();
+  const bool is_known = is_own_time && is_same(candidate.pair, sights_.pair());
   now_ = time;
-  if constexpr (!SceneT::kResponse) return only_tell(watch);
-  bring_to(watch, body_of(watch.pair.first), is_own_time);
-  bring_to(watch, body_of(watch.pair.second), is_own_time);
-  if (watch.is_contact() && contacts_answered_ < SceneT::kMaxContacts) {
+  if constexpr (!SceneT::kResponse) return only_tell(candidate);
+  bring_to(candidate, body_of(candidate.pair.first), is_own_time);
+  bring_to(candidate, body_of(candidate.pair.second), is_own_time);
+  if (candidate.is_contact() && contacts_answered_ < SceneT::kMaxContacts) {
     ++contacts_answered_;
     if constexpr (SceneT::kRotation) {
-      return answer_turning(watch, seen(watch.pair, is_known));
+      return answer_turning(candidate, seen(candidate.pair, is_known));
     } else {
-      return answer_straight(watch);
+      return answer_straight(candidate);
     }
   }
-  count_cut(watch);
-  hold_pair(watch.pair, dt_);
+  count_cut(candidate);
+  hold_pair(candidate.pair, dt_);
 }
 
 /// What is to be known of a contact; that of the only pair there is, is always known.
@@ -123,20 +124,21 @@ typename GeneralWorld<SceneT>::Sight& GeneralWorld<SceneT>::seen(BodyPair pair, 
   return sights_.earliest();
 }
 
-/// A body of a watch, to now: by the time that its search found where that is the same, to the last
-/// bit.
+/// A body of a candidate, to now: by the time that its search found where that is the same, to the
+/// last bit.
 template <class SceneT>
-void GeneralWorld<SceneT>::bring_to(const WatchType& watch, std::size_t slot, bool is_own_time) {
-  const bool is_of_search = is_own_time && tracks_[slot].start == watch.since;
-  bring(slot, is_of_search ? watch.free_for : now_ - tracks_[slot].start);
+void GeneralWorld<SceneT>::bring_to(const CandidateType& candidate, std::size_t slot,
+                                    bool is_own_time) {
+  const bool is_of_search = is_own_time && tracks_[slot].start == candidate.since;
+  bring(slot, is_of_search ? candidate.free_for : now_ - tracks_[slot].start);
 }
 
-/// A watch that ends without an answer.
+/// A candidate that ends without an answer.
 template <class SceneT>
-void GeneralWorld<SceneT>::count_cut(const WatchType& watch) {
-  if (watch.is_contact()) {
+void GeneralWorld<SceneT>::count_cut(const CandidateType& candidate) {
+  if (candidate.is_contact()) {
     ++report_.contacts_dropped;
-  } else if (watch.outcome == Outcome::kBudget) {
+  } else if (candidate.outcome == Outcome::kBudget) {
     ++report_.searches_cut;
   } else {
     ++report_.searches_invalid;

@@ -11,6 +11,7 @@
 #include "batuta/response/friction.hpp"
 #include "batuta/response/line_contact.hpp"
 #include "batuta/response/straight_impulse.hpp"
+#include "batuta/world/candidate_pair.hpp"
 #include "batuta/world/encounter.hpp"
 #include "batuta/world/event_book.hpp"
 #include "batuta/world/scene_check.hpp"
@@ -19,7 +20,6 @@
 #include "batuta/world/straight_matter.hpp"
 #include "batuta/world/sweep.hpp"
 #include "batuta/world/turning.hpp"
-#include "batuta/world/watch.hpp"
 
 namespace batuta {
 
@@ -119,11 +119,11 @@ class GeneralWorld : private SeedsOf<SceneT>,
   using Motion = typename Matter::MotionType;
   using Sight = typename Matter::Sight;
   using Slot = std::uint16_t;
-  using WatchType = Watch<Scalar>;
+  using CandidateType = CandidatePair<Scalar>;
   static constexpr std::size_t kSlots = static_cast<std::size_t>(SceneT::kMaxBodies);
   static constexpr int kParts = SceneT::kCapsulesPerBody;
   static constexpr int kProxies = SceneT::kMaxBodies * kParts;
-  /// There may be more pairs than watches.
+  /// There may be more pairs than candidates.
   static constexpr bool kCanOverflow = SceneT::kMaxPairs < kProxies * (kProxies - 1) / 2;
   static constexpr bool kSettles = SceneT::kResting == RestingContact::kSettling;
   /// Bodies are held for a time that ends within the step.
@@ -153,7 +153,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
   void begin_body(std::size_t slot);
   bool is_disturbed(std::size_t slot) const;
   void refresh();
-  void drop_watches();
+  void drop_candidates();
   void plan(std::size_t slot, bool is_begin);
   bool plan_motion(std::size_t slot, bool is_begin);
   void fall(std::size_t slot, Scalar time);
@@ -163,8 +163,8 @@ class GeneralWorld : private SeedsOf<SceneT>,
   void collect_fresh();
   void collect(BodyPair pair);
   bool may_pair(std::size_t a, std::size_t b) const;
-  void search_watches();
-  void search(WatchType& watch);
+  void search_candidates();
+  void search(CandidateType& candidate);
   void search_pair(BodyPair pair, Scalar until, Sight& sight);
   SearchResult<Scalar> search_with_seed(BodyPair pair, const MovingPair<Scalar>& moving_pair);
   bool may_let_go(BodyPair pair, const Sight& sight) const;
@@ -176,10 +176,10 @@ class GeneralWorld : private SeedsOf<SceneT>,
   void run_round();
   Scalar next_release() const;
   void release(Scalar time);
-  void answer(const WatchType& watch, Scalar time);
+  void answer(const CandidateType& candidate, Scalar time);
   Sight& seen(BodyPair pair, bool is_known);
-  void bring_to(const WatchType& watch, std::size_t slot, bool is_own_time);
-  void count_cut(const WatchType& watch);
+  void bring_to(const CandidateType& candidate, std::size_t slot, bool is_own_time);
+  void count_cut(const CandidateType& candidate);
   void bring(std::size_t slot, Scalar elapsed);
   void hold(std::size_t slot, Scalar until);
   void hold_pair(BodyPair pair, Scalar until);
@@ -187,11 +187,11 @@ class GeneralWorld : private SeedsOf<SceneT>,
 
   // Contact: general_contact.hpp.
   void look(BodyPair pair, Sight& sight);
-  void answer_turning(const WatchType& watch, const Sight& sight);
-  void answer_straight(const WatchType& watch);
-  void only_tell(const WatchType& watch);
+  void answer_turning(const CandidateType& candidate, const Sight& sight);
+  void answer_straight(const CandidateType& candidate);
+  void only_tell(const CandidateType& candidate);
   bool is_immovable(BodyPair pair) const;
-  void block(const WatchType& watch, const Sight& sight, const Nearest<Scalar>& nearest);
+  void block(const CandidateType& candidate, const Sight& sight, const Nearest<Scalar>& nearest);
   Result<Impulse<Scalar>> impulse_for(BodyPair pair, const std::array<Party<Scalar>, 2>& parties,
                                       const Contact<Scalar>& contact, bool is_last) const;
   bool uses_up_answers(BodyPair pair);
@@ -213,7 +213,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
                          const Vec3<Scalar>& shift_W);
 
   // Events: general_events.hpp.
-  void record(const WatchType& watch, const Nearest<Scalar>& nearest,
+  void record(const CandidateType& candidate, const Nearest<Scalar>& nearest,
               const EncounterAnswer<Scalar>& answer);
   ContactEvent<Scalar> event_of(BodyPair pair, const Nearest<Scalar>& nearest) const;
   void end_touches();
@@ -249,7 +249,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
   Pool<ActorType, SceneT::kMaxBodies> actors_;
   std::array<Track, kSlots> tracks_{};
   SweepList<Scalar, kProxies, SceneT::kSweepAxis> sweep_;
-  FixedList<WatchType, SceneT::kMaxPairs> watches_;
+  FixedList<CandidateType, SceneT::kMaxPairs> candidates_;
   EarliestSight<Sight, Scalar, (SceneT::kMaxPairs > 1)> sights_;
   StepReport<Scalar> report_;
   Scalar now_ = 0;  ///< in the step, s

@@ -9,7 +9,7 @@
 namespace batuta {
 
 template <class Scalar>
-struct Watch {
+struct CandidatePair {
   BodyPair pair;  ///< proxies: body x kCapsulesPerBody + part
   Outcome outcome = Outcome::kInvalid;
   bool asked = false;     ///< the members below are known
@@ -30,45 +30,45 @@ constexpr bool is_same(BodyPair P, BodyPair Q) {
   return P.first == Q.first && P.second == Q.second;
 }
 
-/// Which watch ends a round (src/world/world.md, "Order").
-struct WatchOrder {
+/// Which candidate ends a round (src/world/world.md, "Order").
+struct CandidateOrder {
   static constexpr int kNone = -1;
 
   /// The index of the one proven free for the shortest time; kNone where there is none.
-  template <class Watches>
-  static int earliest(const Watches& watches) {
+  template <class Candidates>
+  static int earliest(const Candidates& candidates) {
     int first = kNone;
-    for (int i = 0; i < watches.size(); ++i) {  // Bound: kMaxPairs
-      if (first == kNone || is_earlier(watches[i], watches[first])) first = i;
+    for (int i = 0; i < candidates.size(); ++i) {  // Bound: kMaxPairs
+      if (first == kNone || is_earlier(candidates[i], candidates[first])) first = i;
     }
     return first;
   }
   /// Contacts that are near already when the first one happens tie with it: their order is below
   /// what a search resolves. The lowest pair of them is then first: rounding does not decide.
-  template <class Watches>
-  static int among_ties(const Watches& watches, int earliest) {
+  template <class Candidates>
+  static int among_ties(const Candidates& candidates, int earliest) {
     int chosen = earliest;
-    if (!watches[earliest].is_contact()) return chosen;
-    const auto time = watches[earliest].free_until();
-    for (int i = 0; i < watches.size(); ++i) {  // Bound: kMaxPairs
-      const auto& watch = watches[i];
-      const bool ties = watch.is_contact() && !(time < watch.near_from());
-      if (ties && precedes(watch.pair, watches[chosen].pair)) chosen = i;
+    if (!candidates[earliest].is_contact()) return chosen;
+    const auto time = candidates[earliest].free_until();
+    for (int i = 0; i < candidates.size(); ++i) {  // Bound: kMaxPairs
+      const auto& candidate = candidates[i];
+      const bool ties = candidate.is_contact() && !(time < candidate.near_from());
+      if (ties && precedes(candidate.pair, candidates[chosen].pair)) chosen = i;
     }
     return chosen;
   }
 
  private:
-  template <class WatchT>
-  static bool is_earlier(const WatchT& P, const WatchT& Q) {
+  template <class CandidateT>
+  static bool is_earlier(const CandidateT& P, const CandidateT& Q) {
     return P.free_until() < Q.free_until() ||
            (!(Q.free_until() < P.free_until()) && precedes(P.pair, Q.pair));
   }
 };
 
-/// What the search of the earliest watch saw, as long as that watch stands. Two places, so that a
-/// search writes into one while the other is kept, and nothing is copied; one where there is but
-/// one pair.
+/// What the search of the earliest candidate saw, as long as that candidate stands. Two places, so
+/// that a search writes into one while the other is kept, and nothing is copied; one where there is
+/// but one pair.
 template <class Sight, class Scalar, bool kMany>
 class EarliestSight {
  public:
