@@ -69,14 +69,14 @@ struct CandidateOrder {
 /// What the search of the earliest candidate saw, as long as that candidate stands. Two places, so
 /// that a search writes into one while the other is kept, and nothing is copied; one where there is
 /// but one pair.
-template <class Sight, class Scalar, bool kMany>
-class EarliestSight {
+template <class PairQuery, class Scalar, bool kMany>
+class EarliestQuery {
  public:
   /// first == second: unknown.
   BodyPair pair() const { return pair_; }
-  Sight& earliest() { return sights_[kept_]; }
+  PairQuery& earliest() { return queries_[kept_]; }
   /// Where the next search may write.
-  Sight& spare() { return sights_[kMany ? 1 - kept_ : 0]; }
+  PairQuery& spare() { return queries_[kMany ? 1 - kept_ : 0]; }
   /// The spare one is kept instead if its pair is free for a shorter time.
   void offer(BodyPair pair, Scalar until) {
     if (pair_.first != pair_.second && !(until < until_)) return;
@@ -87,7 +87,7 @@ class EarliestSight {
   void forget() { pair_ = {}; }
 
  private:
-  std::array<Sight, kMany ? 2 : 1> sights_{};
+  std::array<PairQuery, kMany ? 2 : 1> queries_{};
   std::size_t kept_ = 0;
   BodyPair pair_;
   Scalar until_ = 0;

@@ -9,29 +9,29 @@ namespace batuta {
 
 /// A pair as it is now, without a search: for a contact whose search was not kept.
 template <class SceneT>
-void GeneralWorld<SceneT>::look(BodyPair pair, Sight& sight) {
+void GeneralWorld<SceneT>::look(BodyPair pair, PairQuery& query) {
   const auto moving_pair = make_moving_pair(mover(pair.first, dt_), mover(pair.second, dt_));
-  sight = {};
+  query = {};
   if (!moving_pair.ok()) return;
-  sight.origin_W = moving_pair.value.origin_W;
-  sight.scale = moving_pair.value.scale;
-  sight.contact_gap = Search::contact_gap(moving_pair.value, settings_.search);
-  sight.search.outcome = Outcome::kContact;
-  sight.search.witness = gap_at(moving_pair.value, Scalar(0));
-  sight.search.gap_rate = gap_rate_at(moving_pair.value, sight.search.witness, Scalar(0));
-  sights_.forget();
+  query.origin_W = moving_pair.value.origin_W;
+  query.scale = moving_pair.value.scale;
+  query.contact_gap = Search::contact_gap(moving_pair.value, settings_.search);
+  query.search.outcome = Outcome::kContact;
+  query.search.witness = gap_at(moving_pair.value, Scalar(0));
+  query.search.gap_rate = gap_rate_at(moving_pair.value, query.search.witness, Scalar(0));
+  queries_.forget();
 }
 
 template <class SceneT>
-void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const Sight& sight) {
+void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const PairQuery& query) {
   const std::size_t a = body_of(candidate.pair.first);
   const std::size_t b = body_of(candidate.pair.second);
-  const CapsuleGap<Scalar>& witness = sight.search.witness;
-  Nearest<Scalar> nearest = {contact_from(witness, sight.origin_W), witness.axes.s, witness.axes.u};
+  const CapsuleGap<Scalar>& witness = query.search.witness;
+  Nearest<Scalar> nearest = {contact_from(witness, query.origin_W), witness.axes.s, witness.axes.u};
   if constexpr (kLeads) {
-    if (is_immovable(candidate.pair)) return block(candidate, sight, nearest);
+    if (is_immovable(candidate.pair)) return block(candidate, query, nearest);
   }
-  const Scalar margin = margin_of(sight, candidate.pair);
+  const Scalar margin = margin_of(query, candidate.pair);
   const std::array<Momentum<Scalar>, 2> before = {actor_at(a).body.momentum,
                                                   actor_at(b).body.momentum};
   std::array<Party<Scalar>, 2> parties = {party(a), party(b)};
@@ -147,10 +147,10 @@ bool GeneralWorld<SceneT>::is_immovable(BodyPair pair) const {
 }
 
 template <class SceneT>
-void GeneralWorld<SceneT>::block(const CandidateType& candidate, const Sight& sight,
+void GeneralWorld<SceneT>::block(const CandidateType& candidate, const PairQuery& query,
                                  const Nearest<Scalar>& nearest) {
   EncounterAnswer<Scalar> answer;
-  answer.v_rel = sight.search.gap_rate;
+  answer.v_rel = query.search.gap_rate;
   answer.kind = classify(answer.v_rel, rest_speed_);
   ++report_.blocked;
   hold_pair(candidate.pair, dt_);
@@ -175,13 +175,13 @@ EncounterOptions<Scalar_of<SceneT>> GeneralWorld<SceneT>::options_for(Scalar mar
 
 /// The gap from which the next search lets parting bodies go (src/world/encounter.md).
 template <class SceneT>
-typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::margin_of(const Sight& sight,
+typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::margin_of(const PairQuery& query,
                                                                       BodyPair pair) const {
   constexpr Scalar kContactGaps = 2;
   constexpr Scalar kUlps = 64;
   const Scalar size = length(actor_at(body_of(pair.first)).body.X_WB.p_W) +
-                      length(actor_at(body_of(pair.second)).body.X_WB.p_W) + sight.scale;
-  return kContactGaps * sight.contact_gap + kUlps * kRoundOff<Scalar> * size;
+                      length(actor_at(body_of(pair.second)).body.X_WB.p_W) + query.scale;
+  return kContactGaps * query.contact_gap + kUlps * kRoundOff<Scalar> * size;
 }
 
 /// A body at a contact. One that its controller moves gets the momentum that goes with the
@@ -296,13 +296,13 @@ void GeneralWorld<SceneT>::only_tell(const CandidateType& candidate) {
     return count_cut(candidate);
   ++contacts_answered_;
   if constexpr (SceneT::kRotation) {
-    Sight& sight = sights_.earliest();
-    if constexpr (SceneT::kMaxPairs > 1) look(candidate.pair, sight);  // the only pair's is known
+    PairQuery& query = queries_.earliest();
+    if constexpr (SceneT::kMaxPairs > 1) look(candidate.pair, query);  // the only pair's is known
     EncounterAnswer<Scalar> answer;
-    answer.v_rel = sight.search.gap_rate;
+    answer.v_rel = query.search.gap_rate;
     answer.kind = classify(answer.v_rel, settings_.rest_speed);
-    const CapsuleGap<Scalar>& witness = sight.search.witness;
-    record(candidate, {contact_from(witness, sight.origin_W), witness.axes.s, witness.axes.u},
+    const CapsuleGap<Scalar>& witness = query.search.witness;
+    record(candidate, {contact_from(witness, query.origin_W), witness.axes.s, witness.axes.u},
            answer);
   } else {
     record(candidate, nearest(candidate.pair), {});

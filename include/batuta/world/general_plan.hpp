@@ -13,7 +13,7 @@ void GeneralWorld<SceneT>::begin_step(Scalar dt) {
   this->clear_events();
   this->clear_repeats();
   candidates_.clear();
-  sights_.forget();
+  queries_.forget();
   now_ = 0;
   dt_ = dt;
   contacts_answered_ = 0;
@@ -86,7 +86,7 @@ void GeneralWorld<SceneT>::drop_candidates() {
   for (int i = candidates_.size() - 1; i >= 0; --i) {  // Bound: kMaxPairs
     if (is_stale(candidates_[i].pair)) candidates_.remove_swapping(i);
   }
-  if (is_stale(sights_.pair())) sights_.forget();
+  if (is_stale(queries_.pair())) queries_.forget();
 }
 
 template <class SceneT>
@@ -221,15 +221,15 @@ void GeneralWorld<SceneT>::search(CandidateType& candidate) {
   ++report_.pairs;
   const Scalar until =
       min_of(end_of(body_of(candidate.pair.first)), end_of(body_of(candidate.pair.second)));
-  Sight& sight = sights_.spare();
-  search_pair(candidate.pair, until, sight);
-  report_.evaluations += sight.evaluations();
+  PairQuery& query = queries_.spare();
+  search_pair(candidate.pair, until, query);
+  report_.evaluations += query.evaluations();
   candidate.asked = true;
-  candidate.outcome = sight.outcome();
+  candidate.outcome = query.outcome();
   candidate.since = now_;
-  candidate.free_for = sight.t_free();
-  candidate.near_after = sight.near_after();
-  if (candidate.outcome != Outcome::kFree) sights_.offer(candidate.pair, candidate.free_until());
+  candidate.free_for = query.t_free();
+  candidate.near_after = query.near_after();
+  if (candidate.outcome != Outcome::kFree) queries_.offer(candidate.pair, candidate.free_until());
 }
 
 template <class SceneT>
@@ -240,21 +240,21 @@ typename MatterOf<SceneT>::Mover GeneralWorld<SceneT>::mover(int proxy, Scalar u
 }
 
 template <class SceneT>
-void GeneralWorld<SceneT>::search_pair(BodyPair pair, Scalar until, Sight& sight) {
+void GeneralWorld<SceneT>::search_pair(BodyPair pair, Scalar until, PairQuery& query) {
   if constexpr (!SceneT::kRotation) {
-    sight = Matter::search(mover(pair.first, until), mover(pair.second, until), settings_.search);
+    query = Matter::search(mover(pair.first, until), mover(pair.second, until), settings_.search);
   } else {
     const auto moving_pair = make_moving_pair(mover(pair.first, until), mover(pair.second, until));
-    sight.search.outcome = Outcome::kInvalid;
-    sight.search.t_free = sight.search.t_hit = 0;
-    sight.search.evaluations = 0;
+    query.search.outcome = Outcome::kInvalid;
+    query.search.t_free = query.search.t_hit = 0;
+    query.search.evaluations = 0;
     if (!moving_pair.ok()) return;
-    sight.origin_W = moving_pair.value.origin_W;
-    sight.scale = moving_pair.value.scale;
-    sight.contact_gap = Search::contact_gap(moving_pair.value, settings_.search);
-    sight.search = search_with_seed(pair, moving_pair.value);
-    if (sight.outcome() == Outcome::kTouching && may_let_go(pair, sight)) {
-      sight.search = let_go(moving_pair.value, sight, pair);
+    query.origin_W = moving_pair.value.origin_W;
+    query.scale = moving_pair.value.scale;
+    query.contact_gap = Search::contact_gap(moving_pair.value, settings_.search);
+    query.search = search_with_seed(pair, moving_pair.value);
+    if (query.outcome() == Outcome::kTouching && may_let_go(pair, query)) {
+      query.search = let_go(moving_pair.value, query, pair);
     }
   }
 }
@@ -263,8 +263,8 @@ void GeneralWorld<SceneT>::search_pair(BodyPair pair, Scalar until, Sight& sight
 /// pushed, or because their neighbours left no room when they were answered (src/world/world.md,
 /// "No room").
 template <class SceneT>
-bool GeneralWorld<SceneT>::may_let_go(BodyPair pair, const Sight& sight) const {
-  if (!(sight.search.gap_rate > rest_speed_)) return false;
+bool GeneralWorld<SceneT>::may_let_go(BodyPair pair, const PairQuery& query) const {
+  if (!(query.search.gap_rate > rest_speed_)) return false;
   bool may = false;
   if constexpr (kLeads) may = is_immovable(pair);
   if constexpr (kCountsRepeats<SceneT>) may = may || this->was_answered(pair);
@@ -288,17 +288,17 @@ SearchResult<typename GeneralWorld<SceneT>::Scalar> GeneralWorld<SceneT>::search
 /// the search calls contact (src/world/encounter.md).
 template <class SceneT>
 SearchResult<typename GeneralWorld<SceneT>::Scalar> GeneralWorld<SceneT>::let_go(
-    const MovingPair<Scalar>& moving_pair, const Sight& sight, BodyPair pair) const {
-  Scalar missing = margin_of(sight, pair) - sight.search.witness.gap;
-  if (!(kLeads && is_immovable(pair))) missing -= sight.contact_gap;
+    const MovingPair<Scalar>& moving_pair, const PairQuery& query, BodyPair pair) const {
+  Scalar missing = margin_of(query, pair) - query.search.witness.gap;
+  if (!(kLeads && is_immovable(pair))) missing -= query.contact_gap;
   const Scalar radii = moving_pair.A.radius + moving_pair.B.radius;
-  if (!(missing < radii)) return sight.search;
+  if (!(missing < radii)) return query.search;
   MovingPair<Scalar> thinner = moving_pair;
   thinner.A.radius *= Scalar(1) - missing / radii;
   thinner.B.radius *= Scalar(1) - missing / radii;
   SearchResult<Scalar> result =
-      Search::search(thinner, settings_.search, sight.search.witness.axes.normal_AB);
-  result.evaluations += sight.search.evaluations;
+      Search::search(thinner, settings_.search, query.search.witness.axes.normal_AB);
+  result.evaluations += query.search.evaluations;
   return result;
 }
 

@@ -98,7 +98,7 @@ void GeneralWorld<SceneT>::release(Scalar time) {
 template <class SceneT>
 void GeneralWorld<SceneT>::answer(const CandidateType& candidate, Scalar time) {
   const bool is_own_time = time == candidate.free_until();
-  const bool is_known = is_own_time && is_same(candidate.pair, sights_.pair());
+  const bool is_known = is_own_time && is_same(candidate.pair, queries_.pair());
   now_ = time;
   if constexpr (!SceneT::kResponse) return only_tell(candidate);
   bring_to(candidate, body_of(candidate.pair.first), is_own_time);
@@ -117,11 +117,11 @@ void GeneralWorld<SceneT>::answer(const CandidateType& candidate, Scalar time) {
 
 /// What is to be known of a contact; that of the only pair there is, is always known.
 template <class SceneT>
-typename GeneralWorld<SceneT>::Sight& GeneralWorld<SceneT>::seen(BodyPair pair, bool is_known) {
+typename GeneralWorld<SceneT>::PairQuery& GeneralWorld<SceneT>::seen(BodyPair pair, bool is_known) {
   if constexpr (SceneT::kMaxPairs > 1) {
-    if (!is_known) look(pair, sights_.earliest());
+    if (!is_known) look(pair, queries_.earliest());
   }
-  return sights_.earliest();
+  return queries_.earliest();
 }
 
 /// A body of a candidate, to now: by the time that its search found where that is the same, to the

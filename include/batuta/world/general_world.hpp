@@ -117,7 +117,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
 
   using Matter = MatterOf<SceneT>;
   using Motion = typename Matter::MotionType;
-  using Sight = typename Matter::Sight;
+  using PairQuery = typename Matter::PairQuery;
   using Slot = std::uint16_t;
   using CandidateType = CandidatePair<Scalar>;
   static constexpr std::size_t kSlots = static_cast<std::size_t>(SceneT::kMaxBodies);
@@ -165,10 +165,10 @@ class GeneralWorld : private SeedsOf<SceneT>,
   bool may_pair(std::size_t a, std::size_t b) const;
   void search_candidates();
   void search(CandidateType& candidate);
-  void search_pair(BodyPair pair, Scalar until, Sight& sight);
+  void search_pair(BodyPair pair, Scalar until, PairQuery& query);
   SearchResult<Scalar> search_with_seed(BodyPair pair, const MovingPair<Scalar>& moving_pair);
-  bool may_let_go(BodyPair pair, const Sight& sight) const;
-  SearchResult<Scalar> let_go(const MovingPair<Scalar>& moving_pair, const Sight& sight,
+  bool may_let_go(BodyPair pair, const PairQuery& query) const;
+  SearchResult<Scalar> let_go(const MovingPair<Scalar>& moving_pair, const PairQuery& query,
                               BodyPair pair) const;
 
   // Step: general_step.hpp.
@@ -177,7 +177,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
   Scalar next_release() const;
   void release(Scalar time);
   void answer(const CandidateType& candidate, Scalar time);
-  Sight& seen(BodyPair pair, bool is_known);
+  PairQuery& seen(BodyPair pair, bool is_known);
   void bring_to(const CandidateType& candidate, std::size_t slot, bool is_own_time);
   void count_cut(const CandidateType& candidate);
   void bring(std::size_t slot, Scalar elapsed);
@@ -186,12 +186,13 @@ class GeneralWorld : private SeedsOf<SceneT>,
   void end_step();
 
   // Contact: general_contact.hpp.
-  void look(BodyPair pair, Sight& sight);
-  void answer_turning(const CandidateType& candidate, const Sight& sight);
+  void look(BodyPair pair, PairQuery& query);
+  void answer_turning(const CandidateType& candidate, const PairQuery& query);
   void answer_straight(const CandidateType& candidate);
   void only_tell(const CandidateType& candidate);
   bool is_immovable(BodyPair pair) const;
-  void block(const CandidateType& candidate, const Sight& sight, const Nearest<Scalar>& nearest);
+  void block(const CandidateType& candidate, const PairQuery& query,
+             const Nearest<Scalar>& nearest);
   Result<Impulse<Scalar>> impulse_for(BodyPair pair, const std::array<Party<Scalar>, 2>& parties,
                                       const Contact<Scalar>& contact, bool is_last) const;
   bool uses_up_answers(BodyPair pair);
@@ -199,7 +200,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
   void charge(BodyPair pair, const EncounterAnswer<Scalar>& answer, bool freezes);
   void stop_pair(BodyPair pair);
   EncounterOptions<Scalar> options_for(Scalar margin) const;
-  Scalar margin_of(const Sight& sight, BodyPair pair) const;
+  Scalar margin_of(const PairQuery& query, BodyPair pair) const;
   Party<Scalar> party(std::size_t slot);
   Contact<Scalar> pressed(BodyPair pair, const std::array<Party<Scalar>, 2>& parties,
                           const Contact<Scalar>& contact, Scalar slack) const;
@@ -250,7 +251,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
   std::array<Track, kSlots> tracks_{};
   SweepList<Scalar, kProxies, SceneT::kSweepAxis> sweep_;
   FixedList<CandidateType, SceneT::kMaxPairs> candidates_;
-  EarliestSight<Sight, Scalar, (SceneT::kMaxPairs > 1)> sights_;
+  EarliestQuery<PairQuery, Scalar, (SceneT::kMaxPairs > 1)> queries_;
   StepReport<Scalar> report_;
   Scalar now_ = 0;  ///< in the step, s
   Scalar dt_ = 0;   ///< length of the step, s

@@ -84,7 +84,7 @@ class LeanWorld {
   static_assert(SceneCheck<SceneT>::kIsPossible, "Scene: see scene_check.hpp");
 
   using Matter = StraightMatter<SceneT>;
-  using Sight = typename Matter::Sight;
+  using PairQuery = typename Matter::PairQuery;
   static constexpr std::size_t kSlots = static_cast<std::size_t>(SceneT::kMaxBodies);
 
   /// How a round ends: the pair slot_A kSlots + slot_B, and what its search answered.
@@ -107,7 +107,7 @@ class LeanWorld {
   void move(std::size_t slot, Scalar t);
   Meeting first_meeting();
   bool may_pair(std::size_t a, std::size_t b) const;
-  Sight search(std::size_t a, std::size_t b) const;
+  PairQuery search(std::size_t a, std::size_t b) const;
   void answer(const Meeting& meeting);
   void hit(ActorType& A, ActorType& B, Outcome outcome);
 
@@ -211,12 +211,12 @@ typename LeanWorld<SceneT>::Meeting LeanWorld<SceneT>::first_meeting() {
   for (std::size_t pair = 0; pair < kSlots * kSlots; ++pair) {  // Bound: kMaxBodies^2
     near_after[pair] = std::numeric_limits<Scalar>::max();
     if (!may_pair(pair / kSlots, pair % kSlots)) continue;
-    const Sight sight = search(pair / kSlots, pair % kSlots);
+    const PairQuery query = search(pair / kSlots, pair % kSlots);
     ++report_.pairs;
-    report_.evaluations += sight.evaluations();
-    if (is_of_contact(sight.outcome())) near_after[pair] = sight.near_after();
-    if (sight.outcome() != Outcome::kFree && sight.t_free() < first.t_free) {
-      first = {pair, sight.outcome(), sight.t_free()};
+    report_.evaluations += query.evaluations();
+    if (is_of_contact(query.outcome())) near_after[pair] = query.near_after();
+    if (query.outcome() != Outcome::kFree && query.t_free() < first.t_free) {
+      first = {pair, query.outcome(), query.t_free()};
     }
   }
   if (is_of_contact(first.outcome)) {
@@ -234,7 +234,8 @@ bool LeanWorld<SceneT>::may_pair(std::size_t a, std::size_t b) const {
 }
 
 template <class SceneT>
-typename LeanWorld<SceneT>::Sight LeanWorld<SceneT>::search(std::size_t a, std::size_t b) const {
+typename LeanWorld<SceneT>::PairQuery LeanWorld<SceneT>::search(std::size_t a,
+                                                                std::size_t b) const {
   const ActorType& A = actors_.at(a);
   const ActorType& B = actors_.at(b);
   if constexpr (Search::kForSpheres) {

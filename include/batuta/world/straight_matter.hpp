@@ -21,7 +21,7 @@ struct StraightMatter {
   struct PlanType {
     MotionType motion;
   };
-  struct Sight {
+  struct PairQuery {
     Outcome outcome_ = Outcome::kInvalid;
     Scalar t_free_ = 0;
     Scalar t_hit_ = 0;
@@ -83,15 +83,15 @@ struct StraightMatter {
   }
 
   /// As search(), for balls.
-  static Sight search_flight(const SphereFlight<Scalar>& flight,
-                             const typename Search::Options& options) {
+  static PairQuery search_flight(const SphereFlight<Scalar>& flight,
+                                 const typename Search::Options& options) {
     const SphereAnswer<Scalar> answer = Search::search(flight, options);
     const bool parts = answer.outcome == Outcome::kTouching && !(answer.closing > Scalar(0));
     return {parts ? Outcome::kFree : answer.outcome, answer.t_free, answer.t_hit, 1};
   }
   /// Convex bodies that do not turn and do not approach never meet, however near they are: their
   /// distance is a convex function of time.
-  static Sight search(const Mover& A, const Mover& B, const typename Search::Options& options) {
+  static PairQuery search(const Mover& A, const Mover& B, const typename Search::Options& options) {
     if constexpr (kBalls) {
       const SphereFlight<Scalar> flight = {B.motion.p_W - A.motion.p_W, B.motion.v_W - A.motion.v_W,
                                            A.actor->radius + B.actor->radius, A.motion.duration};

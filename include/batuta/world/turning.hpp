@@ -26,7 +26,7 @@ struct TurningMatter {
   using ActorType = Actor<SceneT>;
 
   /// What a search saw of a pair.
-  struct Sight {
+  struct PairQuery {
     SearchResult<Scalar> search;
     Vec3<Scalar> origin_W = Vec3<Scalar>::Zero();
     Scalar scale = 0;        ///< S of the pair, m
