@@ -133,7 +133,7 @@ void GeneralWorld<SceneT>::stop_pair(BodyPair pair) {
   const Scalar share = now_ / dt_;
   for (const Slot proxy : {pair.first, pair.second}) {  // Bound: 2
     Body<Scalar>& body = actor_at(body_of(proxy)).body;
-    if (!tracks_[body_of(proxy)].plan.by_momentum) continue;
+    if (!states_[body_of(proxy)].plan.by_momentum) continue;
     body.momentum.p_W *= share;
     body.momentum.b_W *= share;
   }
@@ -189,7 +189,7 @@ typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::margin_of(const Pair
 template <class SceneT>
 Party<Scalar_of<SceneT>> GeneralWorld<SceneT>::party(std::size_t slot) {
   Body<Scalar>& body = actor_at(slot).body;
-  const PlannedMotion<Scalar>& plan = tracks_[slot].plan;
+  const PlannedMotion<Scalar>& plan = states_[slot].plan;
   if (!plan.by_momentum) body.momentum = momentum_of(body, plan.motion.twist);
   return {&body, plan.by_momentum ? twist_of(body) : plan.motion.twist,
           std::numeric_limits<Scalar>::max()};
@@ -250,10 +250,10 @@ typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::room_of(std::size_t 
 template <class SceneT>
 Capsule<Scalar_of<SceneT>> GeneralWorld<SceneT>::shape_W(int proxy) const {
   const ActorType& actor = actor_at(body_of(proxy));
-  const Track& track = tracks_[body_of(proxy)];
-  const bool is_here = !(track.start < now_);
+  const BodyState& state = states_[body_of(proxy)];
+  const bool is_here = !(state.start < now_);
   const Pose<Scalar> X_WB =
-      is_here ? actor.body.X_WB : pose_at(track.plan.motion, now_ - track.start);
+      is_here ? actor.body.X_WB : pose_at(state.plan.motion, now_ - state.start);
   return to_world(X_WB, part_of(actor, part_at(proxy)));
 }
 

@@ -103,10 +103,10 @@ void GeneralWorld<SceneT>::wake_both(BodyPair pair) {
 template <class SceneT>
 void GeneralWorld<SceneT>::put_to_sleep() {
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    if (!tracks_[slot].present || is_fixed(actor_at(slot).body)) continue;
+    if (!states_[slot].present || is_fixed(actor_at(slot).body)) continue;
     if (this->sleeps(slot)) {
       ++report_.asleep;
-      tracks_[slot].stands = true;  // also where it was held, and planned anew for that
+      states_[slot].stands = true;  // also where it was held, and planned anew for that
       continue;
     }
     Body<Scalar>& body = actor_at(slot).body;
@@ -114,12 +114,12 @@ void GeneralWorld<SceneT>::put_to_sleep() {
     if (is_struck || has_left(slot)) {
       this->start_over(slot, body.X_WB);
     } else if (this->is_quiet_for_long(slot) && is_supported(slot) &&
-               report_.contacts_untracked == 0 && tracks_[slot].plan.by_momentum) {
+               report_.contacts_untracked == 0 && states_[slot].plan.by_momentum) {
       this->fall_asleep(slot);
       body.momentum = {};
       // Where it is found if nobody disturbs it.
-      tracks_[slot].plan.motion = Matter::standing(body, Scalar(0));
-      tracks_[slot].stands = true;
+      states_[slot].plan.motion = Matter::standing(body, Scalar(0));
+      states_[slot].stands = true;
     }
   }
 }
@@ -178,9 +178,9 @@ void GeneralWorld<SceneT>::archive(Archive& ar) {
   this->archive_sleep(ar);
   ar(settings_, actors_, report_);
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    const Track& track = tracks_[slot];
-    bool stands = track.stands && is_present(slot) &&
-                  Matter::is_at_start(actor_at(slot).body, track.plan.motion);
+    const BodyState& state = states_[slot];
+    bool stands = state.stands && is_present(slot) &&
+                  Matter::is_at_start(actor_at(slot).body, state.plan.motion);
     ar(stands);
     if (ar.reading()) take_stand(slot, stands);
   }
@@ -193,17 +193,17 @@ void GeneralWorld<SceneT>::archive(Archive& ar) {
 /// momentum; and who was disturbed before it was saved stands nowhere.
 template <class SceneT>
 void GeneralWorld<SceneT>::take_stand(std::size_t slot, bool stands) {
-  Track& track = tracks_[slot];
-  track.stands = stands;
-  track.boxed = false;
+  BodyState& state = states_[slot];
+  state.stands = stands;
+  state.boxed = false;
   if constexpr (SceneT::kSleep) {
-    track.plan.by_momentum = this->sleeps(slot);
+    state.plan.by_momentum = this->sleeps(slot);
     if (!stands) {
-      track.plan.motion.X_WB.p_W.setConstant(std::numeric_limits<Scalar>::quiet_NaN());
+      state.plan.motion.X_WB.p_W.setConstant(std::numeric_limits<Scalar>::quiet_NaN());
     }
   }
   if (stands && is_present(slot)) {
-    track.plan.motion = Matter::standing(actor_at(slot).body, Scalar(0));
+    state.plan.motion = Matter::standing(actor_at(slot).body, Scalar(0));
   }
 }
 

@@ -33,13 +33,13 @@ void GeneralWorld<SceneT>::begin_step(Scalar dt) {
 
 template <class SceneT>
 void GeneralWorld<SceneT>::begin_body(std::size_t slot) {
-  Track& track = tracks_[slot];
-  track.held_until = 0;
-  track.falls = false;
-  track.changed = is_present(slot);
-  if (!track.changed && track.present) leave_out(slot);
+  BodyState& state = states_[slot];
+  state.held_until = 0;
+  state.falls = false;
+  state.changed = is_present(slot);
+  if (!state.changed && state.present) leave_out(slot);
   if constexpr (SceneT::kSleep) {
-    if (track.changed && this->sleeps(slot) && is_disturbed(slot)) {
+    if (state.changed && this->sleeps(slot) && is_disturbed(slot)) {
       this->start_over(slot, actor_at(slot).body.X_WB);
     }
   }
@@ -49,7 +49,7 @@ void GeneralWorld<SceneT>::begin_body(std::size_t slot) {
 template <class SceneT>
 bool GeneralWorld<SceneT>::is_disturbed(std::size_t slot) const {
   const BodyOf<SceneT>& body = actor_at(slot).body;
-  return !Matter::is_at_start(body, tracks_[slot].plan.motion) ||
+  return !Matter::is_at_start(body, states_[slot].plan.motion) ||
          body.momentum.p_W != Vec3<Scalar>::Zero() || body.momentum.b_W != Vec3<Scalar>::Zero();
 }
 
@@ -64,7 +64,7 @@ void GeneralWorld<SceneT>::refresh() {
     is_changed_ = false;
     drop_candidates();
     for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-      if (tracks_[slot].changed) plan(slot, is_begin);
+      if (states_[slot].changed) plan(slot, is_begin);
     }
     sweep_.sort();
     if (is_begin) {
@@ -72,7 +72,7 @@ void GeneralWorld<SceneT>::refresh() {
     } else {
       collect_fresh();
     }
-    for (Track& track : tracks_) track.fresh = false;  // Bound: kMaxBodies
+    for (BodyState& state : states_) state.fresh = false;  // Bound: kMaxBodies
   }
   search_candidates();
 }
@@ -81,7 +81,7 @@ void GeneralWorld<SceneT>::refresh() {
 template <class SceneT>
 void GeneralWorld<SceneT>::drop_candidates() {
   const auto is_stale = [this](BodyPair pair) {
-    return tracks_[body_of(pair.first)].changed || tracks_[body_of(pair.second)].changed;
+    return states_[body_of(pair.first)].changed || states_[body_of(pair.second)].changed;
   };
   for (int i = candidates_.size() - 1; i >= 0; --i) {  // Bound: kMaxPairs
     if (is_stale(candidates_[i].pair)) candidates_.remove_swapping(i);
@@ -91,17 +91,17 @@ void GeneralWorld<SceneT>::drop_candidates() {
 
 template <class SceneT>
 void GeneralWorld<SceneT>::plan(std::size_t slot, bool is_begin) {
-  Track& track = tracks_[slot];
-  track.changed = false;
+  BodyState& state = states_[slot];
+  state.changed = false;
   const bool stayed =
-      is_begin && track.stands && Matter::is_at_start(actor_at(slot).body, track.plan.motion);
-  track.start = now_;
+      is_begin && state.stands && Matter::is_at_start(actor_at(slot).body, state.plan.motion);
+  state.start = now_;
   if (!plan_motion(slot, is_begin)) return leave_out(slot);
-  track.present = true;
-  track.fresh = true;
-  track.stands = is_begin && Matter::is_still(track.plan.motion);
-  const bool idle = stayed && track.stands;
-  if (idle && track.boxed && sweep_.is_idle(proxy_of(slot, 0))) return;
+  state.present = true;
+  state.fresh = true;
+  state.stands = is_begin && Matter::is_still(state.plan.motion);
+  const bool idle = stayed && state.stands;
+  if (idle && state.boxed && sweep_.is_idle(proxy_of(slot, 0))) return;
   put_boxes(slot, idle);
 }
 
@@ -109,22 +109,22 @@ void GeneralWorld<SceneT>::plan(std::size_t slot, bool is_begin) {
 template <class SceneT>
 bool GeneralWorld<SceneT>::plan_motion(std::size_t slot, bool is_begin) {
   ActorType& actor = actor_at(slot);
-  Track& track = tracks_[slot];
+  BodyState& state = states_[slot];
   const Scalar duration = end_of(slot) - now_;
   if (!is_usable(actor)) {
     ++report_.plans_invalid;
     return false;
   }
   if (!is_held(slot) && !this->sleeps(slot)) {
-    track.plan = Matter::ask(actor, now_, duration);
+    state.plan = Matter::ask(actor, now_, duration);
     if (is_begin) fall(slot, dt_);
-    if (is_valid(track.plan.motion)) return true;
+    if (is_valid(state.plan.motion)) return true;
     ++report_.plans_invalid;
     fall(slot, now_ - dt_);  // as in hold(): what stands still does not fall
-    track.held_until = dt_;
+    state.held_until = dt_;
     report_.time_held = max_of(report_.time_held, dt_ - now_);
   }
-  track.plan.motion = Matter::standing(actor.body, duration);
+  state.plan.motion = Matter::standing(actor.body, duration);
   return true;
 }
 
@@ -133,17 +133,17 @@ bool GeneralWorld<SceneT>::plan_motion(std::size_t slot, bool is_begin) {
 template <class SceneT>
 void GeneralWorld<SceneT>::fall(std::size_t slot, Scalar time) {
   if constexpr (SceneT::kGravity) {
-    Track& track = tracks_[slot];
-    track.falls = track.falls || time > Scalar(0);
-    if (!track.falls) return;
-    Matter::fall(actor_at(slot).body, track.plan, settings_.gravity_W, time);
+    BodyState& state = states_[slot];
+    state.falls = state.falls || time > Scalar(0);
+    if (!state.falls) return;
+    Matter::fall(actor_at(slot).body, state.plan, settings_.gravity_W, time);
   }
 }
 
 template <class SceneT>
 void GeneralWorld<SceneT>::leave_out(std::size_t slot) {
-  tracks_[slot].present = false;
-  tracks_[slot].stands = false;
+  states_[slot].present = false;
+  states_[slot].stands = false;
   for (int part = 0; part < kParts; ++part) {  // Bound: kCapsulesPerBody
     sweep_.remove(proxy_of(slot, part));
   }
@@ -152,11 +152,11 @@ void GeneralWorld<SceneT>::leave_out(std::size_t slot) {
 template <class SceneT>
 void GeneralWorld<SceneT>::put_boxes(std::size_t slot, bool idle) {
   const ActorType& actor = actor_at(slot);
-  tracks_[slot].boxed = true;
+  states_[slot].boxed = true;
   for (int part = 0; part < kParts; ++part) {  // Bound: kCapsulesPerBody
     const Slot proxy = proxy_of(slot, part);
     if (part < parts_of(actor)) {
-      sweep_.set(proxy, Matter::bound(Matter::mover(actor, part, tracks_[slot].plan.motion)), idle);
+      sweep_.set(proxy, Matter::bound(Matter::mover(actor, part, states_[slot].plan.motion)), idle);
     } else {
       sweep_.remove(proxy);
     }
@@ -172,9 +172,9 @@ template <class SceneT>
 void GeneralWorld<SceneT>::collect_fresh() {
   for (int i = 0; i < kProxies; ++i) {  // Bound: all capsules
     const auto proxy = static_cast<Slot>(i);
-    if (!tracks_[body_of(i)].fresh || !sweep_.contains(proxy)) continue;
+    if (!states_[body_of(i)].fresh || !sweep_.contains(proxy)) continue;
     sweep_.for_each_partner(proxy, [this, proxy](Slot other) {
-      if (other < proxy && tracks_[body_of(other)].fresh) return;  // found from there already
+      if (other < proxy && states_[body_of(other)].fresh) return;  // found from there already
       collect({min_of(proxy, other), max_of(proxy, other)});
     });
   }
@@ -200,7 +200,7 @@ void GeneralWorld<SceneT>::collect(BodyPair pair) {
 template <class SceneT>
 bool GeneralWorld<SceneT>::may_pair(std::size_t a, std::size_t b) const {
   const bool walls =
-      Matter::is_still(tracks_[a].plan.motion) && Matter::is_still(tracks_[b].plan.motion) &&
+      Matter::is_still(states_[a].plan.motion) && Matter::is_still(states_[b].plan.motion) &&
       Matter::is_immovable(actor_at(a).body) && Matter::is_immovable(actor_at(b).body);
   return a != b && !walls && may_meet(actor_at(a), actor_at(b));
 }
@@ -234,9 +234,9 @@ void GeneralWorld<SceneT>::search(CandidateType& candidate) {
 
 template <class SceneT>
 typename MatterOf<SceneT>::Mover GeneralWorld<SceneT>::mover(int proxy, Scalar until) const {
-  const Track& track = tracks_[body_of(proxy)];
+  const BodyState& state = states_[body_of(proxy)];
   return Matter::mover(actor_at(body_of(proxy)), part_at(proxy),
-                       Matter::rest_of(track.plan.motion, now_ - track.start, until - now_));
+                       Matter::rest_of(state.plan.motion, now_ - state.start, until - now_));
 }
 
 template <class SceneT>

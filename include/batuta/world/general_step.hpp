@@ -20,8 +20,8 @@ Result<typename GeneralWorld<SceneT>::BodyId> GeneralWorld<SceneT>::add(const Ac
 /// Nothing is left of who was in the slot before.
 template <class SceneT>
 void GeneralWorld<SceneT>::begin_life(std::size_t slot) {
-  tracks_[slot].stands = false;
-  tracks_[slot].boxed = false;
+  states_[slot].stands = false;
+  states_[slot].boxed = false;
   if constexpr (SceneT::kSleep) this->start_over(slot, actor_at(slot).body.X_WB);
 }
 
@@ -35,10 +35,10 @@ void GeneralWorld<SceneT>::restore(const GeneralWorld& saved) {
   actors_.restore(saved.actors_);
   report_ = saved.report_;
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    Track& track = tracks_[slot];
-    track.plan = saved.tracks_[slot].plan;
-    track.stands = saved.tracks_[slot].stands;
-    track.boxed = false;
+    BodyState& state = states_[slot];
+    state.plan = saved.states_[slot].plan;
+    state.stands = saved.states_[slot].stands;
+    state.boxed = false;
   }
 }
 
@@ -76,7 +76,7 @@ typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::next_release() const
   Scalar time = dt_;
   if constexpr (kReleases) {
     for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-      if (is_present(slot) && is_held(slot)) time = min_of(time, tracks_[slot].held_until);
+      if (is_present(slot) && is_held(slot)) time = min_of(time, states_[slot].held_until);
     }
   }
   return time;
@@ -88,8 +88,8 @@ void GeneralWorld<SceneT>::release(Scalar time) {
   if constexpr (kReleases) {
     if (!(now_ < dt_)) return;
     for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-      const Track& track = tracks_[slot];
-      if (track.present && track.held_until == now_) bring(slot, now_ - track.start);
+      const BodyState& state = states_[slot];
+      if (state.present && state.held_until == now_) bring(slot, now_ - state.start);
     }
   }
 }
@@ -129,8 +129,8 @@ typename GeneralWorld<SceneT>::PairQuery& GeneralWorld<SceneT>::seen(BodyPair pa
 template <class SceneT>
 void GeneralWorld<SceneT>::bring_to(const CandidateType& candidate, std::size_t slot,
                                     bool is_own_time) {
-  const bool is_of_search = is_own_time && tracks_[slot].start == candidate.since;
-  bring(slot, is_of_search ? candidate.free_for : now_ - tracks_[slot].start);
+  const bool is_of_search = is_own_time && states_[slot].start == candidate.since;
+  bring(slot, is_of_search ? candidate.free_for : now_ - states_[slot].start);
 }
 
 /// A candidate that ends without an answer.
@@ -148,13 +148,13 @@ void GeneralWorld<SceneT>::count_cut(const CandidateType& candidate) {
 /// Moves a body on its plan, up to now; it has to be planned from there.
 template <class SceneT>
 void GeneralWorld<SceneT>::bring(std::size_t slot, Scalar elapsed) {
-  Track& track = tracks_[slot];
-  Matter::move(actor_at(slot).body, track.plan.motion, elapsed);
+  BodyState& state = states_[slot];
+  Matter::move(actor_at(slot).body, state.plan.motion, elapsed);
   if constexpr (SceneT::kRotation && SceneT::kMaxPairs > 1) {  // look() asks where it is
-    track.plan.motion.X_WB = actor_at(slot).body.X_WB;
+    state.plan.motion.X_WB = actor_at(slot).body.X_WB;
   }
-  track.start = now_;
-  track.changed = true;
+  state.start = now_;
+  state.changed = true;
   is_changed_ = true;
 }
 
@@ -162,15 +162,15 @@ void GeneralWorld<SceneT>::bring(std::size_t slot, Scalar elapsed) {
 /// carried for so long: it would else gain the speed of a fall by standing still.
 template <class SceneT>
 void GeneralWorld<SceneT>::hold(std::size_t slot, Scalar until) {
-  Track& track = tracks_[slot];
-  if (track.start < now_) bring(slot, now_ - track.start);
-  const Scalar held_before = max_of(track.held_until, now_);
-  track.held_until = max_of(track.held_until, min_of(until, dt_));
-  fall(slot, held_before - track.held_until);
-  track.plan.motion = Matter::standing(actor_at(slot).body, track.plan.motion.duration);
-  track.changed = true;
+  BodyState& state = states_[slot];
+  if (state.start < now_) bring(slot, now_ - state.start);
+  const Scalar held_before = max_of(state.held_until, now_);
+  state.held_until = max_of(state.held_until, min_of(until, dt_));
+  fall(slot, held_before - state.held_until);
+  state.plan.motion = Matter::standing(actor_at(slot).body, state.plan.motion.duration);
+  state.changed = true;
   is_changed_ = true;
-  report_.time_held = max_of(report_.time_held, track.held_until - now_);
+  report_.time_held = max_of(report_.time_held, state.held_until - now_);
 }
 
 template <class SceneT>
@@ -183,10 +183,10 @@ void GeneralWorld<SceneT>::hold_pair(BodyPair pair, Scalar until) {
 template <class SceneT>
 void GeneralWorld<SceneT>::end_step() {
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    if (!tracks_[slot].present) continue;
+    if (!states_[slot].present) continue;
     ActorType& actor = actor_at(slot);
-    const Track& track = tracks_[slot];
-    if (!track.stands) Matter::move(actor.body, track.plan.motion, dt_ - track.start);
+    const BodyState& state = states_[slot];
+    if (!state.stands) Matter::move(actor.body, state.plan.motion, dt_ - state.start);
     if constexpr (SceneT::kRotation) actor.controller.on_step_end(actor.body, dt_);
   }
   if constexpr (SceneT::kMaxEvents > 0) end_touches();

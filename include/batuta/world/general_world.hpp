@@ -81,7 +81,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
   /// Who may be changed is looked at again: what only reads, reads a const world.
   ActorType* get(BodyId id) {
     const int slot = actors_.index_of(id);
-    if (slot != PoolBase::kNoIndex) tracks_[static_cast<std::size_t>(slot)].boxed = false;
+    if (slot != PoolBase::kNoIndex) states_[static_cast<std::size_t>(slot)].boxed = false;
     return actors_.get(id);
   }
   const ActorType* get(BodyId id) const { return actors_.get(id); }
@@ -133,7 +133,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
       SceneT::kRotation && !MovesByMomentumOnly<typename SceneT::Controller>::value;
 
   /// What the step knows of a body besides the actor.
-  struct Track {
+  struct BodyState {
     typename Matter::PlanType plan;
     Scalar start = 0;       ///< in the step, s: the body's own pose is the one of this time
     Scalar held_until = 0;  ///< in the step, s; the body stays where it is until then
@@ -233,8 +233,8 @@ class GeneralWorld : private SeedsOf<SceneT>,
   ActorType& actor_at(std::size_t slot) { return actors_.at(slot); }
   const ActorType& actor_at(std::size_t slot) const { return actors_.at(slot); }
   bool is_present(std::size_t slot) const { return actors_.at_index(slot) != nullptr; }
-  bool is_held(std::size_t slot) const { return tracks_[slot].held_until > now_; }
-  Scalar end_of(std::size_t slot) const { return is_held(slot) ? tracks_[slot].held_until : dt_; }
+  bool is_held(std::size_t slot) const { return states_[slot].held_until > now_; }
+  Scalar end_of(std::size_t slot) const { return is_held(slot) ? states_[slot].held_until : dt_; }
   static std::size_t body_of(int proxy) { return static_cast<std::size_t>(proxy / kParts); }
   static int part_at(int proxy) { return proxy % kParts; }
   static Slot proxy_of(std::size_t slot, int part) {
@@ -248,7 +248,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
 
   WorldSettings<SceneT> settings_;
   Pool<ActorType, SceneT::kMaxBodies> actors_;
-  std::array<Track, kSlots> tracks_{};
+  std::array<BodyState, kSlots> states_{};
   SweepList<Scalar, kProxies, SceneT::kSweepAxis> sweep_;
   FixedList<CandidateType, SceneT::kMaxPairs> candidates_;
   EarliestQuery<PairQuery, Scalar, (SceneT::kMaxPairs > 1)> queries_;
