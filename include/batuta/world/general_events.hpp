@@ -118,7 +118,7 @@ void GeneralWorld<SceneT>::put_to_sleep() {
       this->fall_asleep(slot);
       body.momentum = {};
       // Where it is found if nobody disturbs it.
-      states_[slot].plan.motion = Matter::standing(body, Scalar(0));
+      states_[slot].plan.motion = Kinematics::standing(body, Scalar(0));
       states_[slot].stands = true;
     }
   }
@@ -180,7 +180,7 @@ void GeneralWorld<SceneT>::archive(Archive& ar) {
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
     const BodyState& state = states_[slot];
     bool stands = state.stands && is_present(slot) &&
-                  Matter::is_at_start(actor_at(slot).body, state.plan.motion);
+                  Kinematics::is_at_start(actor_at(slot).body, state.plan.motion);
     ar(stands);
     if (ar.reading()) take_stand(slot, stands);
   }
@@ -203,7 +203,7 @@ void GeneralWorld<SceneT>::take_stand(std::size_t slot, bool stands) {
     }
   }
   if (stands && is_present(slot)) {
-    state.plan.motion = Matter::standing(actor_at(slot).body, Scalar(0));
+    state.plan.motion = Kinematics::standing(actor_at(slot).body, Scalar(0));
   }
 }
 

@@ -49,7 +49,7 @@ void GeneralWorld<SceneT>::begin_body(std::size_t slot) {
 template <class SceneT>
 bool GeneralWorld<SceneT>::is_disturbed(std::size_t slot) const {
   const BodyOf<SceneT>& body = actor_at(slot).body;
-  return !Matter::is_at_start(body, states_[slot].plan.motion) ||
+  return !Kinematics::is_at_start(body, states_[slot].plan.motion) ||
          body.momentum.p_W != Vec3<Scalar>::Zero() || body.momentum.b_W != Vec3<Scalar>::Zero();
 }
 
@@ -94,12 +94,12 @@ void GeneralWorld<SceneT>::plan(std::size_t slot, bool is_begin) {
   BodyState& state = states_[slot];
   state.changed = false;
   const bool stayed =
-      is_begin && state.stands && Matter::is_at_start(actor_at(slot).body, state.plan.motion);
+      is_begin && state.stands && Kinematics::is_at_start(actor_at(slot).body, state.plan.motion);
   state.start = now_;
   if (!plan_motion(slot, is_begin)) return leave_out(slot);
   state.present = true;
   state.fresh = true;
-  state.stands = is_begin && Matter::is_still(state.plan.motion);
+  state.stands = is_begin && Kinematics::is_still(state.plan.motion);
   const bool idle = stayed && state.stands;
   if (idle && state.boxed && sweep_.is_idle(proxy_of(slot, 0))) return;
   put_boxes(slot, idle);
@@ -116,7 +116,7 @@ bool GeneralWorld<SceneT>::plan_motion(std::size_t slot, bool is_begin) {
     return false;
   }
   if (!is_held(slot) && !this->sleeps(slot)) {
-    state.plan = Matter::ask(actor, now_, duration);
+    state.plan = Kinematics::ask(actor, now_, duration);
     if (is_begin) fall(slot, dt_);
     if (is_valid(state.plan.motion)) return true;
     ++report_.plans_invalid;
@@ -124,7 +124,7 @@ bool GeneralWorld<SceneT>::plan_motion(std::size_t slot, bool is_begin) {
     state.held_until = dt_;
     report_.time_held = max_of(report_.time_held, dt_ - now_);
   }
-  state.plan.motion = Matter::standing(actor.body, duration);
+  state.plan.motion = Kinematics::standing(actor.body, duration);
   return true;
 }
 
@@ -136,7 +136,7 @@ void GeneralWorld<SceneT>::fall(std::size_t slot, Scalar time) {
     BodyState& state = states_[slot];
     state.falls = state.falls || time > Scalar(0);
     if (!state.falls) return;
-    Matter::fall(actor_at(slot).body, state.plan, settings_.gravity_W, time);
+    Kinematics::fall(actor_at(slot).body, state.plan, settings_.gravity_W, time);
   }
 }
 
@@ -156,7 +156,9 @@ void GeneralWorld<SceneT>::put_boxes(std::size_t slot, bool idle) {
   for (int part = 0; part < kParts; ++part) {  // Bound: kCapsulesPerBody
     const Slot proxy = proxy_of(slot, part);
     if (part < parts_of(actor)) {
-      sweep_.set(proxy, Matter::bound(Matter::mover(actor, part, states_[slot].plan.motion)), idle);
+      sweep_.set(proxy,
+                 Kinematics::bound(Kinematics::mover(actor, part, states_[slot].plan.motion)),
+                 idle);
     } else {
       sweep_.remove(proxy);
     }
@@ -199,9 +201,10 @@ void GeneralWorld<SceneT>::collect(BodyPair pair) {
 /// What is still and cannot be pushed may stand in other such bodies.
 template <class SceneT>
 bool GeneralWorld<SceneT>::may_pair(std::size_t a, std::size_t b) const {
-  const bool walls =
-      Matter::is_still(states_[a].plan.motion) && Matter::is_still(states_[b].plan.motion) &&
-      Matter::is_immovable(actor_at(a).body) && Matter::is_immovable(actor_at(b).body);
+  const bool walls = Kinematics::is_still(states_[a].plan.motion) &&
+                     Kinematics::is_still(states_[b].plan.motion) &&
+                     Kinematics::is_immovable(actor_at(a).body) &&
+                     Kinematics::is_immovable(actor_at(b).body);
   return a != b && !walls && may_meet(actor_at(a), actor_at(b));
 }
 
@@ -233,16 +236,18 @@ void GeneralWorld<SceneT>::search(CandidateType& candidate) {
 }
 
 template <class SceneT>
-typename MatterOf<SceneT>::Mover GeneralWorld<SceneT>::mover(int proxy, Scalar until) const {
+typename KinematicsOf<SceneT>::Mover GeneralWorld<SceneT>::mover(int proxy, Scalar until) const {
   const BodyState& state = states_[body_of(proxy)];
-  return Matter::mover(actor_at(body_of(proxy)), part_at(proxy),
-                       Matter::rest_of(state.plan.motion, now_ - state.start, until - now_));
+  return Kinematics::mover(
+      actor_at(body_of(proxy)), part_at(proxy),
+      Kinematics::rest_of(state.plan.motion, now_ - state.start, until - now_));
 }
 
 template <class SceneT>
 void GeneralWorld<SceneT>::search_pair(BodyPair pair, Scalar until, PairQuery& query) {
   if constexpr (!SceneT::kRotation) {
-    query = Matter::search(mover(pair.first, until), mover(pair.second, until), settings_.search);
+    query =
+        Kinematics::search(mover(pair.first, until), mover(pair.second, until), settings_.search);
   } else {
     const auto moving_pair = make_moving_pair(mover(pair.first, until), mover(pair.second, until));
     query.search.outcome = Outcome::kInvalid;

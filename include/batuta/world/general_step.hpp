@@ -11,7 +11,7 @@ template <class SceneT>
 Result<typename GeneralWorld<SceneT>::BodyId> GeneralWorld<SceneT>::add(const ActorType& actor) {
   if (!is_usable(actor)) return failure<BodyId>(Status::kInvalidArgument);
   ActorType added = actor;
-  Matter::prepare(added);
+  Kinematics::prepare(added);
   const auto id = actors_.make(added);
   if (id.ok()) begin_life(static_cast<std::size_t>(actors_.index_of(id.value)));
   return id;
@@ -149,7 +149,7 @@ void GeneralWorld<SceneT>::count_cut(const CandidateType& candidate) {
 template <class SceneT>
 void GeneralWorld<SceneT>::bring(std::size_t slot, Scalar elapsed) {
   BodyState& state = states_[slot];
-  Matter::move(actor_at(slot).body, state.plan.motion, elapsed);
+  Kinematics::move(actor_at(slot).body, state.plan.motion, elapsed);
   if constexpr (SceneT::kRotation && SceneT::kMaxPairs > 1) {  // look() asks where it is
     state.plan.motion.X_WB = actor_at(slot).body.X_WB;
   }
@@ -167,7 +167,7 @@ void GeneralWorld<SceneT>::hold(std::size_t slot, Scalar until) {
   const Scalar held_before = max_of(state.held_until, now_);
   state.held_until = max_of(state.held_until, min_of(until, dt_));
   fall(slot, held_before - state.held_until);
-  state.plan.motion = Matter::standing(actor_at(slot).body, state.plan.motion.duration);
+  state.plan.motion = Kinematics::standing(actor_at(slot).body, state.plan.motion.duration);
   state.changed = true;
   is_changed_ = true;
   report_.time_held = max_of(report_.time_held, state.held_until - now_);
@@ -186,7 +186,7 @@ void GeneralWorld<SceneT>::end_step() {
     if (!states_[slot].present) continue;
     ActorType& actor = actor_at(slot);
     const BodyState& state = states_[slot];
-    if (!state.stands) Matter::move(actor.body, state.plan.motion, dt_ - state.start);
+    if (!state.stands) Kinematics::move(actor.body, state.plan.motion, dt_ - state.start);
     if constexpr (SceneT::kRotation) actor.controller.on_step_end(actor.body, dt_);
   }
   if constexpr (SceneT::kMaxEvents > 0) end_touches();

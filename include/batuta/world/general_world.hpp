@@ -17,17 +17,17 @@
 #include "batuta/world/scene_check.hpp"
 #include "batuta/world/seed_memory.hpp"
 #include "batuta/world/sleep_book.hpp"
-#include "batuta/world/straight_matter.hpp"
+#include "batuta/world/straight_kinematics.hpp"
 #include "batuta/world/sweep.hpp"
-#include "batuta/world/turning.hpp"
+#include "batuta/world/turning_kinematics.hpp"
 
 namespace batuta {
 
 template <class SceneT>
 using Scalar_of = typename SceneT::Scalar;
 template <class SceneT>
-using MatterOf =
-    std::conditional_t<SceneT::kRotation, TurningMatter<SceneT>, StraightMatter<SceneT>>;
+using KinematicsOf =
+    std::conditional_t<SceneT::kRotation, TurningKinematics<SceneT>, StraightKinematics<SceneT>>;
 
 /// Features are bases, not members: an empty one takes no room.
 template <class SceneT>
@@ -115,9 +115,9 @@ class GeneralWorld : private SeedsOf<SceneT>,
  private:
   static_assert(SceneCheck<SceneT>::kIsPossible, "Scene: see scene_check.hpp");
 
-  using Matter = MatterOf<SceneT>;
-  using Motion = typename Matter::MotionType;
-  using PairQuery = typename Matter::PairQuery;
+  using Kinematics = KinematicsOf<SceneT>;
+  using Motion = typename Kinematics::MotionType;
+  using PairQuery = typename Kinematics::PairQuery;
   using Slot = std::uint16_t;
   using CandidateType = CandidatePair<Scalar>;
   static constexpr std::size_t kSlots = static_cast<std::size_t>(SceneT::kMaxBodies);
@@ -134,7 +134,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
 
   /// What the step knows of a body besides the actor.
   struct BodyState {
-    typename Matter::PlanType plan;
+    typename Kinematics::PlanType plan;
     Scalar start = 0;       ///< in the step, s: the body's own pose is the one of this time
     Scalar held_until = 0;  ///< in the step, s; the body stays where it is until then
     bool present = false;   ///< takes part in the step
@@ -147,7 +147,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
 
   // Plan: general_plan.hpp.
   static bool is_usable(const ActorType& actor) {
-    return has_valid_features(actor) && Matter::is_usable(actor.body);
+    return has_valid_features(actor) && Kinematics::is_usable(actor.body);
   }
   void begin_step(Scalar dt);
   void begin_body(std::size_t slot);
@@ -240,10 +240,10 @@ class GeneralWorld : private SeedsOf<SceneT>,
   static Slot proxy_of(std::size_t slot, int part) {
     return static_cast<Slot>(static_cast<int>(slot) * kParts + part);
   }
-  typename Matter::Mover mover(int proxy, Scalar until) const;
+  typename Kinematics::Mover mover(int proxy, Scalar until) const;
   Nearest<Scalar> nearest(BodyPair pair) const {
-    return Matter::nearest(actor_at(body_of(pair.first)), part_at(pair.first),
-                           actor_at(body_of(pair.second)), part_at(pair.second));
+    return Kinematics::nearest(actor_at(body_of(pair.first)), part_at(pair.first),
+                               actor_at(body_of(pair.second)), part_at(pair.second));
   }
 
   WorldSettings<SceneT> settings_;

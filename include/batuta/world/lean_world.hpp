@@ -10,7 +10,7 @@
 #include "batuta/response/straight_impulse.hpp"
 #include "batuta/world/event.hpp"
 #include "batuta/world/scene_check.hpp"
-#include "batuta/world/straight_matter.hpp"
+#include "batuta/world/straight_kinematics.hpp"
 
 namespace batuta {
 
@@ -83,8 +83,8 @@ class LeanWorld {
  private:
   static_assert(SceneCheck<SceneT>::kIsPossible, "Scene: see scene_check.hpp");
 
-  using Matter = StraightMatter<SceneT>;
-  using PairQuery = typename Matter::PairQuery;
+  using Kinematics = StraightKinematics<SceneT>;
+  using PairQuery = typename Kinematics::PairQuery;
   static constexpr std::size_t kSlots = static_cast<std::size_t>(SceneT::kMaxBodies);
 
   /// How a round ends: the pair slot_A kSlots + slot_B, and what its search answered.
@@ -247,11 +247,11 @@ typename LeanWorld<SceneT>::PairQuery LeanWorld<SceneT>::search(std::size_t a,
     }
     flight.radii = A.radius + B.radius;
     flight.duration = left_;
-    return Matter::search_flight(flight, settings_.search);
+    return Kinematics::search_flight(flight, settings_.search);
   } else {
-    return Matter::search(
-        Matter::mover(A, 0, {A.body.p_W, inverse_mass_[a] * A.body.momentum_W, left_}),
-        Matter::mover(B, 0, {B.body.p_W, inverse_mass_[b] * B.body.momentum_W, left_}),
+    return Kinematics::search(
+        Kinematics::mover(A, 0, {A.body.p_W, inverse_mass_[a] * A.body.momentum_W, left_}),
+        Kinematics::mover(B, 0, {B.body.p_W, inverse_mass_[b] * B.body.momentum_W, left_}),
         settings_.search);
   }
 }
@@ -279,7 +279,7 @@ void LeanWorld<SceneT>::hit(ActorType& A, ActorType& B, Outcome outcome) {
   if constexpr (SceneT::kRestitution) {
     restitution = pair_restitution(A.restitution, B.restitution);
   }
-  const auto contact = Matter::facing(A, B);
+  const auto contact = Kinematics::facing(A, B);
   const auto hit = straight_impulse(A.body, B.body, contact.normal_BA_W, restitution);
   if (hit.impulse > Scalar(0)) ++report_.collisions;
   if (outcome == Outcome::kTouching && !(contact.gap > Scalar(0))) {

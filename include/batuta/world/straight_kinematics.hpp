@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // Bodies that do not turn, as a World handles them (Scene::kRotation = false): the members of
-// TurningMatter, for balls or capsules that fly straight by their momenta.
+// TurningKinematics, for balls or capsules that fly straight by their momenta.
 
 #include "batuta/detection/sphere_flight.hpp"
 #include "batuta/detection/straight_pair.hpp"
-#include "batuta/world/turning.hpp"
+#include "batuta/world/turning_kinematics.hpp"
 
 namespace batuta {
 
 template <class SceneT>
-struct StraightMatter {
+struct StraightKinematics {
   using Scalar = typename SceneT::Scalar;
   using Search = typename SceneT::Search;
   using BodyType = StraightBody<Scalar>;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Bodies that turn, as a World handles them (Scene::kRotation). StraightMatter
-// (straight_matter.hpp) has the same members for bodies that do not.
+// Bodies that turn, as a World handles them (Scene::kRotation). StraightKinematics
+// (straight_kinematics.hpp) has the same members for bodies that do not.
 
 #include "batuta/response/contact.hpp"
 #include "batuta/world/actor.hpp"
@@ -17,7 +17,7 @@ struct Nearest {
 };
 
 template <class SceneT>
-struct TurningMatter {
+struct TurningKinematics {
   using Scalar = typename SceneT::Scalar;
   using Search = typename SceneT::Search;
   using BodyType = Body<Scalar>;
