@@ -51,7 +51,7 @@ void archive(Archive& ar, StraightBody<Scalar>& body) {
   ar(p_W, momentum_W, inverse_mass);
 }
 
-inline void archive(Archive& ar, BodyPair& pair) {
+inline void archive(Archive& ar, ProxyPair& pair) {
   auto& [first, second] = pair;
   ar(first, second);
 }

@@ -3,14 +3,14 @@
 // A pair of capsules that may meet in the rest of a step, and what its search answered.
 
 #include "batuta/core/fixed_list.hpp"
-#include "batuta/world/broadphase.hpp"
+#include "batuta/world/proxy_pair.hpp"
 #include "batuta/world/scene.hpp"
 
 namespace batuta {
 
 template <class Scalar>
 struct CandidatePair {
-  BodyPair pair;  ///< proxies: body x kCapsulesPerBody + part
+  ProxyPair pair;  ///< proxies: body x kCapsulesPerBody + part
   Outcome outcome = Outcome::kInvalid;
   bool asked = false;     ///< the members below are known
   Scalar since = 0;       ///< in the step, s: when the search began
@@ -23,10 +23,10 @@ struct CandidatePair {
 };
 
 /// Whether the pair P comes first: by its lower number, then by the other.
-constexpr bool precedes(BodyPair P, BodyPair Q) {
+constexpr bool precedes(ProxyPair P, ProxyPair Q) {
   return P.first < Q.first || (P.first == Q.first && P.second < Q.second);
 }
-constexpr bool is_same(BodyPair P, BodyPair Q) {
+constexpr bool is_same(ProxyPair P, ProxyPair Q) {
   return P.first == Q.first && P.second == Q.second;
 }
 
@@ -73,12 +73,12 @@ template <class PairQuery, class Scalar, bool kMany>
 class EarliestQuery {
  public:
   /// first == second: unknown.
-  BodyPair pair() const { return pair_; }
+  ProxyPair pair() const { return pair_; }
   PairQuery& earliest() { return queries_[kept_]; }
   /// Where the next search may write.
   PairQuery& spare() { return queries_[kMany ? 1 - kept_ : 0]; }
   /// The spare one is kept instead if its pair is free for a shorter time.
-  void offer(BodyPair pair, Scalar until) {
+  void offer(ProxyPair pair, Scalar until) {
     if (pair_.first != pair_.second && !(until < until_)) return;
     pair_ = pair;
     until_ = until;
@@ -89,7 +89,7 @@ class EarliestQuery {
  private:
   std::array<PairQuery, kMany ? 2 : 1> queries_{};
   std::size_t kept_ = 0;
-  BodyPair pair_;
+  ProxyPair pair_;
   Scalar until_ = 0;
 };
 
@@ -100,14 +100,14 @@ class RepeatBook {
   void clear_repeats() { repeats_.clear(); }
   /// Counts one more answer. @returns how many there were with it. Bound: N. Never full: N contacts
   /// are answered in a step.
-  int repeat(BodyPair pair) {
+  int repeat(ProxyPair pair) {
     for (int i = 0; i < repeats_.size(); ++i) {  // Bound: kMaxContacts
       if (is_same(repeats_[i].pair, pair)) return ++repeats_[i].count;
     }
     repeats_.push({pair, 1});
     return 1;
   }
-  bool was_answered(BodyPair pair) const {
+  bool was_answered(ProxyPair pair) const {
     for (const Repeat& repeat : repeats_) {  // Bound: kMaxContacts
       if (is_same(repeat.pair, pair)) return true;
     }
@@ -116,7 +116,7 @@ class RepeatBook {
 
  private:
   struct Repeat {
-    BodyPair pair;
+    ProxyPair pair;
     int count = 0;
   };
   FixedList<Repeat, N> repeats_;

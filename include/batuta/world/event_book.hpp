@@ -4,9 +4,9 @@
 // Scene::kMaxEvents is 0.
 
 #include "batuta/core/fixed_list.hpp"
-#include "batuta/world/broadphase.hpp"
 #include "batuta/world/candidate_pair.hpp"
 #include "batuta/world/event.hpp"
+#include "batuta/world/proxy_pair.hpp"
 
 namespace batuta {
 
@@ -23,15 +23,15 @@ class EventBook {
 
   /// Pairs of proxies in contact.
   int touches() const { return touching_.size(); }
-  BodyPair touch(int i) const { return touching_[i]; }
-  bool is_touching(BodyPair pair) const {
-    for (const BodyPair known : touching_) {  // Bound: kMaxPairs
+  ProxyPair touch(int i) const { return touching_[i]; }
+  bool is_touching(ProxyPair pair) const {
+    for (const ProxyPair known : touching_) {  // Bound: kMaxPairs
       if (is_same(known, pair)) return true;
     }
     return false;
   }
   /// False: no room.
-  bool begin_touch(BodyPair pair) { return touching_.push(pair); }
+  bool begin_touch(ProxyPair pair) { return touching_.push(pair); }
   void end_touch(int i) { touching_.remove_swapping(i); }
   void copy_events(const EventBook& other) { *this = other; }
 
@@ -42,7 +42,7 @@ class EventBook {
 
  private:
   EventList events_;
-  FixedList<BodyPair, kMaxPairs> touching_;  ///< in the order in which they began to touch
+  FixedList<ProxyPair, kMaxPairs> touching_;  ///< in the order in which they began to touch
 };
 
 struct NoEvents {

@@ -9,7 +9,7 @@ namespace batuta {
 
 /// A pair as it is now, without a search: for a contact whose search was not kept.
 template <class SceneT>
-void GeneralWorld<SceneT>::look(BodyPair pair, PairQuery& query) {
+void GeneralWorld<SceneT>::look(ProxyPair pair, PairQuery& query) {
   const auto moving_pair = make_moving_pair(mover(pair.first, dt_), mover(pair.second, dt_));
   query = {};
   if (!moving_pair.ok()) return;
@@ -66,7 +66,7 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
 /// The impulse that the pair's laws give; without restitution where the scene's bodies settle.
 template <class SceneT>
 Result<Impulse<Scalar_of<SceneT>>> GeneralWorld<SceneT>::impulse_for(
-    BodyPair pair, const std::array<Party<Scalar>, 2>& parties, const Contact<Scalar>& contact,
+    ProxyPair pair, const std::array<Party<Scalar>, 2>& parties, const Contact<Scalar>& contact,
     bool is_last) const {
   const ActorType& P = actor_at(body_of(pair.first));
   const ActorType& Q = actor_at(body_of(pair.second));
@@ -95,7 +95,7 @@ Result<Impulse<Scalar_of<SceneT>>> GeneralWorld<SceneT>::impulse_for(
 /// others would else take all answers of a step among themselves. @returns whether this is the
 /// pair's last
 template <class SceneT>
-bool GeneralWorld<SceneT>::uses_up_answers(BodyPair pair) {
+bool GeneralWorld<SceneT>::uses_up_answers(ProxyPair pair) {
   bool is_last = false;
   if constexpr (kCountsRepeats<SceneT>) {
     const int answers = this->repeat(pair);
@@ -114,7 +114,7 @@ Scalar_of<SceneT> GeneralWorld<SceneT>::opened(const EncounterAnswer<Scalar>& an
 /// is frozen by its last answer of a step, or by one that its neighbours left no room for: it would
 /// be found touching again at once.
 template <class SceneT>
-void GeneralWorld<SceneT>::charge(BodyPair pair, const EncounterAnswer<Scalar>& answer,
+void GeneralWorld<SceneT>::charge(ProxyPair pair, const EncounterAnswer<Scalar>& answer,
                                   bool freezes) {
   if constexpr (kReleases) {
     if (answer.separated) hold_pair(pair, now_ + answer.separation.duration);
@@ -129,7 +129,7 @@ void GeneralWorld<SceneT>::charge(BodyPair pair, const EncounterAnswer<Scalar>& 
 /// What has no room to move has stopped: of its momentum remains the share of the step in which it
 /// did move. Kept, it would come out again as soon as there is room.
 template <class SceneT>
-void GeneralWorld<SceneT>::stop_pair(BodyPair pair) {
+void GeneralWorld<SceneT>::stop_pair(ProxyPair pair) {
   const Scalar share = now_ / dt_;
   for (const Slot proxy : {pair.first, pair.second}) {  // Bound: 2
     Body<Scalar>& body = actor_at(body_of(proxy)).body;
@@ -141,7 +141,7 @@ void GeneralWorld<SceneT>::stop_pair(BodyPair pair) {
 
 /// Neither body can be pushed: where one is moved into the other, both stop.
 template <class SceneT>
-bool GeneralWorld<SceneT>::is_immovable(BodyPair pair) const {
+bool GeneralWorld<SceneT>::is_immovable(ProxyPair pair) const {
   return is_fixed(actor_at(body_of(pair.first)).body) &&
          is_fixed(actor_at(body_of(pair.second)).body);
 }
@@ -176,7 +176,7 @@ EncounterOptions<Scalar_of<SceneT>> GeneralWorld<SceneT>::options_for(Scalar mar
 /// The gap from which the next search lets parting bodies go (src/world/encounter.md).
 template <class SceneT>
 typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::margin_of(const PairQuery& query,
-                                                                      BodyPair pair) const {
+                                                                      ProxyPair pair) const {
   constexpr Scalar kContactGaps = 2;
   constexpr Scalar kUlps = 64;
   const Scalar size = length(actor_at(body_of(pair.first)).body.X_WB.p_W) +
@@ -198,7 +198,7 @@ Party<Scalar_of<SceneT>> GeneralWorld<SceneT>::party(std::size_t slot) {
 /// Near-parallel capsules press along a line: the contact at its centre of pressure.
 template <class SceneT>
 Contact<Scalar_of<SceneT>> GeneralWorld<SceneT>::pressed(
-    BodyPair pair, const std::array<Party<Scalar>, 2>& parties, const Contact<Scalar>& contact,
+    ProxyPair pair, const std::array<Party<Scalar>, 2>& parties, const Contact<Scalar>& contact,
     Scalar slack) const {
   return pressure_contact(collider_of(parties[0]), collider_of(parties[1]), shape_W(pair.first),
                           shape_W(pair.second), contact, slack);
@@ -206,7 +206,7 @@ Contact<Scalar_of<SceneT>> GeneralWorld<SceneT>::pressed(
 
 /// How far each of the two may be shifted.
 template <class SceneT>
-void GeneralWorld<SceneT>::make_room(BodyPair pair, const Contact<Scalar>& contact,
+void GeneralWorld<SceneT>::make_room(ProxyPair pair, const Contact<Scalar>& contact,
                                      const EncounterOptions<Scalar>& options,
                                      std::array<Party<Scalar>, 2>& parties) const {
   const std::size_t a = body_of(pair.first);

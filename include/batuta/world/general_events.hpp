@@ -15,7 +15,7 @@ Status GeneralWorld<SceneT>::remove(BodyId id) {
   const auto slot = static_cast<std::size_t>(index);
   if constexpr (SceneT::kMaxEvents > 0) {
     for (int i = this->touches() - 1; i >= 0; --i) {  // Bound: kMaxPairs
-      const BodyPair pair = this->touch(i);
+      const ProxyPair pair = this->touch(i);
       if (body_of(pair.first) != slot && body_of(pair.second) != slot) continue;
       wake_both(pair);
       this->end_touch(i);
@@ -54,7 +54,7 @@ void GeneralWorld<SceneT>::record(const CandidateType& candidate, const Nearest<
 
 template <class SceneT>
 ContactEvent<Scalar_of<SceneT>> GeneralWorld<SceneT>::event_of(
-    BodyPair pair, const Nearest<Scalar>& nearest) const {
+    ProxyPair pair, const Nearest<Scalar>& nearest) const {
   ContactEvent<Scalar> event;
   event.body_A = static_cast<Slot>(body_of(pair.first));
   event.body_B = static_cast<Slot>(body_of(pair.second));
@@ -70,7 +70,7 @@ ContactEvent<Scalar_of<SceneT>> GeneralWorld<SceneT>::event_of(
 template <class SceneT>
 void GeneralWorld<SceneT>::end_touches() {
   for (int i = this->touches() - 1; i >= 0; --i) {  // Bound: kMaxPairs
-    const BodyPair pair = this->touch(i);
+    const ProxyPair pair = this->touch(i);
     if constexpr (kParts > 1) {
       if (!has_part(pair.first) || !has_part(pair.second)) {  // the caller took it off
         wake_both(pair);
@@ -93,7 +93,7 @@ void GeneralWorld<SceneT>::end_touches() {
 
 /// What lay on something lies on it no longer.
 template <class SceneT>
-void GeneralWorld<SceneT>::wake_both(BodyPair pair) {
+void GeneralWorld<SceneT>::wake_both(ProxyPair pair) {
   this->rouse(body_of(pair.first));
   this->rouse(body_of(pair.second));
 }
@@ -162,7 +162,7 @@ bool GeneralWorld<SceneT>::is_slow(std::size_t slot) const {
 template <class SceneT>
 bool GeneralWorld<SceneT>::is_supported(std::size_t slot) const {
   for (int i = 0; i < this->touches(); ++i) {  // Bound: kMaxPairs
-    const BodyPair pair = this->touch(i);
+    const ProxyPair pair = this->touch(i);
     if (body_of(pair.first) == slot || body_of(pair.second) == slot) return true;
   }
   return false;
@@ -212,7 +212,7 @@ template <class SceneT>
 template <class Archive>
 void GeneralWorld<SceneT>::check_touches(Archive& ar) {
   for (int i = this->touches() - 1; i >= 0; --i) {  // Bound: kMaxPairs
-    const BodyPair pair = this->touch(i);
+    const ProxyPair pair = this->touch(i);
     const bool named = pair.first < kProxies && pair.second < kProxies;
     const bool good = named && has_part(pair.first) && has_part(pair.second);
     ar.require(good);

@@ -80,7 +80,7 @@ void GeneralWorld<SceneT>::refresh() {
 /// What was known of a body whose plan changes is no longer true.
 template <class SceneT>
 void GeneralWorld<SceneT>::drop_candidates() {
-  const auto is_stale = [this](BodyPair pair) {
+  const auto is_stale = [this](ProxyPair pair) {
     return states_[body_of(pair.first)].changed || states_[body_of(pair.second)].changed;
   };
   for (int i = candidates_.size() - 1; i >= 0; --i) {  // Bound: kMaxPairs
@@ -167,7 +167,7 @@ void GeneralWorld<SceneT>::put_boxes(std::size_t slot, bool idle) {
 
 template <class SceneT>
 void GeneralWorld<SceneT>::collect_all() {
-  sweep_.for_each_pair([this](BodyPair pair) { collect(pair); });
+  sweep_.for_each_pair([this](ProxyPair pair) { collect(pair); });
 }
 
 template <class SceneT>
@@ -184,7 +184,7 @@ void GeneralWorld<SceneT>::collect_fresh() {
 
 /// Between two held bodies nothing changes before one of them is released: such a pair waits.
 template <class SceneT>
-void GeneralWorld<SceneT>::collect(BodyPair pair) {
+void GeneralWorld<SceneT>::collect(ProxyPair pair) {
   const std::size_t a = body_of(pair.first);
   const std::size_t b = body_of(pair.second);
   if ((is_held(a) && is_held(b)) || !may_pair(a, b)) return;
@@ -244,7 +244,7 @@ typename KinematicsOf<SceneT>::Mover GeneralWorld<SceneT>::mover(int proxy, Scal
 }
 
 template <class SceneT>
-void GeneralWorld<SceneT>::search_pair(BodyPair pair, Scalar until, PairQuery& query) {
+void GeneralWorld<SceneT>::search_pair(ProxyPair pair, Scalar until, PairQuery& query) {
   if constexpr (!SceneT::kRotation) {
     query =
         Kinematics::search(mover(pair.first, until), mover(pair.second, until), settings_.search);
@@ -268,7 +268,7 @@ void GeneralWorld<SceneT>::search_pair(BodyPair pair, Scalar until, PairQuery& q
 /// pushed, or because their neighbours left no room when they were answered (src/world/world.md,
 /// "No room").
 template <class SceneT>
-bool GeneralWorld<SceneT>::may_let_go(BodyPair pair, const PairQuery& query) const {
+bool GeneralWorld<SceneT>::may_let_go(ProxyPair pair, const PairQuery& query) const {
   if (!(query.search.gap_rate > rest_speed_)) return false;
   bool may = false;
   if constexpr (kLeads) may = is_immovable(pair);
@@ -279,7 +279,7 @@ bool GeneralWorld<SceneT>::may_let_go(BodyPair pair, const PairQuery& query) con
 /// The seed is a direction in W, and as good a guess in the next round or step.
 template <class SceneT>
 SearchResult<typename GeneralWorld<SceneT>::Scalar> GeneralWorld<SceneT>::search_with_seed(
-    BodyPair pair, const MovingPair<Scalar>& moving_pair) {
+    ProxyPair pair, const MovingPair<Scalar>& moving_pair) {
   if constexpr (Search::kUsesSeed) {
     auto result = Search::search(moving_pair, settings_.search, this->recall(pair));
     if (result.outcome != Outcome::kInvalid) this->remember(pair, result.witness.axes.normal_AB);
@@ -293,7 +293,7 @@ SearchResult<typename GeneralWorld<SceneT>::Scalar> GeneralWorld<SceneT>::search
 /// the search calls contact (src/world/encounter.md).
 template <class SceneT>
 SearchResult<typename GeneralWorld<SceneT>::Scalar> GeneralWorld<SceneT>::let_go(
-    const MovingPair<Scalar>& moving_pair, const PairQuery& query, BodyPair pair) const {
+    const MovingPair<Scalar>& moving_pair, const PairQuery& query, ProxyPair pair) const {
   Scalar missing = margin_of(query, pair) - query.search.witness.gap;
   if (!(kLeads && is_immovable(pair))) missing -= query.contact_gap;
   const Scalar radii = moving_pair.A.radius + moving_pair.B.radius;

@@ -117,7 +117,8 @@ void GeneralWorld<SceneT>::answer(const CandidateType& candidate, Scalar time) {
 
 /// What is to be known of a contact; that of the only pair there is, is always known.
 template <class SceneT>
-typename GeneralWorld<SceneT>::PairQuery& GeneralWorld<SceneT>::seen(BodyPair pair, bool is_known) {
+typename GeneralWorld<SceneT>::PairQuery& GeneralWorld<SceneT>::seen(ProxyPair pair,
+                                                                     bool is_known) {
   if constexpr (SceneT::kMaxPairs > 1) {
     if (!is_known) look(pair, queries_.earliest());
   }
@@ -174,7 +175,7 @@ void GeneralWorld<SceneT>::hold(std::size_t slot, Scalar until) {
 }
 
 template <class SceneT>
-void GeneralWorld<SceneT>::hold_pair(BodyPair pair, Scalar until) {
+void GeneralWorld<SceneT>::hold_pair(ProxyPair pair, Scalar until) {
   if constexpr (!SceneT::kResponse) return;
   hold(body_of(pair.first), until);
   hold(body_of(pair.second), until);

@@ -161,15 +161,15 @@ class GeneralWorld : private SeedsOf<SceneT>,
   void put_boxes(std::size_t slot, bool idle);
   void collect_all();
   void collect_fresh();
-  void collect(BodyPair pair);
+  void collect(ProxyPair pair);
   bool may_pair(std::size_t a, std::size_t b) const;
   void search_candidates();
   void search(CandidateType& candidate);
-  void search_pair(BodyPair pair, Scalar until, PairQuery& query);
-  SearchResult<Scalar> search_with_seed(BodyPair pair, const MovingPair<Scalar>& moving_pair);
-  bool may_let_go(BodyPair pair, const PairQuery& query) const;
+  void search_pair(ProxyPair pair, Scalar until, PairQuery& query);
+  SearchResult<Scalar> search_with_seed(ProxyPair pair, const MovingPair<Scalar>& moving_pair);
+  bool may_let_go(ProxyPair pair, const PairQuery& query) const;
   SearchResult<Scalar> let_go(const MovingPair<Scalar>& moving_pair, const PairQuery& query,
-                              BodyPair pair) const;
+                              ProxyPair pair) const;
 
   // Step: general_step.hpp.
   void begin_life(std::size_t slot);
@@ -177,34 +177,34 @@ class GeneralWorld : private SeedsOf<SceneT>,
   Scalar next_release() const;
   void release(Scalar time);
   void answer(const CandidateType& candidate, Scalar time);
-  PairQuery& seen(BodyPair pair, bool is_known);
+  PairQuery& seen(ProxyPair pair, bool is_known);
   void bring_to(const CandidateType& candidate, std::size_t slot, bool is_own_time);
   void count_cut(const CandidateType& candidate);
   void bring(std::size_t slot, Scalar elapsed);
   void hold(std::size_t slot, Scalar until);
-  void hold_pair(BodyPair pair, Scalar until);
+  void hold_pair(ProxyPair pair, Scalar until);
   void end_step();
 
   // Contact: general_contact.hpp.
-  void look(BodyPair pair, PairQuery& query);
+  void look(ProxyPair pair, PairQuery& query);
   void answer_turning(const CandidateType& candidate, const PairQuery& query);
   void answer_straight(const CandidateType& candidate);
   void only_tell(const CandidateType& candidate);
-  bool is_immovable(BodyPair pair) const;
+  bool is_immovable(ProxyPair pair) const;
   void block(const CandidateType& candidate, const PairQuery& query,
              const Nearest<Scalar>& nearest);
-  Result<Impulse<Scalar>> impulse_for(BodyPair pair, const std::array<Party<Scalar>, 2>& parties,
+  Result<Impulse<Scalar>> impulse_for(ProxyPair pair, const std::array<Party<Scalar>, 2>& parties,
                                       const Contact<Scalar>& contact, bool is_last) const;
-  bool uses_up_answers(BodyPair pair);
+  bool uses_up_answers(ProxyPair pair);
   static Scalar opened(const EncounterAnswer<Scalar>& answer);
-  void charge(BodyPair pair, const EncounterAnswer<Scalar>& answer, bool freezes);
-  void stop_pair(BodyPair pair);
+  void charge(ProxyPair pair, const EncounterAnswer<Scalar>& answer, bool freezes);
+  void stop_pair(ProxyPair pair);
   EncounterOptions<Scalar> options_for(Scalar margin) const;
-  Scalar margin_of(const PairQuery& query, BodyPair pair) const;
+  Scalar margin_of(const PairQuery& query, ProxyPair pair) const;
   Party<Scalar> party(std::size_t slot);
-  Contact<Scalar> pressed(BodyPair pair, const std::array<Party<Scalar>, 2>& parties,
+  Contact<Scalar> pressed(ProxyPair pair, const std::array<Party<Scalar>, 2>& parties,
                           const Contact<Scalar>& contact, Scalar slack) const;
-  void make_room(BodyPair pair, const Contact<Scalar>& contact,
+  void make_room(ProxyPair pair, const Contact<Scalar>& contact,
                  const EncounterOptions<Scalar>& options,
                  std::array<Party<Scalar>, 2>& parties) const;
   Scalar room_of(std::size_t slot, std::size_t other, const Vec3<Scalar>& away_W,
@@ -216,9 +216,9 @@ class GeneralWorld : private SeedsOf<SceneT>,
   // Events: general_events.hpp.
   void record(const CandidateType& candidate, const Nearest<Scalar>& nearest,
               const EncounterAnswer<Scalar>& answer);
-  ContactEvent<Scalar> event_of(BodyPair pair, const Nearest<Scalar>& nearest) const;
+  ContactEvent<Scalar> event_of(ProxyPair pair, const Nearest<Scalar>& nearest) const;
   void end_touches();
-  void wake_both(BodyPair pair);
+  void wake_both(ProxyPair pair);
   void take_stand(std::size_t slot, bool stands);
   template <class Archive>
   void check_touches(Archive& ar);
@@ -241,7 +241,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
     return static_cast<Slot>(static_cast<int>(slot) * kParts + part);
   }
   typename Kinematics::Mover mover(int proxy, Scalar until) const;
-  Nearest<Scalar> nearest(BodyPair pair) const {
+  Nearest<Scalar> nearest(ProxyPair pair) const {
     return Kinematics::nearest(actor_at(body_of(pair.first)), part_at(pair.first),
                                actor_at(body_of(pair.second)), part_at(pair.second));
   }

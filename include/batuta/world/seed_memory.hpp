@@ -4,7 +4,7 @@
 // needs no other evaluation. Part of a world's saved state, because what a search costs and the
 // last bits of what it answers depend on it; what it proves does not.
 
-#include "batuta/world/broadphase.hpp"
+#include "batuta/world/proxy_pair.hpp"
 #include "batuta/world/scene.hpp"
 
 namespace batuta {
@@ -15,12 +15,12 @@ template <class Scalar, int N>
 class SeedMemory {
  public:
   /// The normal of the last search, out of the first body towards the second; zero: none known.
-  Vec3<Scalar> recall(BodyPair pair) const {
+  Vec3<Scalar> recall(ProxyPair pair) const {
     const Entry& entry = entries_[place_of(pair)];
     const bool same = entry.pair.first == pair.first && entry.pair.second == pair.second;
     return same ? entry.normal : Vec3<Scalar>(Vec3<Scalar>::Zero());
   }
-  void remember(BodyPair pair, const Vec3<Scalar>& normal) {
+  void remember(ProxyPair pair, const Vec3<Scalar>& normal) {
     entries_[place_of(pair)] = {pair, normal};
   }
   /// Forgets what a body left in a slot: the next one there begins as if it were the first.
@@ -38,12 +38,12 @@ class SeedMemory {
 
  private:
   struct Entry {
-    BodyPair pair;  ///< first == second: empty
+    ProxyPair pair;  ///< first == second: empty
     Vec3<Scalar> normal = Vec3<Scalar>::Zero();
   };
 
   /// Pairs are numbered (0, 1), (0, 2), (1, 2), (0, 3) ...
-  static std::size_t place_of(BodyPair pair) {
+  static std::size_t place_of(ProxyPair pair) {
     const std::size_t second = pair.second;
     return (second * (second - 1) / 2 + pair.first) % static_cast<std::size_t>(N);
   }

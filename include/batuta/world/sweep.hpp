@@ -6,7 +6,7 @@
 // nothing. Few boxes are tested each with each. What was measured: src/world/sweep.md.
 
 #include "batuta/geometry/kdop.hpp"
-#include "batuta/world/broadphase.hpp"
+#include "batuta/world/proxy_pair.hpp"
 
 namespace batuta {
 
@@ -67,7 +67,7 @@ class FewBoxes : public BoxSlots<Scalar, N> {
       if (!this->contains(i)) continue;
       for (Slot k = static_cast<Slot>(i + 1); k < kSlots; ++k) {  // Bound: N
         if (this->is_idle(i) && this->is_idle(k)) continue;
-        if (this->do_overlap(i, k)) found(BodyPair{i, k});
+        if (this->do_overlap(i, k)) found(ProxyPair{i, k});
       }
     }
   }
@@ -107,7 +107,7 @@ class ManyBoxes : public BoxSlots<Scalar, N> {
   /// Bound: N steps where little changed, N (N - 1) / 2 at worst.
   void sort();
 
-  /// Calls found(BodyPair{first, second}), first < second, once for every two overlapping boxes
+  /// Calls found(ProxyPair{first, second}), first < second, once for every two overlapping boxes
   /// (touching counts) of which at least one is not idle. Idle boxes among themselves cost nothing
   /// but being passed. @pre sort() since the last set() or remove()
   /// Bound: N (N - 1) / 2 box tests.
@@ -155,7 +155,7 @@ class ManyBoxes : public BoxSlots<Scalar, N> {
   void idle_before(std::size_t place, const Found& found) const;
   template <class Found>
   void report(Slot a, Slot b, const Found& found) const {
-    if (this->do_overlap(a, b)) found(BodyPair{min_of(a, b), max_of(a, b)});
+    if (this->do_overlap(a, b)) found(ProxyPair{min_of(a, b), max_of(a, b)});
   }
 
   std::array<Block, kBlocks> blocks_;

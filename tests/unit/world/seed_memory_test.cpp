@@ -8,7 +8,7 @@
 namespace batuta {
 namespace {
 
-Vec3<float> normal_of(BodyPair pair) {
+Vec3<float> normal_of(ProxyPair pair) {
   return {static_cast<float>(pair.first) + 1, static_cast<float>(pair.second), 0};
 }
 

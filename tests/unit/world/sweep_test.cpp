@@ -58,7 +58,7 @@ class Checked {
 
   Pairs pairs() const {
     Pairs pairs;
-    list_.for_each_pair([&](BodyPair pair) { pairs.emplace_back(pair.first, pair.second); });
+    list_.for_each_pair([&](ProxyPair pair) { pairs.emplace_back(pair.first, pair.second); });
     return pairs;
   }
   /// @returns the number of pairs

@@ -7,7 +7,7 @@
 namespace batuta {
 
 /// Two slots, first < second; first == second: no pair.
-struct BodyPair {
+struct ProxyPair {
   std::uint16_t first = 0;
   std::uint16_t second = 0;
 };
