@@ -28,7 +28,7 @@ Real3 real(const Vec3<Scalar>& x) {
 }
 
 template <class Scalar>
-struct Party {
+struct ContactSide {
   Body<Scalar> body;
   Twist<Scalar> twist;
 
@@ -39,15 +39,15 @@ struct Party {
 
 template <class Scalar>
 struct Query {
-  Party<Scalar> A;
-  Party<Scalar> B;
+  ContactSide<Scalar> A;
+  ContactSide<Scalar> B;
   Contact<Scalar> contact;
   Scalar restitution = 0;
 };
 
 template <class Scalar>
-Party<Scalar> read_party(host::QueryRow& row, const std::string& name) {
-  Party<Scalar> party;
+ContactSide<Scalar> read_party(host::QueryRow& row, const std::string& name) {
+  ContactSide<Scalar> party;
   const Pose<Scalar> X_WB{answer::vector<Scalar>(row, name + "c"),
                           answer::rotation<Scalar>(row, name + "q")};
   const auto body = make_body(X_WB, answer::number<Scalar>(row, name + "m"),
@@ -84,7 +84,7 @@ struct Yielding {
 };
 
 template <class Scalar>
-Yielding yielding_of(const Party<Scalar>& party, const Contact<Scalar>& contact) {
+Yielding yielding_of(const ContactSide<Scalar>& party, const Contact<Scalar>& contact) {
   const Real3 r = real(contact.point_W) - real(party.body.X_WB.p_W);
   const Real3 s_W = r.cross(real(contact.normal_BA_W));
   const Real3 s = party.body.X_WB.q_WB.template cast<Real>().normalized().conjugate() * s_W;
@@ -163,10 +163,10 @@ class Judge {
                       : Real(0);
   }
 
-  Real v_error(const Yielding& y, const Party<Scalar>& party) const {
+  Real v_error(const Yielding& y, const ContactSide<Scalar>& party) const {
     return real(party.twist.v_W).norm() + y.inverse_mass * (j_ + j_error_);
   }
-  Real w_error(const Yielding& y, const Party<Scalar>& party) const {
+  Real w_error(const Yielding& y, const ContactSide<Scalar>& party) const {
     return real(party.twist.w_W).norm() + y.turn * j_error_ + y.softest * y.lever * j_;
   }
 
@@ -191,7 +191,7 @@ class Judge {
   }
 
   /// A moving body of infinite mass does work without end: nothing to check there.
-  static bool works_for_ever(const Party<Scalar>& party) {
+  static bool works_for_ever(const ContactSide<Scalar>& party) {
     const bool pushes = party.body.inverse_mass == Scalar(0) && !party.twist.v_W.isZero(0);
     const bool turns =
         party.body.inverse_moments.minCoeff() == Scalar(0) && !party.twist.w_W.isZero(0);

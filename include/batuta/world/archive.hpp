@@ -68,10 +68,11 @@ template <class Scalar>
 void archive(Archive& ar, StepReport<Scalar>& report) {
   auto& [evaluations, pairs, collisions, separations, blocked, overlaps_at_start, deepest_overlap,
          asleep, frozen, pairs_dropped, contacts_dropped, searches_cut, searches_invalid,
-         answers_invalid, plans_invalid, events_dropped, contacts_untracked, time_held] = report;
+         resolutions_invalid, plans_invalid, events_dropped, contacts_untracked, time_held] =
+      report;
   ar(evaluations, pairs, collisions, separations, blocked, overlaps_at_start, deepest_overlap,
      asleep, frozen, pairs_dropped, contacts_dropped, searches_cut, searches_invalid,
-     answers_invalid, plans_invalid, events_dropped, contacts_untracked, time_held);
+     resolutions_invalid, plans_invalid, events_dropped, contacts_untracked, time_held);
 }
 
 // Features of a scene: what is left out takes no bytes.

@@ -41,7 +41,7 @@ struct StepReport {
   std::uint32_t blocked =
       0;  ///< contacts of two bodies that nothing can push: both held for the rest of the step
   /// Pairs that overlapped when a search began: by rounding; because the caller put them there, or
-  /// moved what cannot be pushed (src/world/encounter.md); and with Stepping also by a touch
+  /// moved what cannot be pushed (src/world/resolution.md); and with Stepping also by a touch
   /// shallower than epsilon / 2 that it passed over (src/detection/stepping.md). The other searches
   /// pass over none.
   std::uint32_t overlaps_at_start = 0;
@@ -55,7 +55,8 @@ struct StepReport {
   std::uint32_t contacts_dropped = 0;  ///< beyond kMaxContacts
   std::uint32_t searches_cut = 0;      ///< the search ran out of its budget
   std::uint32_t searches_invalid = 0;  ///< the search could not be asked (see Outcome::kInvalid)
-  std::uint32_t answers_invalid = 0;   ///< the contact could not be answered: its numbers overflow
+  std::uint32_t resolutions_invalid =
+      0;  ///< the contact could not be answered: its numbers overflow
   std::uint32_t plans_invalid =
       0;  ///< a body or its controller's plan was not finite, turned too far, or is so far from
           ///< the origin that numbers there are further apart than it is large
@@ -66,7 +67,7 @@ struct StepReport {
 
   bool complete() const {
     return pairs_dropped == 0 && contacts_dropped == 0 && searches_cut == 0 &&
-           searches_invalid == 0 && answers_invalid == 0 && plans_invalid == 0 &&
+           searches_invalid == 0 && resolutions_invalid == 0 && plans_invalid == 0 &&
            events_dropped == 0 && contacts_untracked == 0;
   }
 };

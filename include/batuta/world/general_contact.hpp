@@ -34,21 +34,21 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
   const Scalar margin = margin_of(query, candidate.pair);
   const std::array<Momentum<Scalar>, 2> before = {actor_at(a).body.momentum,
                                                   actor_at(b).body.momentum};
-  std::array<Party<Scalar>, 2> parties = {party(a), party(b)};
+  std::array<ContactSide<Scalar>, 2> sides = {side(a), side(b)};
   if constexpr (SceneT::kLineContact) {
-    nearest.contact = pressed(candidate.pair, parties, nearest.contact, margin);
+    nearest.contact = pressed(candidate.pair, sides, nearest.contact, margin);
   }
   const auto options = options_for(margin);
   if constexpr (SceneT::kMaxBodies > 2) {
-    make_room(candidate.pair, nearest.contact, options, parties);
+    make_room(candidate.pair, nearest.contact, options, sides);
   }
   const bool is_last = uses_up_answers(candidate.pair);
-  const auto impulse = impulse_for(candidate.pair, parties, nearest.contact, is_last);
-  const auto answer = answer_contact(parties[0], parties[1], nearest.contact, impulse, options);
+  const auto impulse = impulse_for(candidate.pair, sides, nearest.contact, is_last);
+  const auto answer = resolve_contact(sides[0], sides[1], nearest.contact, impulse, options);
   if (!answer.ok()) {
     actor_at(a).body.momentum = before[0];
     actor_at(b).body.momentum = before[1];
-    ++report_.answers_invalid;
+    ++report_.resolutions_invalid;
     hold_pair(candidate.pair, dt_);
     return;
   }
@@ -66,12 +66,12 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
 /// The impulse that the pair's laws give; without restitution where the scene's bodies settle.
 template <class SceneT>
 Result<Impulse<Scalar_of<SceneT>>> GeneralWorld<SceneT>::impulse_for(
-    ProxyPair pair, const std::array<Party<Scalar>, 2>& parties, const Contact<Scalar>& contact,
+    ProxyPair pair, const std::array<ContactSide<Scalar>, 2>& sides, const Contact<Scalar>& contact,
     bool is_last) const {
   const ActorType& P = actor_at(body_of(pair.first));
   const ActorType& Q = actor_at(body_of(pair.second));
-  const Collider<Scalar> A = collider_of(parties[0]);
-  const Collider<Scalar> B = collider_of(parties[1]);
+  const Collider<Scalar> A = collider_of(sides[0]);
+  const Collider<Scalar> B = collider_of(sides[1]);
   Scalar restitution = 0;
   if constexpr (SceneT::kRestitution) {
     restitution = pair_restitution(P.restitution, Q.restitution);
@@ -106,7 +106,7 @@ bool GeneralWorld<SceneT>::uses_up_answers(ProxyPair pair) {
 
 /// By how much a separation has opened the gap, m.
 template <class SceneT>
-Scalar_of<SceneT> GeneralWorld<SceneT>::opened(const EncounterAnswer<Scalar>& answer) {
+Scalar_of<SceneT> GeneralWorld<SceneT>::opened(const Resolution<Scalar>& answer) {
   return length(answer.separation.shift_A_W) + length(answer.separation.shift_B_W);
 }
 
@@ -114,8 +114,7 @@ Scalar_of<SceneT> GeneralWorld<SceneT>::opened(const EncounterAnswer<Scalar>& an
 /// is frozen by its last answer of a step, or by one that its neighbours left no room for: it would
 /// be found touching again at once.
 template <class SceneT>
-void GeneralWorld<SceneT>::charge(ProxyPair pair, const EncounterAnswer<Scalar>& answer,
-                                  bool freezes) {
+void GeneralWorld<SceneT>::charge(ProxyPair pair, const Resolution<Scalar>& answer, bool freezes) {
   if constexpr (kReleases) {
     if (answer.separated) hold_pair(pair, now_ + answer.separation.duration);
   }
@@ -149,7 +148,7 @@ bool GeneralWorld<SceneT>::is_immovable(ProxyPair pair) const {
 template <class SceneT>
 void GeneralWorld<SceneT>::block(const CandidateType& candidate, const PairQuery& query,
                                  const Nearest<Scalar>& nearest) {
-  EncounterAnswer<Scalar> answer;
+  Resolution<Scalar> answer;
   answer.v_rel = query.search.gap_rate;
   answer.kind = classify(answer.v_rel, rest_speed_);
   ++report_.blocked;
@@ -158,8 +157,8 @@ void GeneralWorld<SceneT>::block(const CandidateType& candidate, const PairQuery
 }
 
 template <class SceneT>
-EncounterOptions<Scalar_of<SceneT>> GeneralWorld<SceneT>::options_for(Scalar margin) const {
-  EncounterOptions<Scalar> options;
+ResolutionOptions<Scalar_of<SceneT>> GeneralWorld<SceneT>::options_for(Scalar margin) const {
+  ResolutionOptions<Scalar> options;
   options.margin = margin;
   options.settles = kSettles;
   if constexpr (SceneT::kResting != RestingContact::kNone) {
@@ -173,7 +172,7 @@ EncounterOptions<Scalar_of<SceneT>> GeneralWorld<SceneT>::options_for(Scalar mar
   return options;
 }
 
-/// The gap from which the next search lets parting bodies go (src/world/encounter.md).
+/// The gap from which the next search lets parting bodies go (src/world/resolution.md).
 template <class SceneT>
 typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::margin_of(const PairQuery& query,
                                                                       ProxyPair pair) const {
@@ -187,7 +186,7 @@ typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::margin_of(const Pair
 /// A body at a contact. One that its controller moves gets the momentum that goes with the
 /// controller's twist, so that the impulse is added to what the body really has.
 template <class SceneT>
-Party<Scalar_of<SceneT>> GeneralWorld<SceneT>::party(std::size_t slot) {
+ContactSide<Scalar_of<SceneT>> GeneralWorld<SceneT>::side(std::size_t slot) {
   Body<Scalar>& body = actor_at(slot).body;
   const PlannedMotion<Scalar>& plan = states_[slot].plan;
   if (!plan.by_momentum) body.momentum = momentum_of(body, plan.motion.twist);
@@ -198,22 +197,22 @@ Party<Scalar_of<SceneT>> GeneralWorld<SceneT>::party(std::size_t slot) {
 /// Near-parallel capsules press along a line: the contact at its centre of pressure.
 template <class SceneT>
 Contact<Scalar_of<SceneT>> GeneralWorld<SceneT>::pressed(
-    ProxyPair pair, const std::array<Party<Scalar>, 2>& parties, const Contact<Scalar>& contact,
+    ProxyPair pair, const std::array<ContactSide<Scalar>, 2>& sides, const Contact<Scalar>& contact,
     Scalar slack) const {
-  return pressure_contact(collider_of(parties[0]), collider_of(parties[1]), shape_W(pair.first),
+  return pressure_contact(collider_of(sides[0]), collider_of(sides[1]), shape_W(pair.first),
                           shape_W(pair.second), contact, slack);
 }
 
 /// How far each of the two may be shifted.
 template <class SceneT>
 void GeneralWorld<SceneT>::make_room(ProxyPair pair, const Contact<Scalar>& contact,
-                                     const EncounterOptions<Scalar>& options,
-                                     std::array<Party<Scalar>, 2>& parties) const {
+                                     const ResolutionOptions<Scalar>& options,
+                                     std::array<ContactSide<Scalar>, 2>& sides) const {
   const std::size_t a = body_of(pair.first);
   const std::size_t b = body_of(pair.second);
   const Scalar shift = max_of(options.separation, options.margin) - min_of(contact.gap, Scalar(0));
-  parties[0].room = room_of(a, b, contact.normal_BA_W, shift);
-  parties[1].room = room_of(b, a, -contact.normal_BA_W, shift);
+  sides[0].room = room_of(a, b, contact.normal_BA_W, shift);
+  sides[1].room = room_of(b, a, -contact.normal_BA_W, shift);
 }
 
 /// Half the way to the nearest neighbour: both may be pushed towards each other in the same round.
@@ -258,8 +257,7 @@ Capsule<Scalar_of<SceneT>> GeneralWorld<SceneT>::shape_W(int proxy) const {
 }
 
 template <class SceneT>
-void GeneralWorld<SceneT>::notify_controller(std::size_t slot,
-                                             const EncounterAnswer<Scalar>& answer,
+void GeneralWorld<SceneT>::notify_controller(std::size_t slot, const Resolution<Scalar>& answer,
                                              const Vec3<Scalar>& shift_W) {
   ActorType& actor = actor_at(slot);
   if constexpr (SceneT::kSleep) {
@@ -282,7 +280,7 @@ void GeneralWorld<SceneT>::answer_straight(const CandidateType& candidate) {
   }
   const Nearest<Scalar> at = nearest(candidate.pair);
   const auto hit = straight_impulse(A.body, B.body, at.contact.normal_BA_W, restitution);
-  EncounterAnswer<Scalar> answer;
+  Resolution<Scalar> answer;
   answer.kind = ContactKind::kColliding;
   answer.v_rel = hit.v_rel;
   answer.impulse = hit.impulse;
@@ -298,7 +296,7 @@ void GeneralWorld<SceneT>::only_tell(const CandidateType& candidate) {
   if constexpr (SceneT::kRotation) {
     PairQuery& query = queries_.earliest();
     if constexpr (SceneT::kMaxPairs > 1) look(candidate.pair, query);  // the only pair's is known
-    EncounterAnswer<Scalar> answer;
+    Resolution<Scalar> answer;
     answer.v_rel = query.search.gap_rate;
     answer.kind = classify(answer.v_rel, settings_.rest_speed);
     const CapsuleGap<Scalar>& witness = query.search.witness;

@@ -30,7 +30,7 @@ Status GeneralWorld<SceneT>::remove(BodyId id) {
 
 template <class SceneT>
 void GeneralWorld<SceneT>::record(const CandidateType& candidate, const Nearest<Scalar>& nearest,
-                                  const EncounterAnswer<Scalar>& answer) {
+                                  const Resolution<Scalar>& answer) {
   if (answer.impulse > Scalar(0)) ++report_.collisions;
   if (answer.separated) ++report_.separations;
   if (candidate.outcome == Outcome::kTouching && !(nearest.contact.gap > Scalar(0))) {

@@ -290,7 +290,7 @@ SearchResult<typename GeneralWorld<SceneT>::Scalar> GeneralWorld<SceneT>::search
 }
 
 /// What cannot be opened to the margin is searched as if it were thinner by what is missing to what
-/// the search calls contact (src/world/encounter.md).
+/// the search calls contact (src/world/resolution.md).
 template <class SceneT>
 SearchResult<typename GeneralWorld<SceneT>::Scalar> GeneralWorld<SceneT>::let_go(
     const MovingPair<Scalar>& moving_pair, const PairQuery& query, ProxyPair pair) const {

@@ -12,8 +12,8 @@
 #include "batuta/response/line_contact.hpp"
 #include "batuta/response/straight_impulse.hpp"
 #include "batuta/world/candidate_pair.hpp"
-#include "batuta/world/encounter.hpp"
 #include "batuta/world/event_book.hpp"
+#include "batuta/world/resolution.hpp"
 #include "batuta/world/scene_check.hpp"
 #include "batuta/world/seed_memory.hpp"
 #include "batuta/world/sleep_book.hpp"
@@ -193,29 +193,30 @@ class GeneralWorld : private SeedsOf<SceneT>,
   bool is_immovable(ProxyPair pair) const;
   void block(const CandidateType& candidate, const PairQuery& query,
              const Nearest<Scalar>& nearest);
-  Result<Impulse<Scalar>> impulse_for(ProxyPair pair, const std::array<Party<Scalar>, 2>& parties,
+  Result<Impulse<Scalar>> impulse_for(ProxyPair pair,
+                                      const std::array<ContactSide<Scalar>, 2>& sides,
                                       const Contact<Scalar>& contact, bool is_last) const;
   bool uses_up_answers(ProxyPair pair);
-  static Scalar opened(const EncounterAnswer<Scalar>& answer);
-  void charge(ProxyPair pair, const EncounterAnswer<Scalar>& answer, bool freezes);
+  static Scalar opened(const Resolution<Scalar>& answer);
+  void charge(ProxyPair pair, const Resolution<Scalar>& answer, bool freezes);
   void stop_pair(ProxyPair pair);
-  EncounterOptions<Scalar> options_for(Scalar margin) const;
+  ResolutionOptions<Scalar> options_for(Scalar margin) const;
   Scalar margin_of(const PairQuery& query, ProxyPair pair) const;
-  Party<Scalar> party(std::size_t slot);
-  Contact<Scalar> pressed(ProxyPair pair, const std::array<Party<Scalar>, 2>& parties,
+  ContactSide<Scalar> side(std::size_t slot);
+  Contact<Scalar> pressed(ProxyPair pair, const std::array<ContactSide<Scalar>, 2>& sides,
                           const Contact<Scalar>& contact, Scalar slack) const;
   void make_room(ProxyPair pair, const Contact<Scalar>& contact,
-                 const EncounterOptions<Scalar>& options,
-                 std::array<Party<Scalar>, 2>& parties) const;
+                 const ResolutionOptions<Scalar>& options,
+                 std::array<ContactSide<Scalar>, 2>& sides) const;
   Scalar room_of(std::size_t slot, std::size_t other, const Vec3<Scalar>& away_W,
                  Scalar shift) const;
   Capsule<Scalar> shape_W(int proxy) const;
-  void notify_controller(std::size_t slot, const EncounterAnswer<Scalar>& answer,
+  void notify_controller(std::size_t slot, const Resolution<Scalar>& answer,
                          const Vec3<Scalar>& shift_W);
 
   // Events: general_events.hpp.
   void record(const CandidateType& candidate, const Nearest<Scalar>& nearest,
-              const EncounterAnswer<Scalar>& answer);
+              const Resolution<Scalar>& answer);
   ContactEvent<Scalar> event_of(ProxyPair pair, const Nearest<Scalar>& nearest) const;
   void end_touches();
   void wake_both(ProxyPair pair);

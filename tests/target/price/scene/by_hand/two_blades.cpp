@@ -80,7 +80,7 @@ class Duelists : public price::Blades {
     how.min_duration = price::kLeastHold;
     const auto shifts = separate(contact, hit.value.v_rel, A.inverse_mass, B.inverse_mass, how);
     if (!hit.ok() || !shifts.ok()) {
-      ++report.answers_invalid;
+      ++report.resolutions_invalid;
       return hold(dt, dt);
     }
     A.X_WB.p_W += shifts.value.shift_A_W;

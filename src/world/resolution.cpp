@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "batuta/world/encounter.hpp"
+#include "batuta/world/resolution.hpp"
 
 namespace batuta {
 namespace {
@@ -13,10 +13,10 @@ void add(Body<Scalar>& body, const Momentum<Scalar>& change) {
 /// To D if the contact is to be separated, else just clear of rounding, for which no time is
 /// charged.
 template <class Scalar>
-Result<Separation<Scalar>> shifts_for(const Party<Scalar>& A, const Party<Scalar>& B,
+Result<Separation<Scalar>> shifts_for(const ContactSide<Scalar>& A, const ContactSide<Scalar>& B,
                                       const Contact<Scalar>& contact,
-                                      const EncounterAnswer<Scalar>& answer,
-                                      const EncounterOptions<Scalar>& options) {
+                                      const Resolution<Scalar>& answer,
+                                      const ResolutionOptions<Scalar>& options) {
   SeparationOptions<Scalar> how;
   how.distance = answer.separated ? max_of(options.separation, options.margin) : options.margin;
   how.rest_speed = options.rest_speed;
@@ -31,19 +31,20 @@ Result<Separation<Scalar>> shifts_for(const Party<Scalar>& A, const Party<Scalar
 }  // namespace
 
 template <class Scalar>
-Collider<Scalar> collider_of(const Party<Scalar>& party) {
-  return {party.body->X_WB, party.twist, party.body->inverse_mass, party.body->inverse_moments};
+Collider<Scalar> collider_of(const ContactSide<Scalar>& side) {
+  return {side.body->X_WB, side.twist, side.body->inverse_mass, side.body->inverse_moments};
 }
 
 template <class Scalar>
-Result<EncounterAnswer<Scalar>> answer_contact(const Party<Scalar>& A, const Party<Scalar>& B,
-                                               const Contact<Scalar>& contact,
-                                               const Result<Impulse<Scalar>>& impulse,
-                                               const EncounterOptions<Scalar>& options) {
+Result<Resolution<Scalar>> resolve_contact(const ContactSide<Scalar>& A,
+                                           const ContactSide<Scalar>& B,
+                                           const Contact<Scalar>& contact,
+                                           const Result<Impulse<Scalar>>& impulse,
+                                           const ResolutionOptions<Scalar>& options) {
   if (!impulse.ok() || !(options.separation > Scalar(0)))
-    return failure<EncounterAnswer<Scalar>>(Status::kInvalidArgument);
+    return failure<Resolution<Scalar>>(Status::kInvalidArgument);
 
-  EncounterAnswer<Scalar> answer;
+  Resolution<Scalar> answer;
   answer.v_rel = impulse.value.v_rel;
   answer.kind = classify(answer.v_rel, options.rest_speed);
   const bool resting = answer.kind == ContactKind::kResting;
@@ -51,7 +52,7 @@ Result<EncounterAnswer<Scalar>> answer_contact(const Party<Scalar>& A, const Par
   const bool overlapping = contact.gap < -options.margin;
   answer.separated = resting || overlapping;
   const auto shifts = shifts_for(A, B, contact, answer, options);
-  if (!shifts.ok()) return failure<EncounterAnswer<Scalar>>(shifts.status);
+  if (!shifts.ok()) return failure<Resolution<Scalar>>(shifts.status);
   answer.separation = shifts.value;
   A.body->X_WB.p_W += shifts.value.shift_A_W;
   B.body->X_WB.p_W += shifts.value.shift_B_W;
@@ -63,11 +64,11 @@ Result<EncounterAnswer<Scalar>> answer_contact(const Party<Scalar>& A, const Par
   return success(answer);
 }
 
-#define BATUTA_INSTANTIATE(S)                                                                      \
-  template Collider<S> collider_of(const Party<S>&);                                               \
-  template Result<EncounterAnswer<S>> answer_contact(const Party<S>&, const Party<S>&,             \
-                                                     const Contact<S>&, const Result<Impulse<S>>&, \
-                                                     const EncounterOptions<S>&);
+#define BATUTA_INSTANTIATE(S)                                                                  \
+  template Collider<S> collider_of(const ContactSide<S>&);                                     \
+  template Result<Resolution<S>> resolve_contact(const ContactSide<S>&, const ContactSide<S>&, \
+                                                 const Contact<S>&, const Result<Impulse<S>>&, \
+                                                 const ResolutionOptions<S>&);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 

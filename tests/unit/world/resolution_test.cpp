@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "batuta/world/encounter.hpp"
+#include "batuta/world/resolution.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,19 +13,19 @@ struct Pair {
   Body<double> B = make_body<double>({{-1, 0, 0}, Quat<double>::Identity()}, 3.0, {1, 1, 1}).value;
   Contact<double> contact{{-0.5, 0, 0}, {1, 0, 0}, 1e-6};  // A on the right of B
   double restitution = 0.5;
-  EncounterOptions<double> options{0.01, 1e-3, 1e-4, 1e-9};
+  ResolutionOptions<double> options{0.01, 1e-3, 1e-4, 1e-9};
 
-  Party<double> party_of(Body<double>& body) {
+  ContactSide<double> party_of(Body<double>& body) {
     return {&body, twist_of(body), std::numeric_limits<double>::max()};
   }
-  Result<EncounterAnswer<double>> answer() {
+  Result<Resolution<double>> answer() {
     const auto impulse =
         collision_impulse(collider_of(party_of(A)), collider_of(party_of(B)), contact, restitution);
-    return answer_contact(party_of(A), party_of(B), contact, impulse, options);
+    return resolve_contact(party_of(A), party_of(B), contact, impulse, options);
   }
 };
 
-TEST(Encounter, Colliding_GetsTheImpulseAndIsNotMoved) {
+TEST(Resolution, Colliding_GetsTheImpulseAndIsNotMoved) {
   Pair pair;
   pair.A.momentum.p_W = {-2, 0, 0};  // v_A = -1, v_B = 0: j = 1.5 / (1/2 + 1/3) = 1.8
   const auto answer = pair.answer();
@@ -38,7 +38,7 @@ TEST(Encounter, Colliding_GetsTheImpulseAndIsNotMoved) {
   EXPECT_EQ(pair.A.X_WB.p_W.x(), 0) << "a gap beyond the margin is left alone";
 }
 
-TEST(Encounter, CollidingWithinRounding_IsOpenedToTheMarginAndNoTimeIsCharged) {
+TEST(Resolution, CollidingWithinRounding_IsOpenedToTheMarginAndNoTimeIsCharged) {
   Pair pair;
   pair.A.momentum.p_W = {-2, 0, 0};
   pair.contact.gap = 1e-12;
@@ -49,7 +49,7 @@ TEST(Encounter, CollidingWithinRounding_IsOpenedToTheMarginAndNoTimeIsCharged) {
   EXPECT_NEAR(pair.A.X_WB.p_W.x() - pair.B.X_WB.p_W.x() - 1, 1e-9 - 1e-12, 1e-15);
 }
 
-TEST(Encounter, SeparationBelowRounding_IsRaisedToTheMargin) {
+TEST(Resolution, SeparationBelowRounding_IsRaisedToTheMargin) {
   Pair pair;
   pair.options.separation = 1e-15;
   pair.contact.gap = 0;
@@ -57,7 +57,7 @@ TEST(Encounter, SeparationBelowRounding_IsRaisedToTheMargin) {
   EXPECT_NEAR(pair.A.X_WB.p_W.x() - pair.B.X_WB.p_W.x() - 1, 1e-9, 1e-15);
 }
 
-TEST(Encounter, Resting_IsSeparatedByInverseMassShares) {
+TEST(Resolution, Resting_IsSeparatedByInverseMassShares) {
   Pair pair;
   pair.A.momentum.p_W = {-0.01, 0, 0};
   const auto answer = pair.answer();
@@ -70,7 +70,7 @@ TEST(Encounter, Resting_IsSeparatedByInverseMassShares) {
   EXPECT_EQ(pair.A.momentum.p_W.x(), -0.01);
 }
 
-TEST(Encounter, CollidingWhileOverlapping_GetsBoth) {
+TEST(Resolution, CollidingWhileOverlapping_GetsBoth) {
   Pair pair;
   pair.A.momentum.p_W = {-2, 0, 0};
   pair.contact.gap = -1e-3;
@@ -81,7 +81,7 @@ TEST(Encounter, CollidingWhileOverlapping_GetsBoth) {
   EXPECT_NEAR(pair.A.X_WB.p_W.x() - pair.B.X_WB.p_W.x(), 1 + 2e-3, 1e-14);
 }
 
-TEST(Encounter, Receding_IsLeftAloneButForRounding) {
+TEST(Resolution, Receding_IsLeftAloneButForRounding) {
   Pair pair;
   pair.A.momentum.p_W = {2, 0, 0};
   pair.contact.gap = -1e-12;
@@ -95,7 +95,7 @@ TEST(Encounter, Receding_IsLeftAloneButForRounding) {
   EXPECT_NEAR(pair.A.X_WB.p_W.x() - pair.B.X_WB.p_W.x() - 1, 1e-9, 1e-11);
 }
 
-TEST(Encounter, FixedSide_IsNeitherPushedNorMoved) {
+TEST(Resolution, FixedSide_IsNeitherPushedNorMoved) {
   Pair pair;
   pair.B.inverse_mass = 0;
   pair.B.inverse_moments.setZero();
@@ -108,7 +108,7 @@ TEST(Encounter, FixedSide_IsNeitherPushedNorMoved) {
   EXPECT_EQ(pair.B.X_WB.p_W.x(), -1);
 }
 
-TEST(Encounter, BadOptions_ChangeNothing) {
+TEST(Resolution, BadOptions_ChangeNothing) {
   Pair pair;
   pair.A.momentum.p_W = {-0.01, 0, 0};
   pair.options.separation = -1;

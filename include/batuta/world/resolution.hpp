@@ -10,30 +10,30 @@ namespace batuta {
 
 /// One side of a contact.
 template <class Scalar>
-struct Party {
+struct ContactSide {
   Body<Scalar>* body = nullptr;  ///< changed by the answer; never null
   Twist<Scalar> twist;           ///< of its matter, at the contact
   Scalar room = 0;               ///< how far it may be shifted without reaching a neighbour, m
 };
 
-/// What an impulse needs to know of a party.
+/// What an impulse needs to know of a side.
 template <class Scalar>
-Collider<Scalar> collider_of(const Party<Scalar>& party);
+Collider<Scalar> collider_of(const ContactSide<Scalar>& side);
 
 /// How contacts are answered.
 template <class Scalar>
-struct EncounterOptions {
+struct ResolutionOptions {
   Scalar rest_speed = 0;           ///< eps_r, m/s, > 0
   Scalar separation = 0;           ///< D, m, > 0
   Scalar min_separation_time = 0;  ///< least f(D), s, > 0
   /// Gap below which the next search might call parting bodies touching, m, > 0: by its contact
-  /// tolerance or by rounding (src/world/encounter.md).
+  /// tolerance or by rounding (src/world/resolution.md).
   Scalar margin = 0;
   bool settles = false;  ///< resting contacts that approach get the impulse as well
 };
 
 template <class Scalar>
-struct EncounterAnswer {
+struct Resolution {
   ContactKind kind = ContactKind::kResting;
   Scalar v_rel = 0;               ///< before, m/s
   Scalar impulse = 0;             ///< j, N s
@@ -50,9 +50,10 @@ struct EncounterAnswer {
 /// are unchanged
 /// Bound: no loop.
 template <class Scalar>
-Result<EncounterAnswer<Scalar>> answer_contact(const Party<Scalar>& A, const Party<Scalar>& B,
-                                               const Contact<Scalar>& contact,
-                                               const Result<Impulse<Scalar>>& impulse,
-                                               const EncounterOptions<Scalar>& options);
+Result<Resolution<Scalar>> resolve_contact(const ContactSide<Scalar>& A,
+                                           const ContactSide<Scalar>& B,
+                                           const Contact<Scalar>& contact,
+                                           const Result<Impulse<Scalar>>& impulse,
+                                           const ResolutionOptions<Scalar>& options);
 
 }  // namespace batuta
