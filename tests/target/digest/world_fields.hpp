@@ -19,7 +19,7 @@ inline void add(Answer& answer, const StepReport<float>& report) {
   answer.add("contacts_dropped", report.contacts_dropped);
   answer.add("searches_cut", report.searches_cut);
   answer.add("searches_invalid", report.searches_invalid);
-  answer.add("answers_invalid", report.answers_invalid);
+  answer.add("resolutions_invalid", report.resolutions_invalid);
   answer.add("plans_invalid", report.plans_invalid);
   answer.add("events_dropped", report.events_dropped);
   answer.add("contacts_untracked", report.contacts_untracked);
