@@ -15,16 +15,17 @@ void add(Body<Scalar>& body, const Momentum<Scalar>& change) {
 template <class Scalar>
 Result<Separation<Scalar>> shifts_for(const ContactSide<Scalar>& A, const ContactSide<Scalar>& B,
                                       const Contact<Scalar>& contact,
-                                      const Resolution<Scalar>& answer,
+                                      const Resolution<Scalar>& resolution,
                                       const ResolutionOptions<Scalar>& options) {
   SeparationOptions<Scalar> how;
-  how.distance = answer.separated ? max_of(options.separation, options.margin) : options.margin;
+  how.distance = resolution.separated ? max_of(options.separation, options.margin) : options.margin;
   how.rest_speed = options.rest_speed;
   how.min_duration = options.min_separation_time;
   how.limit_A = A.room;
   how.limit_B = B.room;
-  auto shifts = separate(contact, answer.v_rel, A.body->inverse_mass, B.body->inverse_mass, how);
-  if (!answer.separated) shifts.value.duration = 0;
+  auto shifts =
+      separate(contact, resolution.v_rel, A.body->inverse_mass, B.body->inverse_mass, how);
+  if (!resolution.separated) shifts.value.duration = 0;
   return shifts;
 }
 
@@ -44,24 +45,24 @@ Result<Resolution<Scalar>> resolve_contact(const ContactSide<Scalar>& A,
   if (!impulse.ok() || !(options.separation > Scalar(0)))
     return failure<Resolution<Scalar>>(Status::kInvalidArgument);
 
-  Resolution<Scalar> answer;
-  answer.v_rel = impulse.value.v_rel;
-  answer.kind = classify(answer.v_rel, options.rest_speed);
-  const bool resting = answer.kind == ContactKind::kResting;
-  const bool pushes = answer.kind == ContactKind::kColliding || (options.settles && resting);
+  Resolution<Scalar> resolution;
+  resolution.v_rel = impulse.value.v_rel;
+  resolution.kind = classify(resolution.v_rel, options.rest_speed);
+  const bool resting = resolution.kind == ContactKind::kResting;
+  const bool pushes = resolution.kind == ContactKind::kColliding || (options.settles && resting);
   const bool overlapping = contact.gap < -options.margin;
-  answer.separated = resting || overlapping;
-  const auto shifts = shifts_for(A, B, contact, answer, options);
+  resolution.separated = resting || overlapping;
+  const auto shifts = shifts_for(A, B, contact, resolution, options);
   if (!shifts.ok()) return failure<Resolution<Scalar>>(shifts.status);
-  answer.separation = shifts.value;
+  resolution.separation = shifts.value;
   A.body->X_WB.p_W += shifts.value.shift_A_W;
   B.body->X_WB.p_W += shifts.value.shift_B_W;
   if (pushes) {
-    answer.impulse = impulse.value.magnitude;
+    resolution.impulse = impulse.value.magnitude;
     add(*A.body, impulse.value.on_A);
     add(*B.body, impulse.value.on_B);
   }
-  return success(answer);
+  return success(resolution);
 }
 
 #define BATUTA_INSTANTIATE(S)                                                                  \

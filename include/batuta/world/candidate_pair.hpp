@@ -107,7 +107,7 @@ class RepeatBook {
     repeats_.push({pair, 1});
     return 1;
   }
-  bool was_answered(ProxyPair pair) const {
+  bool was_resolved(ProxyPair pair) const {
     for (const Repeat& repeat : repeats_) {  // Bound: kMaxContacts
       if (is_same(repeat.pair, pair)) return true;
     }

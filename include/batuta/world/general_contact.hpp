@@ -23,7 +23,7 @@ void GeneralWorld<SceneT>::look(ProxyPair pair, PairQuery& query) {
 }
 
 template <class SceneT>
-void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const PairQuery& query) {
+void GeneralWorld<SceneT>::resolve_turning(const CandidateType& candidate, const PairQuery& query) {
   const std::size_t a = body_of(candidate.pair.first);
   const std::size_t b = body_of(candidate.pair.second);
   const CapsuleGap<Scalar>& witness = query.search.witness;
@@ -42,10 +42,10 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
   if constexpr (SceneT::kMaxBodies > 2) {
     make_room(candidate.pair, nearest.contact, options, sides);
   }
-  const bool is_last = uses_up_answers(candidate.pair);
+  const bool is_last = uses_up_resolutions(candidate.pair);
   const auto impulse = impulse_for(candidate.pair, sides, nearest.contact, is_last);
-  const auto answer = resolve_contact(sides[0], sides[1], nearest.contact, impulse, options);
-  if (!answer.ok()) {
+  const auto resolution = resolve_contact(sides[0], sides[1], nearest.contact, impulse, options);
+  if (!resolution.ok()) {
     actor_at(a).body.momentum = before[0];
     actor_at(b).body.momentum = before[1];
     ++report_.resolutions_invalid;
@@ -53,14 +53,14 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
     return;
   }
   const bool is_tight =
-      answer.value.separated && nearest.contact.gap + opened(answer.value) < margin;
-  charge(candidate.pair, answer.value, is_last || is_tight);
+      resolution.value.separated && nearest.contact.gap + opened(resolution.value) < margin;
+  apply_separation_time(candidate.pair, resolution.value, is_last || is_tight);
   if constexpr (kSettles) {
     if (is_tight) stop_pair(candidate.pair);
   }
-  notify_controller(a, answer.value, answer.value.separation.shift_A_W);
-  notify_controller(b, answer.value, answer.value.separation.shift_B_W);
-  record(candidate, nearest, answer.value);
+  notify_controller(a, resolution.value, resolution.value.separation.shift_A_W);
+  notify_controller(b, resolution.value, resolution.value.separation.shift_B_W);
+  record(candidate, nearest, resolution.value);
 }
 
 /// The impulse that the pair's laws give; without restitution where the scene's bodies settle.
@@ -95,28 +95,30 @@ Result<Impulse<Scalar_of<SceneT>>> GeneralWorld<SceneT>::impulse_for(
 /// others would else take all answers of a step among themselves. @returns whether this is the
 /// pair's last
 template <class SceneT>
-bool GeneralWorld<SceneT>::uses_up_answers(ProxyPair pair) {
+bool GeneralWorld<SceneT>::uses_up_resolutions(ProxyPair pair) {
   bool is_last = false;
   if constexpr (kCountsRepeats<SceneT>) {
-    const int answers = this->repeat(pair);
-    is_last = kSettles && answers >= SceneT::kMaxSeparations;
+    const int resolutions = this->repeat(pair);
+    is_last = kSettles && resolutions >= SceneT::kMaxSeparations;
   }
   return is_last;
 }
 
 /// By how much a separation has opened the gap, m.
 template <class SceneT>
-Scalar_of<SceneT> GeneralWorld<SceneT>::opened(const Resolution<Scalar>& answer) {
-  return length(answer.separation.shift_A_W) + length(answer.separation.shift_B_W);
+Scalar_of<SceneT> GeneralWorld<SceneT>::opened(const Resolution<Scalar>& resolution) {
+  return length(resolution.separation.shift_A_W) + length(resolution.separation.shift_B_W);
 }
 
 /// Time for a separation: the paper's f(D), for which both stand still. Where bodies settle, a pair
 /// is frozen by its last answer of a step, or by one that its neighbours left no room for: it would
 /// be found touching again at once.
 template <class SceneT>
-void GeneralWorld<SceneT>::charge(ProxyPair pair, const Resolution<Scalar>& answer, bool freezes) {
+void GeneralWorld<SceneT>::apply_separation_time(ProxyPair pair,
+                                                 const Resolution<Scalar>& resolution,
+                                                 bool freezes) {
   if constexpr (kReleases) {
-    if (answer.separated) hold_pair(pair, now_ + answer.separation.duration);
+    if (resolution.separated) hold_pair(pair, now_ + resolution.separation.duration);
   }
   if constexpr (kSettles) {
     if (!freezes) return;
@@ -148,12 +150,12 @@ bool GeneralWorld<SceneT>::is_immovable(ProxyPair pair) const {
 template <class SceneT>
 void GeneralWorld<SceneT>::block(const CandidateType& candidate, const PairQuery& query,
                                  const Nearest<Scalar>& nearest) {
-  Resolution<Scalar> answer;
-  answer.v_rel = query.search.gap_rate;
-  answer.kind = classify(answer.v_rel, rest_speed_);
+  Resolution<Scalar> resolution;
+  resolution.v_rel = query.search.gap_rate;
+  resolution.kind = classify(resolution.v_rel, rest_speed_);
   ++report_.blocked;
   hold_pair(candidate.pair, dt_);
-  record(candidate, nearest, answer);
+  record(candidate, nearest, resolution);
 }
 
 template <class SceneT>
@@ -257,21 +259,21 @@ Capsule<Scalar_of<SceneT>> GeneralWorld<SceneT>::shape_W(int proxy) const {
 }
 
 template <class SceneT>
-void GeneralWorld<SceneT>::notify_controller(std::size_t slot, const Resolution<Scalar>& answer,
+void GeneralWorld<SceneT>::notify_controller(std::size_t slot, const Resolution<Scalar>& resolution,
                                              const Vec3<Scalar>& shift_W) {
   ActorType& actor = actor_at(slot);
   if constexpr (SceneT::kSleep) {
     // A blow has to show first; what only lies on a sleeper lets it sleep on.
-    const bool is_blow = answer.kind == ContactKind::kColliding && this->sleeps(slot);
+    const bool is_blow = resolution.kind == ContactKind::kColliding && this->sleeps(slot);
     if (is_blow) this->rouse(slot);
     this->wake(slot);
   }
-  actor.controller.on_contact(actor.body, Feedback<Scalar>{now_, answer.impulse, shift_W});
+  actor.controller.on_contact(actor.body, Feedback<Scalar>{now_, resolution.impulse, shift_W});
 }
 
 /// Bodies that do not turn: an impulse, after which they part, and what parts is free for good.
 template <class SceneT>
-void GeneralWorld<SceneT>::answer_straight(const CandidateType& candidate) {
+void GeneralWorld<SceneT>::resolve_straight(const CandidateType& candidate) {
   ActorType& A = actor_at(body_of(candidate.pair.first));
   ActorType& B = actor_at(body_of(candidate.pair.second));
   Scalar restitution = 0;
@@ -280,28 +282,28 @@ void GeneralWorld<SceneT>::answer_straight(const CandidateType& candidate) {
   }
   const Nearest<Scalar> at = nearest(candidate.pair);
   const auto hit = straight_impulse(A.body, B.body, at.contact.normal_BA_W, restitution);
-  Resolution<Scalar> answer;
-  answer.kind = ContactKind::kColliding;
-  answer.v_rel = hit.v_rel;
-  answer.impulse = hit.impulse;
-  record(candidate, at, answer);
+  Resolution<Scalar> resolution;
+  resolution.kind = ContactKind::kColliding;
+  resolution.v_rel = hit.v_rel;
+  resolution.impulse = hit.impulse;
+  record(candidate, at, resolution);
 }
 
 /// Without response: the contact is told once, and everybody moves on.
 template <class SceneT>
-void GeneralWorld<SceneT>::only_tell(const CandidateType& candidate) {
-  if (!candidate.is_contact() || contacts_answered_ == SceneT::kMaxContacts)
+void GeneralWorld<SceneT>::report_only(const CandidateType& candidate) {
+  if (!candidate.is_contact() || contacts_resolved_ == SceneT::kMaxContacts)
     return count_cut(candidate);
-  ++contacts_answered_;
+  ++contacts_resolved_;
   if constexpr (SceneT::kRotation) {
     PairQuery& query = queries_.earliest();
     if constexpr (SceneT::kMaxPairs > 1) look(candidate.pair, query);  // the only pair's is known
-    Resolution<Scalar> answer;
-    answer.v_rel = query.search.gap_rate;
-    answer.kind = classify(answer.v_rel, settings_.rest_speed);
+    Resolution<Scalar> resolution;
+    resolution.v_rel = query.search.gap_rate;
+    resolution.kind = classify(resolution.v_rel, settings_.rest_speed);
     const CapsuleGap<Scalar>& witness = query.search.witness;
     record(candidate, {contact_from(witness, query.origin_W), witness.axes.s, witness.axes.u},
-           answer);
+           resolution);
   } else {
     record(candidate, nearest(candidate.pair), {});
   }

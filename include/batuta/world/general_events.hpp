@@ -30,19 +30,19 @@ Status GeneralWorld<SceneT>::remove(BodyId id) {
 
 template <class SceneT>
 void GeneralWorld<SceneT>::record(const CandidateType& candidate, const Nearest<Scalar>& nearest,
-                                  const Resolution<Scalar>& answer) {
-  if (answer.impulse > Scalar(0)) ++report_.collisions;
-  if (answer.separated) ++report_.separations;
+                                  const Resolution<Scalar>& resolution) {
+  if (resolution.impulse > Scalar(0)) ++report_.collisions;
+  if (resolution.separated) ++report_.separations;
   if (candidate.outcome == Outcome::kTouching && !(nearest.contact.gap > Scalar(0))) {
     ++report_.overlaps_at_start;
     report_.deepest_overlap = max_of(report_.deepest_overlap, -nearest.contact.gap);
   }
   if constexpr (SceneT::kMaxEvents > 0) {
     ContactEvent<Scalar> event = event_of(candidate.pair, nearest);
-    event.contact_kind = answer.kind;
+    event.contact_kind = resolution.kind;
     event.time = now_;
-    event.v_rel = answer.v_rel;
-    event.impulse = answer.impulse;
+    event.v_rel = resolution.v_rel;
+    event.impulse = resolution.impulse;
     event.kind = EventKind::kPersist;
     if (!this->is_touching(candidate.pair)) {
       event.kind = EventKind::kBegin;

@@ -16,7 +16,7 @@ void GeneralWorld<SceneT>::begin_step(Scalar dt) {
   queries_.forget();
   now_ = 0;
   dt_ = dt;
-  contacts_answered_ = 0;
+  contacts_resolved_ = 0;
   if constexpr (SceneT::kResting != RestingContact::kNone) rest_speed_ = settings_.rest_speed;
   if constexpr (kSettles && SceneT::kGravity) {
     constexpr Scalar kSteps = 2;  // one to gain it, one to be stopped
@@ -258,8 +258,8 @@ void GeneralWorld<SceneT>::search_pair(ProxyPair pair, Scalar until, PairQuery& 
     query.scale = moving_pair.value.scale;
     query.contact_gap = Search::contact_gap(moving_pair.value, settings_.search);
     query.search = search_with_seed(pair, moving_pair.value);
-    if (query.outcome() == Outcome::kTouching && may_let_go(pair, query)) {
-      query.search = let_go(moving_pair.value, query, pair);
+    if (query.outcome() == Outcome::kTouching && may_part(pair, query)) {
+      query.search = search_thinner(moving_pair.value, query, pair);
     }
   }
 }
@@ -268,11 +268,11 @@ void GeneralWorld<SceneT>::search_pair(ProxyPair pair, Scalar until, PairQuery& 
 /// pushed, or because their neighbours left no room when they were answered (src/world/world.md,
 /// "No room").
 template <class SceneT>
-bool GeneralWorld<SceneT>::may_let_go(ProxyPair pair, const PairQuery& query) const {
+bool GeneralWorld<SceneT>::may_part(ProxyPair pair, const PairQuery& query) const {
   if (!(query.search.gap_rate > rest_speed_)) return false;
   bool may = false;
   if constexpr (kLeads) may = is_immovable(pair);
-  if constexpr (kCountsRepeats<SceneT>) may = may || this->was_answered(pair);
+  if constexpr (kCountsRepeats<SceneT>) may = may || this->was_resolved(pair);
   return may;
 }
 
@@ -292,7 +292,7 @@ SearchResult<typename GeneralWorld<SceneT>::Scalar> GeneralWorld<SceneT>::search
 /// What cannot be opened to the margin is searched as if it were thinner by what is missing to what
 /// the search calls contact (src/world/resolution.md).
 template <class SceneT>
-SearchResult<typename GeneralWorld<SceneT>::Scalar> GeneralWorld<SceneT>::let_go(
+SearchResult<typename GeneralWorld<SceneT>::Scalar> GeneralWorld<SceneT>::search_thinner(
     const MovingPair<Scalar>& moving_pair, const PairQuery& query, ProxyPair pair) const {
   Scalar missing = margin_of(query, pair) - query.search.witness.gap;
   if (!(kLeads && is_immovable(pair))) missing -= query.contact_gap;

@@ -67,7 +67,7 @@ void GeneralWorld<SceneT>::run_round() {
       SceneT::kMaxPairs > 1 ? CandidateOrder::among_ties(candidates_, earliest) : earliest;
   const CandidateType candidate = candidates_[chosen];
   candidates_.remove_swapping(chosen);
-  answer(candidate, time);
+  resolve(candidate, time);
 }
 
 /// The first time at which a held body is released, or the end of the step.
@@ -89,26 +89,26 @@ void GeneralWorld<SceneT>::release(Scalar time) {
     if (!(now_ < dt_)) return;
     for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
       const BodyState& state = states_[slot];
-      if (state.present && state.held_until == now_) bring(slot, now_ - state.start);
+      if (state.present && state.held_until == now_) advance(slot, now_ - state.start);
     }
   }
 }
 
 /// @param time  not later than the candidate's own: another one that ties with it may be earlier
 template <class SceneT>
-void GeneralWorld<SceneT>::answer(const CandidateType& candidate, Scalar time) {
+void GeneralWorld<SceneT>::resolve(const CandidateType& candidate, Scalar time) {
   const bool is_own_time = time == candidate.free_until();
   const bool is_known = is_own_time && is_same(candidate.pair, queries_.pair());
   now_ = time;
-  if constexpr (!SceneT::kResponse) return only_tell(candidate);
-  bring_to(candidate, body_of(candidate.pair.first), is_own_time);
-  bring_to(candidate, body_of(candidate.pair.second), is_own_time);
-  if (candidate.is_contact() && contacts_answered_ < SceneT::kMaxContacts) {
-    ++contacts_answered_;
+  if constexpr (!SceneT::kResponse) return report_only(candidate);
+  advance_to_contact(candidate, body_of(candidate.pair.first), is_own_time);
+  advance_to_contact(candidate, body_of(candidate.pair.second), is_own_time);
+  if (candidate.is_contact() && contacts_resolved_ < SceneT::kMaxContacts) {
+    ++contacts_resolved_;
     if constexpr (SceneT::kRotation) {
-      return answer_turning(candidate, seen(candidate.pair, is_known));
+      return resolve_turning(candidate, seen(candidate.pair, is_known));
     } else {
-      return answer_straight(candidate);
+      return resolve_straight(candidate);
     }
   }
   count_cut(candidate);
@@ -128,10 +128,10 @@ typename GeneralWorld<SceneT>::PairQuery& GeneralWorld<SceneT>::seen(ProxyPair p
 /// A body of a candidate, to now: by the time that its search found where that is the same, to the
 /// last bit.
 template <class SceneT>
-void GeneralWorld<SceneT>::bring_to(const CandidateType& candidate, std::size_t slot,
-                                    bool is_own_time) {
+void GeneralWorld<SceneT>::advance_to_contact(const CandidateType& candidate, std::size_t slot,
+                                              bool is_own_time) {
   const bool is_of_search = is_own_time && states_[slot].start == candidate.since;
-  bring(slot, is_of_search ? candidate.free_for : now_ - states_[slot].start);
+  advance(slot, is_of_search ? candidate.free_for : now_ - states_[slot].start);
 }
 
 /// A candidate that ends without an answer.
@@ -148,7 +148,7 @@ void GeneralWorld<SceneT>::count_cut(const CandidateType& candidate) {
 
 /// Moves a body on its plan, up to now; it has to be planned from there.
 template <class SceneT>
-void GeneralWorld<SceneT>::bring(std::size_t slot, Scalar elapsed) {
+void GeneralWorld<SceneT>::advance(std::size_t slot, Scalar elapsed) {
   BodyState& state = states_[slot];
   Kinematics::move(actor_at(slot).body, state.plan.motion, elapsed);
   if constexpr (SceneT::kRotation && SceneT::kMaxPairs > 1) {  // look() asks where it is
@@ -164,7 +164,7 @@ void GeneralWorld<SceneT>::bring(std::size_t slot, Scalar elapsed) {
 template <class SceneT>
 void GeneralWorld<SceneT>::hold(std::size_t slot, Scalar until) {
   BodyState& state = states_[slot];
-  if (state.start < now_) bring(slot, now_ - state.start);
+  if (state.start < now_) advance(slot, now_ - state.start);
   const Scalar held_before = max_of(state.held_until, now_);
   state.held_until = max_of(state.held_until, min_of(until, dt_));
   fall(slot, held_before - state.held_until);

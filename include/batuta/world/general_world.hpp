@@ -167,38 +167,38 @@ class GeneralWorld : private SeedsOf<SceneT>,
   void search(CandidateType& candidate);
   void search_pair(ProxyPair pair, Scalar until, PairQuery& query);
   SearchResult<Scalar> search_with_seed(ProxyPair pair, const MovingPair<Scalar>& moving_pair);
-  bool may_let_go(ProxyPair pair, const PairQuery& query) const;
-  SearchResult<Scalar> let_go(const MovingPair<Scalar>& moving_pair, const PairQuery& query,
-                              ProxyPair pair) const;
+  bool may_part(ProxyPair pair, const PairQuery& query) const;
+  SearchResult<Scalar> search_thinner(const MovingPair<Scalar>& moving_pair, const PairQuery& query,
+                                      ProxyPair pair) const;
 
   // Step: general_step.hpp.
   void begin_life(std::size_t slot);
   void run_round();
   Scalar next_release() const;
   void release(Scalar time);
-  void answer(const CandidateType& candidate, Scalar time);
+  void resolve(const CandidateType& candidate, Scalar time);
   PairQuery& seen(ProxyPair pair, bool is_known);
-  void bring_to(const CandidateType& candidate, std::size_t slot, bool is_own_time);
+  void advance_to_contact(const CandidateType& candidate, std::size_t slot, bool is_own_time);
   void count_cut(const CandidateType& candidate);
-  void bring(std::size_t slot, Scalar elapsed);
+  void advance(std::size_t slot, Scalar elapsed);
   void hold(std::size_t slot, Scalar until);
   void hold_pair(ProxyPair pair, Scalar until);
   void end_step();
 
   // Contact: general_contact.hpp.
   void look(ProxyPair pair, PairQuery& query);
-  void answer_turning(const CandidateType& candidate, const PairQuery& query);
-  void answer_straight(const CandidateType& candidate);
-  void only_tell(const CandidateType& candidate);
+  void resolve_turning(const CandidateType& candidate, const PairQuery& query);
+  void resolve_straight(const CandidateType& candidate);
+  void report_only(const CandidateType& candidate);
   bool is_immovable(ProxyPair pair) const;
   void block(const CandidateType& candidate, const PairQuery& query,
              const Nearest<Scalar>& nearest);
   Result<Impulse<Scalar>> impulse_for(ProxyPair pair,
                                       const std::array<ContactSide<Scalar>, 2>& sides,
                                       const Contact<Scalar>& contact, bool is_last) const;
-  bool uses_up_answers(ProxyPair pair);
-  static Scalar opened(const Resolution<Scalar>& answer);
-  void charge(ProxyPair pair, const Resolution<Scalar>& answer, bool freezes);
+  bool uses_up_resolutions(ProxyPair pair);
+  static Scalar opened(const Resolution<Scalar>& resolution);
+  void apply_separation_time(ProxyPair pair, const Resolution<Scalar>& resolution, bool freezes);
   void stop_pair(ProxyPair pair);
   ResolutionOptions<Scalar> options_for(Scalar margin) const;
   Scalar margin_of(const PairQuery& query, ProxyPair pair) const;
@@ -211,12 +211,12 @@ class GeneralWorld : private SeedsOf<SceneT>,
   Scalar room_of(std::size_t slot, std::size_t other, const Vec3<Scalar>& away_W,
                  Scalar shift) const;
   Capsule<Scalar> shape_W(int proxy) const;
-  void notify_controller(std::size_t slot, const Resolution<Scalar>& answer,
+  void notify_controller(std::size_t slot, const Resolution<Scalar>& resolution,
                          const Vec3<Scalar>& shift_W);
 
   // Events: general_events.hpp.
   void record(const CandidateType& candidate, const Nearest<Scalar>& nearest,
-              const Resolution<Scalar>& answer);
+              const Resolution<Scalar>& resolution);
   ContactEvent<Scalar> event_of(ProxyPair pair, const Nearest<Scalar>& nearest) const;
   void end_touches();
   void wake_both(ProxyPair pair);
@@ -258,7 +258,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
   Scalar dt_ = 0;   ///< length of the step, s
   /// What counts as rest in this step, m/s.
   Scalar rest_speed_ = 0;
-  int contacts_answered_ = 0;
+  int contacts_resolved_ = 0;
   bool is_begin_ = false;    ///< nobody's plan of this step is planned yet
   bool is_changed_ = false;  ///< somebody's plan has to be planned
 };

@@ -108,12 +108,12 @@ class LeanWorld {
   Meeting first_meeting();
   bool may_pair(std::size_t a, std::size_t b) const;
   PairQuery search(std::size_t a, std::size_t b) const;
-  void answer(const Meeting& meeting);
+  void resolve(const Meeting& meeting);
   void hit(ActorType& A, ActorType& B, Outcome outcome);
 
   // What is used most comes first: small offsets make short instructions.
   Scalar left_ = 0;  ///< of the step, s
-  int contacts_answered_ = 0;
+  int contacts_resolved_ = 0;
   StepReport<Scalar> report_;
   WorldSettings<SceneT> settings_;
   /// 1/kg, as the step uses it: 0 for what is fixed or held, kAbsent for what takes no part.
@@ -126,7 +126,7 @@ Status LeanWorld<SceneT>::step(Scalar dt) {
   if (!is_positive(dt)) return Status::kInvalidArgument;
   report_ = {};
   left_ = dt;
-  contacts_answered_ = 0;
+  contacts_resolved_ = 0;
   for (std::size_t slot = 0; slot < kSlots; ++slot) begin_body(slot);      // Bound: kMaxBodies
   for (int round = 0; round < kMaxRounds && left_ > Scalar(0); ++round) {  // Bound: kMaxRounds
     run_round();
@@ -189,7 +189,7 @@ void LeanWorld<SceneT>::run_round() {
     if (inverse_mass_[slot] > Scalar(0)) move(slot, meeting.t_free);
   }
   left_ -= meeting.t_free;
-  if (meeting.outcome != Outcome::kFree) answer(meeting);
+  if (meeting.outcome != Outcome::kFree) resolve(meeting);
 }
 
 template <class SceneT>
@@ -257,12 +257,12 @@ typename LeanWorld<SceneT>::PairQuery LeanWorld<SceneT>::search(std::size_t a,
 }
 
 template <class SceneT>
-void LeanWorld<SceneT>::answer(const Meeting& meeting) {
+void LeanWorld<SceneT>::resolve(const Meeting& meeting) {
   const std::size_t a = meeting.pair / kSlots;
   const std::size_t b = meeting.pair % kSlots;
   const bool is_contact = is_of_contact(meeting.outcome);
-  if (is_contact && contacts_answered_ < SceneT::kMaxContacts) {
-    ++contacts_answered_;
+  if (is_contact && contacts_resolved_ < SceneT::kMaxContacts) {
+    ++contacts_resolved_;
     return hit(actors_.at(a), actors_.at(b), meeting.outcome);
   }
   const bool is_cut = meeting.outcome == Outcome::kBudget;

@@ -85,9 +85,10 @@ struct StraightKinematics {
   /// As search(), for balls.
   static PairQuery search_flight(const SphereFlight<Scalar>& flight,
                                  const typename Search::Options& options) {
-    const SphereAnswer<Scalar> answer = Search::search(flight, options);
-    const bool parts = answer.outcome == Outcome::kTouching && !(answer.closing > Scalar(0));
-    return {parts ? Outcome::kFree : answer.outcome, answer.t_free, answer.t_hit, 1};
+    const SphereAnswer<Scalar> resolution = Search::search(flight, options);
+    const bool parts =
+        resolution.outcome == Outcome::kTouching && !(resolution.closing > Scalar(0));
+    return {parts ? Outcome::kFree : resolution.outcome, resolution.t_free, resolution.t_hit, 1};
   }
   /// Convex bodies that do not turn and do not approach never meet, however near they are: their
   /// distance is a convex function of time.
