@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "batuta/detection/advancement.hpp"
 
-#include "walk.hpp"
+#include "advancement_search.hpp"
 
 namespace batuta {
 

@@ -44,7 +44,7 @@ bool are_not_negative(Scalar a, Scalar b, Scalar c) {
 }  // namespace
 
 template <class Scalar>
-SphereAnswer<Scalar> search_spheres(const SphereFlight<Scalar>& flight, Scalar contact_tolerance) {
+SphereResult<Scalar> search_spheres(const SphereFlight<Scalar>& flight, Scalar contact_tolerance) {
   const Vec3<Scalar>& start = flight.between;
   const Vec3<Scalar> travel = flight.v * flight.duration;
   const Scalar radii = flight.radii;
@@ -53,13 +53,13 @@ SphereAnswer<Scalar> search_spheres(const SphereFlight<Scalar>& flight, Scalar c
   const Scalar length = std::sqrt(square);
   const Scalar least = least_tolerance(apart, length, radii);
   const Scalar closing = -start.dot(travel);
-  SphereAnswer<Scalar> answer;
-  answer.closing = closing;
+  SphereResult<Scalar> result;
+  result.closing = closing;
   if (!is_finite(least * least) || !are_not_negative(radii, flight.duration, contact_tolerance))
-    return answer;
+    return result;
   const Scalar tau = max_of(contact_tolerance, least);
-  answer.outcome = Outcome::kTouching;
-  if (!(apart - radii > tau)) return answer;
+  result.outcome = Outcome::kTouching;
+  if (!(apart - radii > tau)) return result;
 
   const Scalar rho = radii + tau / 2;
   const Scalar nearest = closing / square;
@@ -67,21 +67,21 @@ SphereAnswer<Scalar> search_spheres(const SphereFlight<Scalar>& flight, Scalar c
   const Scalar half_chord = std::sqrt((rho - miss) * (rho + miss));
   const Scalar entry = (apart - rho) * (apart + rho) / (closing + length * half_chord);
   const Scalar theta = min_of(nearest, entry);
-  answer.outcome = Outcome::kFree;
-  answer.t_free = flight.duration;
-  answer.t_hit = flight.duration;
-  if (!(closing > Scalar(0) && miss <= rho && theta < Scalar(1))) return answer;
+  result.outcome = Outcome::kFree;
+  result.t_free = flight.duration;
+  result.t_hit = flight.duration;
+  if (!(closing > Scalar(0) && miss <= rho && theta < Scalar(1))) return result;
 
   const Scalar distance = distance_at<Scalar>(start, travel, theta);
   const Scalar gap = distance - radii;
-  answer.outcome = Outcome::kBudget;
-  answer.t_free = 0;
-  if (!(gap > least * kEvaluationShare<Scalar>)) return answer;
-  answer.outcome = Outcome::kContact;
-  answer.t_free = theta * flight.duration;
+  result.outcome = Outcome::kBudget;
+  result.t_free = 0;
+  if (!(gap > least * kEvaluationShare<Scalar>)) return result;
+  result.outcome = Outcome::kContact;
+  result.t_free = theta * flight.duration;
   const Scalar foreseen = theta + gap * distance / (closing - theta * square);
-  answer.t_hit = clamp(foreseen, theta, min_of(nearest, Scalar(1))) * flight.duration;
-  return answer;
+  result.t_hit = clamp(foreseen, theta, min_of(nearest, Scalar(1))) * flight.duration;
+  return result;
 }
 
 template <class Scalar>
@@ -107,7 +107,7 @@ Aabb<Scalar> sphere_aabb(const StraightMotion<Scalar>& center, Scalar radius) {
 }
 
 #define BATUTA_INSTANTIATE(Scalar)                                                   \
-  template SphereAnswer<Scalar> search_spheres(const SphereFlight<Scalar>&, Scalar); \
+  template SphereResult<Scalar> search_spheres(const SphereFlight<Scalar>&, Scalar); \
   template Scalar contact_gap_of(const SphereFlight<Scalar>&, Scalar);               \
   template Aabb<Scalar> sphere_aabb(const StraightMotion<Scalar>&, Scalar);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)

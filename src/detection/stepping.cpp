@@ -46,37 +46,37 @@ Steps<Scalar> steps_for(const MovingPair<Scalar>& pair, Scalar epsilon) {
 /// Last free instant, and whether the step after it ends in contact or there was none left. The
 /// bracket is not valid where a gap could not be told.
 template <class Scalar>
-struct Walk {
+struct SteppingSearch {
   Bracket<Scalar> bracket;
   bool hit = false;
 };
 
 /// @pre first is the gap at t = 0, and positive
 template <class Scalar>
-Walk<Scalar> walk(const MovingPair<Scalar>& pair, const Steps<Scalar>& steps,
-                  const CapsuleGap<Scalar>& first, std::uint32_t max_steps) {
-  Walk<Scalar> walk;
-  walk.bracket.witness = first;
-  walk.bracket.evaluations = 1;
+SteppingSearch<Scalar> run_search(const MovingPair<Scalar>& pair, const Steps<Scalar>& steps,
+                                  const CapsuleGap<Scalar>& first, std::uint32_t max_steps) {
+  SteppingSearch<Scalar> search;
+  search.bracket.witness = first;
+  search.bracket.evaluations = 1;
   for (std::uint32_t i = 0; i < max_steps; ++i) {  // Bound: max_steps
     if (!(static_cast<Scalar>(i) < steps.count)) break;
     const Scalar t = steps.end_of(i + 1);
     const CapsuleGap<Scalar> gap = gap_at(pair, t);
-    ++walk.bracket.evaluations;
-    walk.bracket.valid = gap.proximity != Proximity::kInvalid;
-    if (!walk.bracket.valid) break;
-    walk.bracket.t_hit = t;
-    walk.hit = !(gap.gap > Scalar(0));
-    if (walk.hit) break;
-    walk.bracket.t_free = t;
-    walk.bracket.witness = gap;
+    ++search.bracket.evaluations;
+    search.bracket.valid = gap.proximity != Proximity::kInvalid;
+    if (!search.bracket.valid) break;
+    search.bracket.t_hit = t;
+    search.hit = !(gap.gap > Scalar(0));
+    if (search.hit) break;
+    search.bracket.t_free = t;
+    search.bracket.witness = gap;
   }
-  return walk;
+  return search;
 }
 
 template <class Scalar>
-SearchResult<Scalar> answer(const MovingPair<Scalar>& pair, Outcome outcome,
-                            const Bracket<Scalar>& bracket) {
+SearchResult<Scalar> result_of(const MovingPair<Scalar>& pair, Outcome outcome,
+                               const Bracket<Scalar>& bracket) {
   if (!bracket.valid) return {};
   SearchResult<Scalar> result;
   result.outcome = outcome;
@@ -112,19 +112,19 @@ SearchResult<Scalar> search_stepping(const MovingPair<Scalar>& pair,
   const CapsuleGap<Scalar> first = gap_at(pair, Scalar(0));
   if (first.proximity == Proximity::kInvalid) return {};
   if (!(first.gap > Scalar(0))) {
-    return answer(pair, Outcome::kTouching, {Scalar(0), Scalar(0), first, 1});
+    return result_of(pair, Outcome::kTouching, {Scalar(0), Scalar(0), first, 1});
   }
   if (closing_speed_bound(pair) == Scalar(0) || pair.duration == Scalar(0)) {
-    return answer(pair, Outcome::kFree, {pair.duration, pair.duration, first, 1});
+    return result_of(pair, Outcome::kFree, {pair.duration, pair.duration, first, 1});
   }
   const Steps<Scalar> steps = steps_for(pair, epsilon);
-  Walk<Scalar> walked = walk(pair, steps, first, options.max_steps);
-  if (walked.hit) {
-    return answer(pair, Outcome::kContact, bisect(pair, walked.bracket, options.halvings));
+  SteppingSearch<Scalar> search = run_search(pair, steps, first, options.max_steps);
+  if (search.hit) {
+    return result_of(pair, Outcome::kContact, bisect(pair, search.bracket, options.halvings));
   }
   const bool complete = !(steps.count > static_cast<Scalar>(options.max_steps));
-  walked.bracket.t_hit = pair.duration;
-  return answer(pair, complete ? Outcome::kFree : Outcome::kBudget, walked.bracket);
+  search.bracket.t_hit = pair.duration;
+  return result_of(pair, complete ? Outcome::kFree : Outcome::kBudget, search.bracket);
 }
 
 #define BATUTA_INSTANTIATE(S)                          \

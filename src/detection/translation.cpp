@@ -21,9 +21,9 @@ constexpr Scalar kSteadyInflation = 48 * kRoundOff<Scalar>;
 
 /// A search under way, in units of the duration and of 1 / scale metres: proven free on [0, theta].
 template <class Scalar>
-class Glide {
+class TranslationSearch {
  public:
-  Glide(const MovingPair<Scalar>& pair, Scalar scale, Scalar contact_tolerance)
+  TranslationSearch(const MovingPair<Scalar>& pair, Scalar scale, Scalar contact_tolerance)
       : unit_(in_units(pair, scale)),
         contact_tolerance_(contact_tolerance * scale),
         radii_(unit_.A.radius + unit_.B.radius),
@@ -141,25 +141,25 @@ bool turns(const CapsulePath<Scalar>& path) {
 }
 
 template <class Scalar>
-SearchResult<Scalar> glide_on(Glide<Scalar>& glide, const MovingPair<Scalar>& pair, Scalar scale,
-                              std::uint32_t budget) {
+SearchResult<Scalar> search_on(TranslationSearch<Scalar>& search, const MovingPair<Scalar>& pair,
+                               Scalar scale, std::uint32_t budget) {
   SearchResult<Scalar> result;
   result.outcome = Outcome::kBudget;
-  Scalar instant = glide.instant_to_look_at();
-  for (std::uint32_t i = 0; i < budget && !glide.is_at_end(); ++i) {  // Bound: kMaxBudget
-    const ClosestPoints<Scalar> closest = glide.closest_at(instant);
+  Scalar instant = search.instant_to_look_at();
+  for (std::uint32_t i = 0; i < budget && !search.is_at_end(); ++i) {  // Bound: kMaxBudget
+    const ClosestPoints<Scalar> closest = search.closest_at(instant);
     if (!is_finite(closest.distance)) return {};
     const Scalar t = instant * pair.duration;
     ++result.evaluations;
     result.witness = gap_at(pair, in_metres(closest, scale), t);
     result.gap_rate = closest.normal_AB.dot(pair.B.v);
-    if (glide.advance_by(closest, instant) && glide.is_contact(closest)) {
-      glide.stop_at(instant);
+    if (search.advance_by(closest, instant) && search.is_contact(closest)) {
+      search.stop_at(instant);
       result.outcome = instant > Scalar(0) ? Outcome::kContact : Outcome::kTouching;
-      result.t_hit = glide.foreseen_contact(closest) * pair.duration;
+      result.t_hit = search.foreseen_contact(closest) * pair.duration;
       break;
     }
-    instant = glide.theta();
+    instant = search.theta();
   }
   return result;
 }
@@ -171,15 +171,15 @@ SearchResult<Scalar> search_translation(const MovingPair<Scalar>& pair,
                                         const AdvancementOptions<Scalar>& options) {
   if (!can_be_searched(pair, options) || turns(pair.A) || turns(pair.B)) return {};
   const Scalar scale = window_scale(pair.scale);
-  Glide<Scalar> glide(pair, scale, contact_tolerance_of(pair, options));
-  const Vec3<Scalar> first = glide.advance_along_middles();
+  TranslationSearch<Scalar> search(pair, scale, contact_tolerance_of(pair, options));
+  const Vec3<Scalar> first = search.advance_along_middles();
   SearchResult<Scalar> result;
   result.outcome = Outcome::kBudget;
-  if (!glide.is_at_end()) result = glide_on(glide, pair, scale, options.budget);
+  if (!search.is_at_end()) result = search_on(search, pair, scale, options.budget);
   if (result.evaluations == 0) result.witness.axes.normal_AB = first;
-  result.t_free = glide.theta() * pair.duration;
+  result.t_free = search.theta() * pair.duration;
   if (result.outcome != Outcome::kBudget) return result;
-  if (glide.is_at_end()) result.outcome = Outcome::kFree;
+  if (search.is_at_end()) result.outcome = Outcome::kFree;
   result.t_hit = pair.duration;
   return result;
 }

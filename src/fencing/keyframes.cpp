@@ -146,13 +146,13 @@ KeyedPose<Scalar> pose_on(const KeyGridView<Scalar>& grid, const Vec2<Scalar>& s
   const Surface<Scalar> surface = surface_at(grid, stick);
   const Vec3<Scalar> turn = surface.value.template tail<3>();
 
-  KeyedPose<Scalar> answer;
-  answer.X_WH.p_W = surface.value.template head<3>();
-  answer.X_WH.q_WB = renewed<Scalar>(grid.q_ref * exp_map(turn));
-  answer.jacobian.template topRows<3>() = surface.rate.template topRows<3>();
-  answer.jacobian.template bottomRows<3>() =
+  KeyedPose<Scalar> result;
+  result.X_WH.p_W = surface.value.template head<3>();
+  result.X_WH.q_WB = renewed<Scalar>(grid.q_ref * exp_map(turn));
+  result.jacobian.template topRows<3>() = surface.rate.template topRows<3>();
+  result.jacobian.template bottomRows<3>() =
       to_matrix(grid.q_ref) * left_jacobian(turn) * surface.rate.template bottomRows<3>();
-  return answer;
+  return result;
 }
 
 #define BATUTA_INSTANTIATE(S)                                                     \

@@ -199,9 +199,9 @@ BATUTA_HOT Parameters<Scalar> closest_pair(const Query<Scalar>& q) {
 
 /// The pair x in the caller's order of segments and ends.
 template <class Scalar>
-BATUTA_HOT ClosestPoints<Scalar> answer(const Query<Scalar>& q, const Ends<Scalar>& A,
-                                        const Ends<Scalar>& B, const Parameters<Scalar>& x,
-                                        bool swapped) {
+BATUTA_HOT ClosestPoints<Scalar> result_of(const Query<Scalar>& q, const Ends<Scalar>& A,
+                                           const Ends<Scalar>& B, const Parameters<Scalar>& x,
+                                           bool swapped) {
   const Place<Scalar> at_A = place(A, x.s);
   const Place<Scalar> at_B = place(B, x.u);
   Vec3<Scalar> to_A = at_A.from_end * q.d_A;
@@ -254,7 +254,7 @@ ClosestPoints<Scalar> closest_points(const Segment<Scalar>& A_in, const Segment<
   if (swapped) std::swap(A, B);
   Query<Scalar> q = make_query(A, B);
   if (!is_in_window(q.SS)) bring_into_window(q);
-  return answer(q, A, B, closest_pair(q), swapped);
+  return result_of(q, A, B, closest_pair(q), swapped);
 }
 
 #define BATUTA_INSTANTIATE(S)                                                  \

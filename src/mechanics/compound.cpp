@@ -79,21 +79,21 @@ Result<MassProperties<Scalar>> mass_of_parts(const CapsulePart<Scalar>* parts, i
 
 template <class Scalar>
 PrincipalFrame<Scalar> settled_frame(const MassProperties<Scalar>& mass) {
-  PrincipalFrame<Scalar> answer = principal_frame(mass);
-  Vec3<Scalar>& m = answer.moments;
+  PrincipalFrame<Scalar> result = principal_frame(mass);
+  Vec3<Scalar>& m = result.moments;
   const Scalar least_apart = kRounding<Scalar> * m(2);
   const bool low = m(1) - m(0) <= least_apart;
   const bool high = m(2) - m(1) <= least_apart;
   if (low && high) {
     m = Vec3<Scalar>::Constant(m(1));
-    answer.q_SB = Quat<Scalar>::Identity();
+    result.q_SB = Quat<Scalar>::Identity();
   } else if (low || high) {
     const int odd = low ? 2 : 0;
     const int one = low ? 0 : 1;
     m(one) = m(one + 1) = m(one) + (m(one + 1) - m(one)) / 2;
-    answer.q_SB = axes_about(answer.q_SB, odd);
+    result.q_SB = axes_about(result.q_SB, odd);
   }
-  return answer;
+  return result;
 }
 
 template <class Scalar>

@@ -25,10 +25,10 @@ Playback playback_of(Restored restored) {
 
 }  // namespace
 
-Playback Player::stop(Playback answer) {
+Playback Player::stop(Playback end) {
   stage_ = Stage::kOver;
-  answer_ = answer;
-  return answer;
+  end_ = end;
+  return end;
 }
 
 // What fetch() was asked for: nothing ever stands behind it.
@@ -74,7 +74,7 @@ Playback Player::read_run(std::uint64_t input) {
   if (run.version != kRecordingVersion) return stop(Playback::kOtherVersion);
   if (run.input != input) return stop(Playback::kOtherScene);
   stage_ = Stage::kSteps;
-  answer_ = Playback::kReady;
+  end_ = Playback::kReady;
   return Playback::kReady;
 }
 

@@ -79,8 +79,8 @@ Result<int> save(const T& state, std::uint8_t* bytes, int capacity) {
 template <class T>
 Restored restore(T& state, const std::uint8_t* bytes, int size) {
   SnapshotHead head = head_for(state);
-  const Restored answer = read_head(bytes, size, head);
-  if (answer != Restored::kOk) return answer;
+  const Restored found = read_head(bytes, size, head);
+  if (found != Restored::kOk) return found;
   const auto length = static_cast<std::uint32_t>(size - kSnapshotHead);
   if (length < kCheckSum || head.length != length - kCheckSum || !is_sealed(bytes, size)) {
     return Restored::kDamaged;

@@ -122,7 +122,7 @@ struct Spheres {
     return {contact_tolerance};
   }
   static constexpr std::uint64_t most_evaluations(const Options& /*options*/) { return 1; }
-  static SphereAnswer<Scalar> search(const SphereFlight<Scalar>& flight, const Options& options) {
+  static SphereResult<Scalar> search(const SphereFlight<Scalar>& flight, const Options& options) {
     return search_spheres(flight, options.contact_tolerance);
   }
   friend Status validate(const Options& options) {

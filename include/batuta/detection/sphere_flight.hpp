@@ -20,7 +20,7 @@ struct SphereFlight {
 };
 
 template <class Scalar>
-struct SphereAnswer {
+struct SphereResult {
   Outcome outcome = Outcome::kInvalid;
   Scalar t_free = 0;   ///< s, collision-free up to there
   Scalar t_hit = 0;    ///< s, >= t_free: contact, or the closest point of a graze, as foreseen
@@ -40,7 +40,7 @@ struct SphereAnswer {
 ///     not finite.
 /// Bound: no loop; one evaluation.
 template <class Scalar>
-SphereAnswer<Scalar> search_spheres(const SphereFlight<Scalar>& flight, Scalar contact_tolerance);
+SphereResult<Scalar> search_spheres(const SphereFlight<Scalar>& flight, Scalar contact_tolerance);
 
 /// The largest gap, m, at which search_spheres() may speak of contact:
 /// tau + 16 u S, tau = max(contact tolerance, 128 u (S + 2^-40 m)). @pre the flight and the contact

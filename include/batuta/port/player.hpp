@@ -62,7 +62,7 @@ class Player {
  private:
   enum class Stage : std::uint8_t { kState, kRun, kSteps, kOver };
 
-  Playback stop(Playback answer);
+  Playback stop(Playback end);
   /// Sees to it that the buffer holds `bytes` bytes. @returns kReady | kWaiting | kCut | kTooLarge
   Playback fetch(int bytes);
   /// The same for the next record, whose check sum is then good.
@@ -86,7 +86,7 @@ class Player {
   std::uint32_t steps_ = 0;
   std::uint32_t agreed_ = 0;
   std::uint32_t lost_ = 0;
-  Playback answer_ = Playback::kWaiting;
+  Playback end_ = Playback::kWaiting;
   Stage stage_ = Stage::kState;
   bool compared_ = false;  ///< the state after steps() steps
 };
@@ -112,7 +112,7 @@ Playback Player::begin(State& state) {
     stage_ = Stage::kRun;
   }
   const Input input{};
-  return stage_ == Stage::kRun ? read_run(fingerprint_of(input)) : answer_;
+  return stage_ == Stage::kRun ? read_run(fingerprint_of(input)) : end_;
 }
 
 /// A hash or the end mark. @returns kReady: there is more
@@ -134,7 +134,7 @@ Playback Player::judge(const State& state) {
 
 template <class Input, class State>
 Playback Player::next(Input& input, const State& state) {
-  if (stage_ != Stage::kSteps) return answer_;
+  if (stage_ != Stage::kSteps) return end_;
   for (int i = 0; i < 2; ++i) {  // Bound: 2: a hash, and what follows it
     const Playback fetched = fetch_record();
     if (fetched != Playback::kReady) return fetched;

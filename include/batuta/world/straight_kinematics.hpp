@@ -85,7 +85,7 @@ struct StraightKinematics {
   /// As search(), for balls.
   static PairQuery search_flight(const SphereFlight<Scalar>& flight,
                                  const typename Search::Options& options) {
-    const SphereAnswer<Scalar> resolution = Search::search(flight, options);
+    const SphereResult<Scalar> resolution = Search::search(flight, options);
     const bool parts =
         resolution.outcome == Outcome::kTouching && !(resolution.closing > Scalar(0));
     return {parts ? Outcome::kFree : resolution.outcome, resolution.t_free, resolution.t_hit, 1};

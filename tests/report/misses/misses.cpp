@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "batuta/detection/translation.hpp"
-#include "detection/walk.hpp"
+#include "detection/advancement_search.hpp"
 #include "ensemble.hpp"
 #include "own_options.hpp"
 #include "tally.hpp"

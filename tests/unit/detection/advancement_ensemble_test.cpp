@@ -29,9 +29,9 @@ void expect_true_claims(const test::Query& query, const std::string& what) {
   EXPECT_FALSE(findings.wrong()) << what << ": overlap " << findings.overlap;
   EXPECT_NE(found.outcome, Outcome::kBudget) << what;
   if (pair.value.A.turn_rate + pair.value.B.turn_rate > 0) return;
-  const auto glided = search_translation(pair.value, options);
-  EXPECT_FALSE(judge(test::claim_of(pair.value, options, glided), truth).wrong()) << what;
-  EXPECT_LE(glided.evaluations, 8U) << what;
+  const auto translated = search_translation(pair.value, options);
+  EXPECT_FALSE(judge(test::claim_of(pair.value, options, translated), truth).wrong()) << what;
+  EXPECT_LE(translated.evaluations, 8U) << what;
 }
 
 TYPED_TEST(AdvancementEnsemble, EveryFamily_EveryClaimIsTrue) {

@@ -21,7 +21,8 @@ double value(const Polynomial& c, double h) {
   return c[0] + h * (c[1] + h * (c[2] + h * c[3]));
 }
 
-/// The state of a pair at theta, as a walk has it but for what rounding may do, which is nothing.
+/// The state of a pair at theta, as a advancement has it but for what rounding may do, which is
+/// nothing.
 PairState<double> state_at(const MovingPair<double>& pair, double theta) {
   PairState<double> state{
       {}, {}, pair.B.v, TurnPowers<double>(pair.A.turn_rate), TurnPowers<double>(pair.B.turn_rate),

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "../../../src/detection/walk.hpp"
+#include "../../../src/detection/advancement_search.hpp"
 #include "advancement_cases.hpp"
 #include "batuta/detection/translation.hpp"
 
@@ -73,15 +73,15 @@ TEST(WalkForesees, BallOnACircle_MeetsWhereTheParabolaDoes) {
     ASSERT_LT(truth, 1);
     for (const bool A_turns : {false, true}) {
       const MovingPair<double> pair = Circling(angle, turn).pair(A_turns, 1);
-      const Walk<double> walk(pair, kContactTolerance, kInflation<double>);
+      const AdvancementSearch<double> advancement(pair, kContactTolerance, kInflation<double>);
       // a gap of 0.05 m and more, from lengths of less than 16 m
-      EXPECT_NEAR(walk.foreseen_contact(walk.closest()), truth, 64 * kU * (16 / 0.05))
+      EXPECT_NEAR(advancement.foreseen_contact(advancement.closest()), truth, 64 * kU * (16 / 0.05))
           << angle << A_turns;
     }
   }
 }
 
-/// In seconds and metres, though the walk has units of its own.
+/// In seconds and metres, though the advancement has units of its own.
 TEST(WalkForesees, BallOnACircle_PartsAsFastAsItDoes) {
   const double angle = -1;
   const double turn = 0.7;
@@ -90,8 +90,10 @@ TEST(WalkForesees, BallOnACircle_PartsAsFastAsItDoes) {
   for (const bool A_turns : {false, true}) {
     const MovingPair<double> pair = Circling(angle, turn).pair(A_turns, duration);
     const MovingPair<double> unit = in_units(pair, scale);
-    const Walk<double> walk(unit, kContactTolerance * scale, kInflation<double>);
-    EXPECT_NEAR(walk.rate(walk.closest(), pair, scale), on_circle(angle, turn).rate, 64 * kU * 16)
+    const AdvancementSearch<double> advancement(unit, kContactTolerance * scale,
+                                                kInflation<double>);
+    EXPECT_NEAR(advancement.rate(advancement.closest(), pair, scale), on_circle(angle, turn).rate,
+                64 * kU * 16)
         << A_turns;
   }
 }

@@ -52,7 +52,7 @@ struct Spheres {
 /// Whether all that is claimed is true.
 template <class Scalar>
 testing::AssertionResult is_true(const Spheres<Scalar>& spheres, Scalar contact_tolerance,
-                                 const SphereAnswer<Scalar>& answer) {
+                                 const SphereResult<Scalar>& answer) {
   const Scalar duration = spheres.A.duration;
   const bool in_order = Scalar(0) <= answer.t_free && answer.t_free <= answer.t_hit;
   if (!in_order || answer.t_hit > duration) {
@@ -163,7 +163,7 @@ TYPED_TEST(SphereFlightOf, HeadOn_ForeseesTheInstant) {
 
 /// @param x, y  of B from A; @param v  along x
 template <class Scalar>
-SphereAnswer<Scalar> pass(Scalar x, Scalar y, Scalar v, Scalar radii, Scalar contact_tolerance,
+SphereResult<Scalar> pass(Scalar x, Scalar y, Scalar v, Scalar radii, Scalar contact_tolerance,
                           Scalar duration = 1) {
   return search_spheres<Scalar>({{x, y, 0}, {v, 0, 0}, radii, duration}, contact_tolerance);
 }

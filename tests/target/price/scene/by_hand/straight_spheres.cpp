@@ -72,7 +72,7 @@ void aim(Ball& ball) {
   hold(ball);
 }
 
-SphereAnswer<float> search(const Ball& A, const Ball& B) {
+SphereResult<float> search(const Ball& A, const Ball& B) {
   SphereFlight<float> flight;
   for (int i = 0; i < 3; ++i) {
     flight.between[i] = B.body.p_W[i] - A.body.p_W[i];
@@ -80,7 +80,7 @@ SphereAnswer<float> search(const Ball& A, const Ball& B) {
   }
   flight.radii = A.radius + B.radius;
   flight.duration = left_s;
-  SphereAnswer<float> answer = search_spheres(flight, 0.F);
+  SphereResult<float> answer = search_spheres(flight, 0.F);
   const bool parts = answer.outcome == Outcome::kTouching && !(flight.between.dot(flight.v) < 0.F);
   if (parts) answer.outcome = Outcome::kFree;
   return answer;

@@ -14,13 +14,13 @@ namespace batuta {
 /// A search under way, in units of the duration: the pair is proven free on [0,
 /// theta].
 template <class Scalar>
-class Walk {
+class AdvancementSearch {
  public:
-  /// @param pair  with lengths in the ScaleWindow; it must outlive the walk
+  /// @param pair  with lengths in the ScaleWindow; it must outlive the advancement
   /// @param contact tolerance  in its unit
   /// @param inflation  kInflation; tests try less, to see that it is needed
-  // cppcheck-suppress uninitMemberVar ; deviation: walk-features
-  Walk(const MovingPair<Scalar>& pair, Scalar contact_tolerance, Scalar inflation)
+  // cppcheck-suppress uninitMemberVar ; deviation: search-features
+  AdvancementSearch(const MovingPair<Scalar>& pair, Scalar contact_tolerance, Scalar inflation)
       : pair_(pair),
         radii_(pair.A.radius + pair.B.radius),
         contact_tolerance_(contact_tolerance),
@@ -177,63 +177,64 @@ Vec3<Scalar> direction_of(const Vec3<Scalar>& seed, const Vec3<Scalar>& other) {
   return largest_component(line) > Scalar(0) ? unit(line) : line;
 }
 
-/// How a walk ended, and its last witness.
+/// How a advancement ended, and its last witness.
 template <class Scalar>
-struct WalkEnd {
+struct AdvancementEnd {
   Outcome outcome = Outcome::kBudget;
   std::uint32_t evaluations = 0;
   Scalar theta = 0;  ///< of the witness
   ClosestPoints<Scalar> closest;
 };
 
-/// Walks until contact, the end, or the end of the budget.
+/// Searches until contact, the end, or the end of the budget.
 template <class Scalar>
-WalkEnd<Scalar> walk_on(Walk<Scalar>& walk, std::uint32_t budget) {
-  WalkEnd<Scalar> end;
-  for (std::uint32_t i = 0; i < budget && !walk.is_at_end(); ++i) {  // Bound: kMaxBudget
-    end.theta = walk.theta();
-    end.closest = walk.closest();
+AdvancementEnd<Scalar> search_on(AdvancementSearch<Scalar>& advancement, std::uint32_t budget) {
+  AdvancementEnd<Scalar> end;
+  for (std::uint32_t i = 0; i < budget && !advancement.is_at_end(); ++i) {  // Bound: kMaxBudget
+    end.theta = advancement.theta();
+    end.closest = advancement.closest();
     ++end.evaluations;
     if (!is_finite(end.closest.distance)) {
       end.outcome = Outcome::kInvalid;
       return end;
     }
-    if (walk.is_contact(end.closest)) {
+    if (advancement.is_contact(end.closest)) {
       end.outcome = end.theta > Scalar(0) ? Outcome::kContact : Outcome::kTouching;
       return end;
     }
-    walk.advance_from(end.closest);
-    if (walk.is_at_end()) break;
-    if (walk.shows_contact(end.closest)) {
-      end.theta = walk.theta();
+    advancement.advance_from(end.closest);
+    if (advancement.is_at_end()) break;
+    if (advancement.shows_contact(end.closest)) {
+      end.theta = advancement.theta();
       end.outcome = Outcome::kContact;
       return end;
     }
   }
-  if (walk.is_at_end()) end.outcome = Outcome::kFree;
+  if (advancement.is_at_end()) end.outcome = Outcome::kFree;
   return end;
 }
 
-/// The answer to `pair`, from a walk over the same in units of 1 / scale metres.
+/// The answer to `pair`, from a advancement over the same in units of 1 / scale metres.
 /// @param first  the direction that was tried without an evaluation
 template <class Scalar>
-SearchResult<Scalar> answer(const MovingPair<Scalar>& pair, Walk<Scalar>& walk, Scalar scale,
-                            const WalkEnd<Scalar>& end, const Vec3<Scalar>& first) {
+SearchResult<Scalar> result_of(const MovingPair<Scalar>& pair,
+                               AdvancementSearch<Scalar>& advancement, Scalar scale,
+                               const AdvancementEnd<Scalar>& end, const Vec3<Scalar>& first) {
   if (end.evaluations == 0) {
     SearchResult<Scalar> result;
     result.outcome = end.outcome;
-    result.t_free = walk.theta() * pair.duration;
+    result.t_free = advancement.theta() * pair.duration;
     result.t_hit = pair.duration;
     result.witness.axes.normal_AB = first;
     return result;
   }
   const bool hits = end.outcome == Outcome::kContact || end.outcome == Outcome::kTouching;
-  if (end.outcome == Outcome::kBudget) walk.stand_at(end.theta);
+  if (end.outcome == Outcome::kBudget) advancement.stand_at(end.theta);
   return {end.outcome,
-          walk.theta() * pair.duration,
-          hits ? walk.foreseen_contact(end.closest) * pair.duration : pair.duration,
+          advancement.theta() * pair.duration,
+          hits ? advancement.foreseen_contact(end.closest) * pair.duration : pair.duration,
           gap_at(pair, in_metres(end.closest, scale), end.theta * pair.duration),
-          walk.rate(end.closest, pair, scale),
+          advancement.rate(end.closest, pair, scale),
           end.evaluations};
 }
 
@@ -245,10 +246,11 @@ SearchResult<Scalar> search_inflated(const MovingPair<Scalar>& pair,
                                      const Vec3<Scalar>& seed_AB, Scalar inflation) {
   const Scalar scale = window_scale(query_length(pair));
   const auto search = [&](const MovingPair<Scalar>& unit) {
-    Walk<Scalar> walk(unit, contact_tolerance_of(pair, options) * scale, inflation);
-    const Vec3<Scalar> first = direction_of(seed_AB, walk.line_of_middles());
-    walk.advance_along(first);
-    return answer(pair, walk, scale, walk_on(walk, options.budget), first);
+    AdvancementSearch<Scalar> advancement(unit, contact_tolerance_of(pair, options) * scale,
+                                          inflation);
+    const Vec3<Scalar> first = direction_of(seed_AB, advancement.line_of_middles());
+    advancement.advance_along(first);
+    return result_of(pair, advancement, scale, search_on(advancement, options.budget), first);
   };
   return scale == Scalar(1) ? search(pair) : search(in_units(pair, scale));
 }
