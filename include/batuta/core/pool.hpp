@@ -119,7 +119,7 @@ class Pool : public PoolBase {
   /// Walks over the live objects in the order of their slots. The object it stands on may be
   /// removed.
   template <bool kConst>
-  class Walk {
+  class Iterator {
    public:
     using PoolType = std::conditional_t<kConst, const Pool, Pool>;
     using iterator_category = std::forward_iterator_tag;
@@ -128,32 +128,32 @@ class Pool : public PoolBase {
     using reference = std::conditional_t<kConst, const T&, T&>;
     using pointer = std::conditional_t<kConst, const T*, T*>;
 
-    Walk() = default;
-    Walk(PoolType& pool, std::size_t index) : pool_(&pool), index_(index) {}
+    Iterator() = default;
+    Iterator(PoolType& pool, std::size_t index) : pool_(&pool), index_(index) {}
 
     /// The slot it stands on; Pool::handle_at() makes a handle of it.
     std::size_t index() const { return index_; }
     reference operator*() const { return *pool_->slot(index_); }
     pointer operator->() const { return pool_->slot(index_); }
     /// Bound: N / 32 words.
-    Walk& operator++() {
+    Iterator& operator++() {
       index_ = pool_->next_live(index_ + 1);
       return *this;
     }
-    Walk operator++(int) {
-      const Walk before = *this;
+    Iterator operator++(int) {
+      const Iterator before = *this;
       ++*this;
       return before;
     }
-    friend bool operator==(const Walk& a, const Walk& b) { return a.index_ == b.index_; }
-    friend bool operator!=(const Walk& a, const Walk& b) { return a.index_ != b.index_; }
+    friend bool operator==(const Iterator& a, const Iterator& b) { return a.index_ == b.index_; }
+    friend bool operator!=(const Iterator& a, const Iterator& b) { return a.index_ != b.index_; }
 
    private:
     PoolType* pool_ = nullptr;
     std::size_t index_ = 0;
   };
-  using iterator = Walk<false>;
-  using const_iterator = Walk<true>;
+  using iterator = Iterator<false>;
+  using const_iterator = Iterator<true>;
 
   /// @param number  tells this pool's handles from those of another pool of the same T
   // cppcheck-suppress uninitMemberVar ; deviation: pool-storage

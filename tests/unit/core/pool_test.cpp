@@ -144,7 +144,7 @@ TEST(Pool, FreeSlots_AreTakenFromTheLowest) {
   for (const int expected : {2, 33, 64, 69}) EXPECT_EQ(pool.index_of(make_in(pool, 0)), expected);
 }
 
-TEST(Pool, Walk_FollowsTheSlotsAndSkipsHoles) {
+TEST(Pool, Iterator_FollowsTheSlotsAndSkipsHoles) {
   Pool<int, 100> pool;
   EXPECT_THAT(pool, IsEmpty());
   for (int i = 0; i < 100; ++i) make_in(pool, i);
@@ -161,7 +161,7 @@ TEST(Pool, Walk_FollowsTheSlotsAndSkipsHoles) {
   EXPECT_EQ(std::next(same.begin(), 2).index(), 32U);
 }
 
-TEST(Pool, Walk_EndsWhereTheLastWordOfTheBitmapIsFull) {
+TEST(Pool, Iterator_EndsWhereTheLastWordOfTheBitmapIsFull) {
   Pool<int, 64> pool;
   for (int i = 0; i < 64; ++i) make_in(pool, -2);  // bits behind the bitmap
   int walked = 0;
@@ -169,7 +169,7 @@ TEST(Pool, Walk_EndsWhereTheLastWordOfTheBitmapIsFull) {
   EXPECT_EQ(walked, 128);
 }
 
-TEST(Pool, Walk_ObjectsMayBeChangedAndRemovedOnTheWay) {
+TEST(Pool, Iterator_ObjectsMayBeChangedAndRemovedOnTheWay) {
   Pool<int, 8> pool;
   for (int i = 0; i < 8; ++i) make_in(pool, i);
   for (auto it = pool.begin(); it != pool.end(); ++it) {
