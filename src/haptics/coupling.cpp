@@ -20,10 +20,10 @@ Vec3<Scalar> limited(const Vec3<Scalar>& vector, Scalar limit) {
 /// their points at from's origin: only so does the damper never push what it should brake.
 template <class Scalar>
 struct Stretch {
-  Vec3<Scalar> p_W;  ///< m
-  Vec3<Scalar> v_W;  ///< m/s
-  Vec3<Scalar> r_W;  ///< rotation vector, rad
-  Vec3<Scalar> w_W;  ///< rad/s
+  Vec3<Scalar> shift_W;  ///< m
+  Vec3<Scalar> v_W;      ///< m/s
+  Vec3<Scalar> r_W;      ///< rotation vector, rad
+  Vec3<Scalar> w_W;      ///< rad/s
 };
 
 template <class Scalar>
@@ -93,7 +93,7 @@ Wrench<Scalar> coupling_wrench(const CouplingSettings<Scalar>& settings,
                                const MovingFrame<Scalar>& actual) {
   const Stretch<Scalar> stretch = stretch_of(commanded, actual);
   const Wrench<Scalar> wrench = within_limits<Scalar>(
-      settings, {settings.stiffness * stretch.p_W + settings.damping * stretch.v_W,
+      settings, {settings.stiffness * stretch.shift_W + settings.damping * stretch.v_W,
                  settings.turn_stiffness * stretch.r_W + settings.turn_damping * stretch.w_W});
   return is_finite_wrench(wrench) ? wrench : Wrench<Scalar>{};
 }
@@ -102,7 +102,7 @@ template <class Scalar>
 Scalar stored_energy(const CouplingSettings<Scalar>& settings, const Pose<Scalar>& commanded_W,
                      const Pose<Scalar>& actual_W) {
   const Stretch<Scalar> stretch = stretch_of<Scalar>({commanded_W, {}}, {actual_W, {}});
-  return spring_energy(settings.stiffness, settings.max_force, stretch.p_W) +
+  return spring_energy(settings.stiffness, settings.max_force, stretch.shift_W) +
          spring_energy(settings.turn_stiffness, settings.max_moment, stretch.r_W);
 }
 
@@ -117,7 +117,7 @@ Result<Wrench<Scalar>> couple(const CouplingSettings<Scalar>& settings,
   const Vec3<Scalar> w_B = q_BW * stretch.w_W;
   const Scalar slope = dt * settings.stiffness + settings.damping;
   const Scalar turn_slope = dt * settings.turn_stiffness + settings.turn_damping;
-  const Vec3<Scalar> force_W = settings.stiffness * stretch.p_W + slope * stretch.v_W;
+  const Vec3<Scalar> force_W = settings.stiffness * stretch.shift_W + slope * stretch.v_W;
   const Vec3<Scalar> moment_B = settings.turn_stiffness * r_B + turn_slope * w_B;
   const Vec3<Scalar> gives = Vec3<Scalar>::Constant(dt * slope * body.inverse_mass);
   const Vec3<Scalar> turn_gives = dt * turn_slope * body.inverse_moments;

@@ -14,7 +14,8 @@ template <class Scalar>
 bool is_finite_state(const HandState<Scalar>& state) {
   return is_finite_pose(state.commanded.X_WH) && is_finite_pose(state.held_W) &&
          is_finite(state.commanded.jacobian) && state.hold >= Scalar(0) &&
-         state.hold <= Scalar(1) && is_finite(state.blow.p_W) && is_finite(state.blow.b_W);
+         state.hold <= Scalar(1) && is_finite(state.blow.linear_W) &&
+         is_finite(state.blow.angular_W);
 }
 
 }  // namespace
@@ -60,7 +61,8 @@ Vec2<Scalar> HandForce<Scalar>::advance(const HandState<Scalar>& state, Scalar d
     stored_ = 0;
     return Vec2<Scalar>::Zero();
   }
-  (void)transient_.strike(stick_force<Scalar>(jacobian, {state.blow.p_W, state.blow.b_W}));
+  (void)transient_.strike(
+      stick_force<Scalar>(jacobian, {state.blow.linear_W, state.blow.angular_W}));
   commanded_W_ = state.commanded.X_WH;
   held_W_ = state.held_W;
   started_ = true;

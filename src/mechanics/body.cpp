@@ -72,8 +72,8 @@ Mat3<Scalar> inverse_inertia_W(const Body<Scalar>& body) {
 
 template <class Scalar>
 Twist<Scalar> twist_of(const Body<Scalar>& body) {
-  return {body.inverse_mass * body.momentum.p_W,
-          scaled_in_body(body.X_WB.q_WB, body.inverse_moments, body.momentum.b_W)};
+  return {body.inverse_mass * body.momentum.linear_W,
+          scaled_in_body(body.X_WB.q_WB, body.inverse_moments, body.momentum.angular_W)};
 }
 
 template <class Scalar>
@@ -103,9 +103,9 @@ Status apply(Body<Scalar>& body, const Vec3<Scalar>& force_W, const Vec3<Scalar>
   const bool inputs = is_finite(force_W) && is_finite(torque_W) && is_finite(dt);
   if (!inputs || dt < Scalar(0)) return Status::kInvalidArgument;
   Momentum<Scalar> next = body.momentum;
-  if (body.inverse_mass != Scalar(0)) next.p_W += dt * force_W;
-  if (body.inverse_moments != Vec3<Scalar>::Zero()) next.b_W += dt * torque_W;
-  if (!is_finite(next.p_W) || !is_finite(next.b_W)) return Status::kInvalidArgument;
+  if (body.inverse_mass != Scalar(0)) next.linear_W += dt * force_W;
+  if (body.inverse_moments != Vec3<Scalar>::Zero()) next.angular_W += dt * torque_W;
+  if (!is_finite(next.linear_W) || !is_finite(next.angular_W)) return Status::kInvalidArgument;
   body.momentum = next;
   return Status::kOk;
 }
@@ -117,8 +117,8 @@ Status apply_impulse(Body<Scalar>& body, const Vec3<Scalar>& impulse_W, const Ve
 
 template <class Scalar>
 Scalar kinetic_energy(const Body<Scalar>& body) {
-  const Vec3<Scalar> b_B = body.X_WB.q_WB.conjugate() * body.momentum.b_W;
-  const Scalar moving = body.inverse_mass * body.momentum.p_W.squaredNorm();
+  const Vec3<Scalar> b_B = body.X_WB.q_WB.conjugate() * body.momentum.angular_W;
+  const Scalar moving = body.inverse_mass * body.momentum.linear_W.squaredNorm();
   const Scalar turning = body.inverse_moments.dot(Vec3<Scalar>(b_B.cwiseProduct(b_B)));
   return (moving + turning) / 2;
 }

@@ -67,9 +67,9 @@ Quat<Scalar> turned(const Quat<Scalar>& q_WB, int i, Scalar angle) {
 template <class Scalar>
 Quat<Scalar> flown(const Body<Scalar>& body, const Revolution<Scalar>& top, Scalar duration) {
   const Quat<Scalar>& q_WB = body.X_WB.q_WB;
-  const Vec3<Scalar> b_B = q_WB.conjugate() * body.momentum.b_W;
+  const Vec3<Scalar> b_B = q_WB.conjugate() * body.momentum.angular_W;
   const Scalar spin = (body.inverse_moments(top.axis) - top.inverse_transverse) * b_B(top.axis);
-  const Vec3<Scalar> steady_W = (top.inverse_transverse * duration) * body.momentum.b_W;
+  const Vec3<Scalar> steady_W = (top.inverse_transverse * duration) * body.momentum.angular_W;
   return exp_map(steady_W) * turned(q_WB, top.axis, spin * duration);
 }
 
@@ -81,7 +81,7 @@ Quat<Scalar> flown(const Body<Scalar>& body, Scalar duration) {
   constexpr std::array<int, 5> kOrder = {0, 1, 2, 1, 0};
   Quat<Scalar> q_WB = body.X_WB.q_WB;
   for (const int i : kOrder) {  // Bound: five turns
-    const Vec3<Scalar> b_B = q_WB.conjugate() * body.momentum.b_W;
+    const Vec3<Scalar> b_B = q_WB.conjugate() * body.momentum.angular_W;
     const Scalar share = i == 2 ? duration : duration / 2;
     q_WB = turned(q_WB, i, share * (body.inverse_moments(i) * b_B(i)));
   }
@@ -93,14 +93,14 @@ Quat<Scalar> flown(const Body<Scalar>& body, Scalar duration) {
 template <class Scalar>
 bool turns_by_less_than_half(const Body<Scalar>& body, Scalar duration) {
   constexpr Scalar kHalfTurn = Scalar(3.14159265358979323846);
-  const Scalar fastest = body.inverse_moments.maxCoeff() * length(body.momentum.b_W);
+  const Scalar fastest = body.inverse_moments.maxCoeff() * length(body.momentum.angular_W);
   return fastest * duration < kHalfTurn;
 }
 
 /// Flight to an orientation at the end.
 template <class Scalar>
 Motion<Scalar> flight_to(const Body<Scalar>& body, const Quat<Scalar>& q_end_WB, Scalar duration) {
-  const Vec3<Scalar> v_W = body.inverse_mass * body.momentum.p_W;
+  const Vec3<Scalar> v_W = body.inverse_mass * body.momentum.linear_W;
   const Pose<Scalar> end{body.X_WB.p_W + duration * v_W, renewed(q_end_WB)};
   Motion<Scalar> motion = motion_between(body.X_WB, end, duration);
   motion.twist.v_W = v_W;
@@ -133,7 +133,7 @@ Motion<Scalar> free_flight(const Body<Scalar>& body, Scalar duration) {
   const Revolution<Scalar> top = revolution_of(body.inverse_moments);
   const bool is_top = top.inverse_transverse > Scalar(0);
   Twist<Scalar> twist = twist_of(body);
-  if (is_top && !body.spin_shows) twist.w_W = top.inverse_transverse * body.momentum.b_W;
+  if (is_top && !body.spin_shows) twist.w_W = top.inverse_transverse * body.momentum.angular_W;
   const bool steady = (is_top && !body.spin_shows) || turns_about_one_axis(body.inverse_moments);
   if (steady || !(duration > Scalar(0))) return {body.X_WB, twist, duration};
   if (!turns_by_less_than_half(body, duration)) {

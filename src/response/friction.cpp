@@ -122,7 +122,7 @@ void push(Twist<Scalar>& twist, const Collider<Scalar>& body, const Lever<Scalar
 template <class Scalar>
 void add(Impulse<Scalar>& hit, const Touch<Scalar>& touch, const Push<Scalar>& d, Scalar s,
          const Vec3<Scalar>& n) {
-  const Vec3<Scalar> J_W = hit.on_A.p_W + s * d.d_W;
+  const Vec3<Scalar> J_W = hit.on_A.linear_W + s * d.d_W;
   hit.magnitude = max_of(Scalar(0), hit.magnitude + s * d.d_W.dot(n));
   hit.on_A = impulse_on<Scalar>(touch.lever_A.arm_W, J_W);
   hit.on_B = impulse_on<Scalar>(touch.lever_B.arm_W, -J_W);

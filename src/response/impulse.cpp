@@ -60,9 +60,9 @@ bool is_sound(const Impulse<Scalar>& hit) {
   look_at(hit.twist_A.w_W);
   look_at(hit.twist_B.v_W);
   look_at(hit.twist_B.w_W);
-  look_at(hit.on_A.p_W);
-  look_at(hit.on_A.b_W);
-  look_at(hit.on_B.b_W);
+  look_at(hit.on_A.linear_W);
+  look_at(hit.on_A.angular_W);
+  look_at(hit.on_B.angular_W);
   return lost == Scalar(0);
 }
 

@@ -6,8 +6,8 @@ namespace {
 
 template <class Scalar>
 void add(Body<Scalar>& body, const Momentum<Scalar>& change) {
-  if (body.inverse_mass > Scalar(0)) body.momentum.p_W += change.p_W;
-  if (body.inverse_moments != Vec3<Scalar>::Zero()) body.momentum.b_W += change.b_W;
+  if (body.inverse_mass > Scalar(0)) body.momentum.linear_W += change.linear_W;
+  if (body.inverse_moments != Vec3<Scalar>::Zero()) body.momentum.angular_W += change.angular_W;
 }
 
 /// To D if the contact is to be separated, else just clear of rounding, for which no time is

@@ -193,7 +193,7 @@ TYPED_TEST(Haptics, SideThatThereIsNot_FeelsTheBlowsOfTheRightOne) {
     const auto felt = blow_about<S>({0, 0, 1}, static_cast<Side>(value), events);
     EXPECT_TRUE(test::same_bytes(felt, blow));
   }
-  EXPECT_EQ(blow.p_W, Vec3<S>(0, -4, 0));
+  EXPECT_EQ(blow.linear_W, Vec3<S>(0, -4, 0));
 }
 
 TYPED_TEST(Haptics, HostilePulses_StayWithinTheLimitAndEnd) {

@@ -138,7 +138,7 @@ TYPED_TEST(Scales, Blow_IsTheSameBitsScaled) {
       ASSERT_EQ(other.value.magnitude, k * hit.value.magnitude) << i;
       ASSERT_EQ(other.value.twist_A.w_W, hit.value.twist_A.w_W) << i;
       ASSERT_EQ(other.value.twist_B.v_W, Vec3<S>(k * hit.value.twist_B.v_W)) << i;
-      ASSERT_EQ(other.value.on_B.b_W, Vec3<S>(k * k * hit.value.on_B.b_W)) << i;
+      ASSERT_EQ(other.value.on_B.angular_W, Vec3<S>(k * k * hit.value.on_B.angular_W)) << i;
     }
   }
   EXPECT_GT(blows, 500);

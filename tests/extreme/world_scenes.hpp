@@ -73,8 +73,8 @@ Actor<SceneT> flyer(double x, double v, double size = 1) {
     actor.body.X_WB.p_W = place;
     actor.body.inverse_mass = 1;
     actor.body.inverse_moments = {1 / moment, 1 / moment, 2 / moment};
-    actor.body.momentum.p_W = momentum;
-    actor.body.momentum.b_W = {0, moment, moment};
+    actor.body.momentum.linear_W = momentum;
+    actor.body.momentum.angular_W = {0, moment, moment};
   } else {
     actor.body.p_W = place;
     actor.body.inverse_mass = 1;
@@ -104,8 +104,8 @@ template <class SceneT>
 bool is_sound(const Actor<SceneT>& actor) {
   const auto& body = actor.body;
   if constexpr (SceneT::kRotation) {
-    return is_finite(body.X_WB.p_W) && is_finite(body.X_WB.q_WB) && is_finite(body.momentum.p_W) &&
-           is_finite(body.momentum.b_W);
+    return is_finite(body.X_WB.p_W) && is_finite(body.X_WB.q_WB) &&
+           is_finite(body.momentum.linear_W) && is_finite(body.momentum.angular_W);
   } else {
     return is_finite(body.p_W) && is_finite(body.momentum_W);
   }

@@ -102,8 +102,8 @@ TYPED_TEST(HostileWorld, StepsFromAMicrosecondToASecond_MeetAndPart) {
     auto left = test::flyer<TypeParam>(-0.125 - ahead, 2);
     auto right = test::flyer<TypeParam>(0.125 + ahead, -2);
     if constexpr (TypeParam::kRotation) {
-      left.body.momentum.b_W.setZero();
-      right.body.momentum.b_W.setZero();
+      left.body.momentum.angular_W.setZero();
+      right.body.momentum.angular_W.setZero();
     }
     ASSERT_TRUE(world.add(left).ok() && world.add(right).ok());
     this->step(world, static_cast<S>(dt));
@@ -250,8 +250,8 @@ TYPED_TEST(HostileWorld, LoneBodyBeyondTheNumbers_IsHeldAndCounted) {
     ASSERT_EQ(world.configure(settings), Status::kOk);
     auto lone = test::flyer<TypeParam>(0, 0);
     if constexpr (TypeParam::kRotation) {
-      lone.body.momentum.p_W.x() = std::numeric_limits<S>::max() / 2;
-      lone.body.momentum.b_W.setZero();
+      lone.body.momentum.linear_W.x() = std::numeric_limits<S>::max() / 2;
+      lone.body.momentum.angular_W.setZero();
     } else {
       lone.body.momentum_W.x() = std::numeric_limits<S>::max() / 2;
     }
@@ -280,7 +280,7 @@ TYPED_TEST(TurningWorld, SpinToTheLimitAndBeyond_TurnsOrIsHeldAndCounted) {
     const S dt = S(1e-3);
     const double rate = share * static_cast<double>(kMaxAngle<S>) / static_cast<double>(dt);
     const auto moment = S(1) / top.body.inverse_moments.x();
-    top.body.momentum.b_W = {static_cast<S>(rate) * moment, 0, 0};
+    top.body.momentum.angular_W = {static_cast<S>(rate) * moment, 0, 0};
     ASSERT_TRUE(world.add(top).ok());
     this->step(world, dt);
     EXPECT_EQ(world.report().plans_invalid, share < 1 ? 0U : 1U) << share;

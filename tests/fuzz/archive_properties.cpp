@@ -87,7 +87,7 @@ Actor<SceneT> actor_at(int level) {
     actor.body = make_body<float>({place, Quat<float>::Identity()}, mass,
                                   Vec3<float>::Constant(0.01F * mass))
                      .value;
-    actor.body.momentum.p_W = Vec3<float>(0, 0, level == 0 ? 0.0F : -0.3F);
+    actor.body.momentum.linear_W = Vec3<float>(0, 0, level == 0 ? 0.0F : -0.3F);
   } else {
     actor.body = make_straight_body<float>(place, mass).value;
     actor.body.momentum_W = Vec3<float>(0, 0, level == 0 ? 0.0F : -0.3F);
@@ -121,7 +121,7 @@ void apply(World<SceneT>& world, const Push& push) {
   auto* const actor = world.get(world.id_at(push.slot));
   if (actor == nullptr) return;
   if constexpr (SceneT::kRotation) {
-    actor->body.momentum.p_W += push.impulse;
+    actor->body.momentum.linear_W += push.impulse;
   } else {
     actor->body.momentum_W += push.impulse;
   }

@@ -43,8 +43,8 @@ inline Weighed weighed(const Collider<float>& body, const Twist<float>& after,
   it.w = body.twist.w_W.cast<double>();
   it.v1 = after.v_W.cast<double>();
   it.w1 = after.w_W.cast<double>();
-  it.J = push.p_W.cast<double>();
-  it.b = push.b_W.cast<double>();
+  it.J = push.linear_W.cast<double>();
+  it.b = push.angular_W.cast<double>();
   it.r = point_W.cast<double>() - body.X_WB.p_W.cast<double>();
   it.inverses = body.inverse_moments.cast<double>();
   it.moments = inverse_of(it.inverses);

@@ -127,7 +127,8 @@ void check_side(const DuelOf<SceneT>& duel, Side side, float max_speed) {
   const auto& world = duel.world();
   const auto& body = world.get(world.id_at(static_cast<std::uint16_t>(index_of(side))))->body;
   require(is_finite(body.X_WB.p_W) && is_unit(body.X_WB.q_WB), "a blade is somewhere");
-  require(is_finite(body.momentum.p_W) && is_finite(body.momentum.b_W), "and moves in numbers");
+  require(is_finite(body.momentum.linear_W) && is_finite(body.momentum.angular_W),
+          "and moves in numbers");
 }
 
 template <class SceneT>
@@ -188,7 +189,8 @@ struct Bouts {
     require(duel.report().searches_invalid == 0, "every search can be asked");
     require(!apart || gap_of<SceneT>(duel) > 0, "blades stay apart");
     check_touches<SceneT>(duel);
-    require(hand_state(duel, Side::kLeft).blow.p_W == -hand_state(duel, Side::kRight).blow.p_W,
+    require(hand_state(duel, Side::kLeft).blow.linear_W ==
+                -hand_state(duel, Side::kRight).blow.linear_W,
             "each hand feels the other's blow");
     for (const Side side : kSides) {
       check_side<SceneT>(duel, side, settings.stick.max_speed);

@@ -88,7 +88,7 @@ bool is_same(const Twist<float>& a, const Twist<float>& b) {
 /// @param hits  whether the impulse without friction is above zero
 void check_answer(const Blow& blow, const Impulse<float>& hit, bool hits) {
   require(is_finite(hit.magnitude) && hit.magnitude >= 0, "nothing is pulled");
-  require(hit.on_B.p_W == -hit.on_A.p_W, "B gets the opposite");
+  require(hit.on_B.linear_W == -hit.on_A.linear_W, "B gets the opposite");
   if (!hits) {
     require(is_same(hit.twist_A, blow.A.twist) && is_same(hit.twist_B, blow.B.twist),
             "no impulse, no change");
@@ -163,7 +163,7 @@ void check_impulse(const Blow& blow, Numbers from) {
   if (!answer.ok()) return;
   const Impulse<float>& hit = answer.value;
   check_answer(blow, hit, hit.magnitude > 0);
-  require(hit.magnitude == back.value.magnitude && hit.on_A.p_W == back.value.on_B.p_W &&
+  require(hit.magnitude == back.value.magnitude && hit.on_A.linear_W == back.value.on_B.linear_W &&
               is_same(hit.twist_A, back.value.twist_B) && is_same(hit.twist_B, back.value.twist_A),
           "the same blow from the other side, to the last bit");
   const Impulse<float> dull = collision_impulse(blow.A, blow.B, blow.contact, C / 2).value;

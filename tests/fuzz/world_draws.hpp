@@ -77,8 +77,8 @@ void draw_body(Bytes& bytes, const Units& units, Actor<SceneT>& actor) {
     const auto made = make_body<float>({place, turn}, mass, {across, across, along});
     require(made.ok(), "ordinary bodies can be made");
     actor.body = made.value;
-    actor.body.momentum.p_W = mass * velocity;
-    actor.body.momentum.b_W = (across / units.time) * bytes.vector(Numbers::kGrid);
+    actor.body.momentum.linear_W = mass * velocity;
+    actor.body.momentum.angular_W = (across / units.time) * bytes.vector(Numbers::kGrid);
     if (!is_fixed) return;
     actor.body.inverse_mass = 0;
     actor.body.inverse_moments.setZero();
@@ -157,14 +157,14 @@ inline void add_body(Load& load, const StraightBody<float>& body, double /*reach
 }
 
 inline void add_body(Load& load, const Body<float>& body, double reach) {
-  add_linear(load, body.momentum.p_W, body.inverse_mass);
-  const Real3 b = body.momentum.b_W.cast<double>();
+  add_linear(load, body.momentum.linear_W, body.inverse_mass);
+  const Real3 b = body.momentum.angular_W.cast<double>();
   const Real3 inverse = body.inverse_moments.cast<double>();
   const Eigen::Quaterniond q = body.X_WB.q_WB.cast<double>().normalized();
   load.energy += 0.5 * inverse.dot((q.conjugate() * b).cwiseAbs2());
   load.soft += 0.5 * inverse.maxCoeff() * b.squaredNorm();
   const Real3 c = body.X_WB.p_W.cast<double>();
-  load.angular += c.cross(body.momentum.p_W.cast<double>()) + b;
+  load.angular += c.cross(body.momentum.linear_W.cast<double>()) + b;
   load.turning = std::max(load.turning, b.norm());
   load.arm = std::max(load.arm, c.norm() + reach);
   load.softest = std::max(load.softest, static_cast<double>(body.inverse_mass));

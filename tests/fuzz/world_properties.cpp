@@ -59,7 +59,7 @@ struct Run {
     const Vec3<float> impulse = units.mass * units.speed() * bytes.vector(Numbers::kGrid);
     if (actor == nullptr) return;
     if constexpr (SceneT::kRotation) {
-      actor->body.momentum.p_W += impulse;
+      actor->body.momentum.linear_W += impulse;
     } else {
       actor->body.momentum_W += impulse;
     }
@@ -77,7 +77,7 @@ Capsule<float> shape_of(const Actor<SceneT>& actor, int part) {
 
 /// A body as it flies while nothing happens to it and it does not turn.
 Motion<float> flight_of(const Body<float>& body, float dt) {
-  return {body.X_WB, {body.inverse_mass * body.momentum.p_W, Vec3<float>(0, 0, 0)}, dt};
+  return {body.X_WB, {body.inverse_mass * body.momentum.linear_W, Vec3<float>(0, 0, 0)}, dt};
 }
 Motion<float> flight_of(const StraightBody<float>& body, float dt) {
   const Pose<float> X_WB = {body.p_W, Quat<float>::Identity()};
@@ -90,7 +90,7 @@ double sharpest(const StraightBody<float>& /*body*/) {
   return 0;
 }
 bool turns(const Body<float>& body) {
-  return !body.momentum.b_W.isZero(0);
+  return !body.momentum.angular_W.isZero(0);
 }
 bool turns(const StraightBody<float>& /*body*/) {
   return false;

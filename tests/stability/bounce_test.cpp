@@ -68,7 +68,7 @@ TYPED_TEST(Bouncing, RodThatLandsFlat_IsNotSetSpinning) {
       ASSERT_TRUE(world.report().complete());
       hits += world.report().collisions;
       // Blows of 1 N s in all, at arms known to some u of the rod's length.
-      const TypeParam spin = test::body_in(shown, 0).body.momentum.b_W.norm();
+      const TypeParam spin = test::body_in(shown, 0).body.momentum.angular_W.norm();
       ASSERT_LT(spin, 64 * kRoundOff<TypeParam>) << i;
     }
     EXPECT_GT(hits, 10U);

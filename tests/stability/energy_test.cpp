@@ -73,10 +73,10 @@ double energy_of(const World<SceneT>& world) {
   for (int k = 0; k < kRods; ++k) {
     const auto& body = test::body_in(world, k).body;
     // In double: what rounding of the sum itself does must not be taken for a gain.
-    const auto v = (body.inverse_mass * body.momentum.p_W).template cast<double>().eval();
+    const auto v = (body.inverse_mass * body.momentum.linear_W).template cast<double>().eval();
     const auto w = twist_of(body).w_W.template cast<double>().eval();
-    sum += 0.5 * (v.dot(body.momentum.p_W.template cast<double>()) +
-                  w.dot(body.momentum.b_W.template cast<double>()));
+    sum += 0.5 * (v.dot(body.momentum.linear_W.template cast<double>()) +
+                  w.dot(body.momentum.angular_W.template cast<double>()));
   }
   return sum;
 }
@@ -88,8 +88,8 @@ void stir(World<SceneT>& world, std::uint64_t number) {
   test::Draws draws(7, 0, number);
   for (int k = 0; k < kRods; ++k) {
     auto& body = world.get(world.id_at(static_cast<std::uint16_t>(k)))->body;
-    body.momentum.p_W = (kSpeed * draws.direction()).template cast<S>();
-    body.momentum.b_W = (0.05 * draws.direction()).template cast<S>();
+    body.momentum.linear_W = (kSpeed * draws.direction()).template cast<S>();
+    body.momentum.angular_W = (0.05 * draws.direction()).template cast<S>();
   }
 }
 

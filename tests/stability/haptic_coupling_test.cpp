@@ -72,7 +72,7 @@ double pull(const CouplingSettings<double>& coupling, const MovingFrame<double>&
     return wrench.value.force_W.x();
   }
   const auto wrench = coupling_wrench(coupling, commanded, {body.X_WB, twist_of(body)});
-  body.momentum.p_W -= kPeriod * wrench.force_W;
+  body.momentum.linear_W -= kPeriod * wrench.force_W;
   return wrench.force_W.x();
 }
 

@@ -48,7 +48,7 @@ TYPED_TEST(Asleep, Undisturbed_CostsNoSearchAndStaysToTheLastBit) {
 
 TYPED_TEST(Asleep, Hit_Wakes) {
   auto ball = test::ball_at<test::SleepyScene<TypeParam>>({0, 0, 0.2}, 0.05);
-  ball.body.momentum.p_W = test::vector<TypeParam>(0, 0.1, -1);
+  ball.body.momentum.linear_W = test::vector<TypeParam>(0, 0.1, -1);
   ASSERT_TRUE(this->world.add(ball).ok());
   this->run(50);
   EXPECT_TRUE(this->sleeps(0));  // not there yet
@@ -70,11 +70,11 @@ TYPED_TEST(Asleep, SupportMovedAway_WakesAndFalls) {
   this->body(2).X_WB.p_W.z() -= TypeParam(0.1);
   this->run(100);
   EXPECT_FALSE(this->sleeps(0));
-  EXPECT_NEAR(this->body(0).momentum.p_W.z(), -9.81 * 0.1, 2 * 9.81 * test::kTick);
+  EXPECT_NEAR(this->body(0).momentum.linear_W.z(), -9.81 * 0.1, 2 * 9.81 * test::kTick);
 }
 
 TYPED_TEST(Asleep, GivenAMomentum_WakesAndGoes) {
-  this->body(0).momentum.p_W.z() = TypeParam(1);
+  this->body(0).momentum.linear_W.z() = TypeParam(1);
   this->run(20);
   EXPECT_FALSE(this->sleeps(0));
   EXPECT_GT(this->body(0).X_WB.p_W.z(), TypeParam(0.02 + 0.015));
@@ -84,7 +84,7 @@ TYPED_TEST(Asleep, SetElsewhere_WakesAndFalls) {
   this->body(0).X_WB.p_W.z() += TypeParam(0.1);
   this->run(20);
   EXPECT_FALSE(this->sleeps(0));
-  EXPECT_LT(this->body(0).momentum.p_W.z(), TypeParam(-0.15));
+  EXPECT_LT(this->body(0).momentum.linear_W.z(), TypeParam(-0.15));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ struct Slide {
 
   Slide(double y, double speed) {
     auto rod = test::rod_at<SceneT>({0, y, 2 * test::kRodRadius + kD}, Vec3<double>::UnitX());
-    rod.body.momentum.p_W.y() = static_cast<S>(speed);
+    rod.body.momentum.linear_W.y() = static_cast<S>(speed);
     (void)world.add(rod);
     for (const double side : {-0.35, 0.35}) {
       auto blade = test::post_at<SceneT>({side, 0, 0}, Vec3<double>::UnitY());
@@ -30,7 +30,7 @@ struct Slide {
   }
   const Body<S>& rod() const { return test::body_in(world, 0).body; }
   double y() const { return static_cast<double>(rod().X_WB.p_W.y()); }
-  double speed() const { return static_cast<double>(rod().momentum.p_W.y()); }
+  double speed() const { return static_cast<double>(rod().momentum.linear_W.y()); }
   double energy() const {
     return static_cast<double>(kinetic_energy(rod())) +
            kG * static_cast<double>(rod().X_WB.p_W.z());
@@ -95,9 +95,9 @@ TYPED_TEST(Sliding, OffTheEnd_FallsAndTheContactsEnd) {
   EXPECT_GE(ends, 2);
   EXPECT_EQ(slide.world.report().pairs, 0U);  // nothing near any more
   EXPECT_LT(static_cast<double>(slide.rod().X_WB.p_W.z()), -0.2);
-  const auto before = slide.rod().momentum.p_W;
+  const auto before = slide.rod().momentum.linear_W;
   slide.step();
-  EXPECT_NEAR(slide.rod().momentum.p_W.z() - before.z(), -kG * test::kTick, 1e-6);
+  EXPECT_NEAR(slide.rod().momentum.linear_W.z() - before.z(), -kG * test::kTick, 1e-6);
 }
 
 }  // namespace

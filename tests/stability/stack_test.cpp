@@ -70,7 +70,7 @@ Seen watch(double D, double restitution, int steps) {
     for (std::size_t k = 0; k < start.size(); ++k) {
       const Vec3<double> moved = place(k) - start[k];
       seen.drift = std::max(seen.drift, moved.head<2>().norm());
-      const auto& momentum = test::body_in(shown, static_cast<int>(k)).body.momentum.p_W;
+      const auto& momentum = test::body_in(shown, static_cast<int>(k)).body.momentum.linear_W;
       if (late)
         seen.top_speed_late = std::max(seen.top_speed_late, static_cast<double>(momentum.norm()));
     }

@@ -50,19 +50,19 @@ TYPED_TEST(StiffFlight, MillionSteps_AreExactToRounding) {
   constexpr auto u = static_cast<long double>(kRoundOff<S>);
   auto world = std::make_unique<World<SceneT>>();
   auto rod = test::rod_at<SceneT>({0.3, -0.2, 0.1}, Vec3<double>::UnitZ());
-  rod.body.momentum.p_W = test::vector<S>(3e-3, -2e-3, 1e-3);
-  rod.body.momentum.b_W = test::vector<S>(0.011, 0.017, -0.006);
+  rod.body.momentum.linear_W = test::vector<S>(3e-3, -2e-3, 1e-3);
+  rod.body.momentum.angular_W = test::vector<S>(0.011, 0.017, -0.006);
   const auto id = world->add(rod).value;
   const Body<S> start = world->get(id)->body;
   const S dt = static_cast<S>(test::kTick);
   for (long i = 0; i < kSteps; ++i) ASSERT_EQ(world->step(dt), Status::kOk);
 
   const Body<S>& end = world->get(id)->body;
-  EXPECT_EQ(end.momentum.p_W, start.momentum.p_W) << "to the last bit";
-  EXPECT_EQ(end.momentum.b_W, start.momentum.b_W);
+  EXPECT_EQ(end.momentum.linear_W, start.momentum.linear_W) << "to the last bit";
+  EXPECT_EQ(end.momentum.angular_W, start.momentum.angular_W);
   const long double time = static_cast<long double>(dt) * kSteps;
   const Wide way = time * static_cast<long double>(start.inverse_mass) *
-                   start.momentum.p_W.template cast<long double>();
+                   start.momentum.linear_W.template cast<long double>();
   const Wide place = start.X_WB.p_W.template cast<long double>() + way;
   const Wide off = end.X_WB.p_W.template cast<long double>() - place;
   // A step rounds the place once, and the way of a step three times.
@@ -70,7 +70,7 @@ TYPED_TEST(StiffFlight, MillionSteps_AreExactToRounding) {
   EXPECT_LE(off.norm(), most);
 
   const Wide spin = static_cast<long double>(start.inverse_moments.x()) *
-                    start.momentum.b_W.template cast<long double>();
+                    start.momentum.angular_W.template cast<long double>();
   const long double angle = spin.norm() * time;
   const Wide axis = spin.normalized();
   const WideQuat turn(Eigen::AngleAxis<long double>(angle, axis));

@@ -62,9 +62,9 @@ void add_rods(World<SceneT>& world, const Stiffness& how, std::uint64_t number) 
     rod.body = make_body<S>(rod.body.X_WB, static_cast<S>(mass), moments).value;
     const Vec3<double> momentum = 3 * mass * draw.direction();
     const Vec3<double> spin = 0.05 * mass * draw.direction();
-    rod.body.momentum.p_W = momentum.cast<S>();
+    rod.body.momentum.linear_W = momentum.cast<S>();
     // Across mostly: along its axis a needle would turn 1e6 times as fast.
-    rod.body.momentum.b_W = test::vector<S>(spin.x(), spin.y(), spin.z() / how.anisotropy);
+    rod.body.momentum.angular_W = test::vector<S>(spin.x(), spin.y(), spin.z() / how.anisotropy);
     rod.restitution = static_cast<S>(how.restitution);
     rod.friction = static_cast<S>(how.friction);
     ASSERT_TRUE(world.add(rod).ok());
@@ -82,8 +82,8 @@ Energy energy_of(const World<SceneT>& world) {
   Energy sum;
   for (int k = 0; k < kRods; ++k) {
     const auto& body = test::body_in(world, k).body;
-    const Vec3<double> p = body.momentum.p_W.template cast<double>();
-    const Vec3<double> b = body.momentum.b_W.template cast<double>();
+    const Vec3<double> p = body.momentum.linear_W.template cast<double>();
+    const Vec3<double> b = body.momentum.angular_W.template cast<double>();
     const Quat<double> q = body.X_WB.q_WB.template cast<double>();
     const Vec3<double> b_B = q.normalized().conjugate() * b;
     const Vec3<double> inverse = body.inverse_moments.template cast<double>();

@@ -152,10 +152,10 @@ void CrowdRun<S, N>::turn_back() {
     const auto* actor = seen.get(seen.id_at(i));
     if (actor == nullptr) continue;
     const Vec3<S>& p = actor->body.X_WB.p_W;
-    const Vec3<S>& momentum = actor->body.momentum.p_W;
+    const Vec3<S>& momentum = actor->body.momentum.linear_W;
     for (int k = 0; k < 3; ++k) {  // Bound: 3
       if (std::abs(p[k]) < static_cast<S>(half_) || p[k] * momentum[k] < S(0)) continue;
-      world_.get(seen.id_at(i))->body.momentum.p_W[k] *= S(-1);
+      world_.get(seen.id_at(i))->body.momentum.linear_W[k] *= S(-1);
     }
   }
 }

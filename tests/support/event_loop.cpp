@@ -85,10 +85,10 @@ void EventLoop::answer(const Happening& happening, double end) {
   const Contact<double> contact = contact_from(gap, Vec3<double>::Zero().eval());
   const auto hit = collision_impulse(collider_of(A.body), collider_of(B.body), contact,
                                      std::max(A.restitution, B.restitution));
-  A.body.momentum.p_W += hit.value.on_A.p_W;
-  A.body.momentum.b_W += hit.value.on_A.b_W;
-  B.body.momentum.p_W += hit.value.on_B.p_W;
-  B.body.momentum.b_W += hit.value.on_B.b_W;
+  A.body.momentum.linear_W += hit.value.on_A.linear_W;
+  A.body.momentum.angular_W += hit.value.on_A.angular_W;
+  B.body.momentum.linear_W += hit.value.on_B.linear_W;
+  B.body.momentum.angular_W += hit.value.on_B.angular_W;
   plan(happening.first, happening.time, end);
   plan(happening.second, happening.time, end);
 }

@@ -108,8 +108,8 @@ Side side_of(const Collider<S>& body, const Twist<S>& after, const Momentum<S>& 
   // The rotation into W is off by up to 12 u, which puts as much of a change of spin about a soft
   // axis into a stiff one (friction.md).
   const long double spun = Wide(wide(after.w_W) - wide(body.twist.w_W)).norm();
-  side.size = mass * v * v + moments.maxCoeff() * w * (w + 3 * spun) + v * wide(push.p_W).norm() +
-              w * wide(push.b_W).norm();
+  side.size = mass * v * v + moments.maxCoeff() * w * (w + 3 * spun) +
+              v * wide(push.linear_W).norm() + w * wide(push.angular_W).norm();
   return side;
 }
 
@@ -143,15 +143,15 @@ void judge_momenta(const StiffBlow<S>& blow, const Impulse<S>& hit, StiffError& 
   const auto kept = [&](const Collider<S>& body, const Momentum<S>& push) {
     const Body<S> whole{body.X_WB, {}, body.inverse_mass, body.inverse_moments, false};
     const Momentum<S> before = momentum_of(whole, body.twist);
-    const Momentum<S> after{before.p_W + push.p_W, before.b_W + push.b_W};
-    const Kept k{wide(before.p_W), wide(after.p_W), wide(before.b_W), wide(after.b_W),
-                 wide(body.X_WB.p_W)};
+    const Momentum<S> after{before.linear_W + push.linear_W, before.angular_W + push.angular_W};
+    const Kept k{wide(before.linear_W), wide(after.linear_W), wide(before.angular_W),
+                 wide(after.angular_W), wide(body.X_WB.p_W)};
     largest_p = std::max({largest_p, k.before.norm(), k.after.norm()});
     // r x J may be small because r and J are along each other; it is rounded as |r| |J| is.
     const long double arm = (wide(blow.contact.point_W) - k.lever).norm();
     largest_b = std::max({largest_b, k.spin_before.norm(), k.spin_after.norm(),
                           k.lever.norm() * k.before.norm(), k.lever.norm() * k.after.norm(),
-                          (arm + k.lever.norm()) * wide(push.p_W).norm()});
+                          (arm + k.lever.norm()) * wide(push.linear_W).norm()});
     return k;
   };
   const Kept A = kept(blow.A, hit.on_A);

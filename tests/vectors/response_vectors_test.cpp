@@ -108,7 +108,7 @@ Real ulp(Real x, Real u) {
 template <class Scalar>
 Real energy_of_error(const Body<Scalar>& body, const Twist<Scalar>& twist, Real v, Real w) {
   const Momentum<Scalar> momentum = momentum_of(body, twist);
-  return real(momentum.p_W).norm() * v + real(momentum.b_W).norm() * w;
+  return real(momentum.linear_W).norm() * v + real(momentum.angular_W).norm() * w;
 }
 
 template <class Scalar>
@@ -233,16 +233,17 @@ class Judge {
     Real largest_p = 0;
     Real largest_H = 0;
     const auto add = [&](const Body<Scalar>& body, const Momentum<Scalar>& change) {
-      const Vec3<Scalar> p = body.momentum.p_W + change.p_W;
-      const Vec3<Scalar> b = body.momentum.b_W + change.b_W;
+      const Vec3<Scalar> p = body.momentum.linear_W + change.linear_W;
+      const Vec3<Scalar> b = body.momentum.angular_W + change.angular_W;
       const Real3 c = real(body.X_WB.p_W);
-      const Real3 orbital = c.cross(real(p)) - c.cross(real(body.momentum.p_W));
-      linear += real(p) - real(body.momentum.p_W);
-      angular += orbital + (real(b) - real(body.momentum.b_W));
-      largest_p = std::max({largest_p, real(p).norm(), real(body.momentum.p_W).norm()});
-      largest_H = std::max({largest_H, c.norm() * real(p).norm(), real(b).norm(),
-                            real(body.momentum.b_W).norm(),
-                            c.norm() * real(body.momentum.p_W).norm(), real(change.b_W).norm()});
+      const Real3 orbital = c.cross(real(p)) - c.cross(real(body.momentum.linear_W));
+      linear += real(p) - real(body.momentum.linear_W);
+      angular += orbital + (real(b) - real(body.momentum.angular_W));
+      largest_p = std::max({largest_p, real(p).norm(), real(body.momentum.linear_W).norm()});
+      largest_H =
+          std::max({largest_H, c.norm() * real(p).norm(), real(b).norm(),
+                    real(body.momentum.angular_W).norm(),
+                    c.norm() * real(body.momentum.linear_W).norm(), real(change.angular_W).norm()});
     };
     add(query.A.body, answer.on_A);
     add(query.B.body, answer.on_B);

@@ -42,8 +42,8 @@ Momentum<Scalar> blow_about(const Vec3<Scalar>& p_W, Side side, const Events& ev
   const Scalar sign = side == Side::kLeft ? Scalar(1) : Scalar(-1);
   for (const auto& event : events) {  // Bound: the capacity of the list
     const Vec3<Scalar> impulse_W = (sign * event.impulse) * event.contact.normal_BA_W;
-    blow.p_W += impulse_W;
-    blow.b_W += (event.contact.point_W - p_W).cross(impulse_W);
+    blow.linear_W += impulse_W;
+    blow.angular_W += (event.contact.point_W - p_W).cross(impulse_W);
   }
   return blow;
 }

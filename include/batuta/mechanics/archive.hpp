@@ -21,8 +21,8 @@ void archive(Archive& ar, Twist<Scalar>& twist) {
 
 template <class Scalar>
 void archive(Archive& ar, Momentum<Scalar>& momentum) {
-  auto& [p_W, b_W] = momentum;
-  ar(p_W, b_W);
+  auto& [linear_W, angular_W] = momentum;
+  ar(linear_W, angular_W);
 }
 
 template <class Scalar>

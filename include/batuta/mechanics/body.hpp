@@ -30,8 +30,8 @@ struct Twist {
 /// torque), in W.
 template <class Scalar>
 struct Momentum {
-  Vec3<Scalar> p_W = Vec3<Scalar>::Zero();  ///< kg m/s
-  Vec3<Scalar> b_W = Vec3<Scalar>::Zero();  ///< kg m^2/s
+  Vec3<Scalar> linear_W = Vec3<Scalar>::Zero();   ///< kg m/s
+  Vec3<Scalar> angular_W = Vec3<Scalar>::Zero();  ///< kg m^2/s
 };
 
 template <class Scalar>

@@ -135,8 +135,8 @@ void GeneralWorld<SceneT>::stop_pair(ProxyPair pair) {
   for (const Slot proxy : {pair.first, pair.second}) {  // Bound: 2
     Body<Scalar>& body = actor_at(body_of(proxy)).body;
     if (!states_[body_of(proxy)].plan.by_momentum) continue;
-    body.momentum.p_W *= share;
-    body.momentum.b_W *= share;
+    body.momentum.linear_W *= share;
+    body.momentum.angular_W *= share;
   }
 }
 

@@ -45,10 +45,10 @@ struct TurningKinematics {
   using Mover = MovingCapsule<Scalar>;
 
   static bool is_usable(const BodyType& body) {
-    return is_finite(body.X_WB.p_W) && is_finite(body.X_WB.q_WB) && is_finite(body.momentum.p_W) &&
-           is_finite(body.momentum.b_W) && is_finite(body.inverse_mass) &&
-           body.inverse_mass >= Scalar(0) && is_finite(body.inverse_moments) &&
-           body.inverse_moments.minCoeff() >= Scalar(0);
+    return is_finite(body.X_WB.p_W) && is_finite(body.X_WB.q_WB) &&
+           is_finite(body.momentum.linear_W) && is_finite(body.momentum.angular_W) &&
+           is_finite(body.inverse_mass) && body.inverse_mass >= Scalar(0) &&
+           is_finite(body.inverse_moments) && body.inverse_moments.minCoeff() >= Scalar(0);
   }
   /// A body as the caller gave it, made ready. Bound: the parts.
   static void prepare(ActorType& actor) {
@@ -95,8 +95,8 @@ struct TurningKinematics {
   /// zero takes it back.
   static void fall(BodyType& body, PlanType& plan, const Vec3<Scalar>& gravity_W, Scalar time) {
     if (!plan.by_momentum || !(body.inverse_mass > Scalar(0))) return;
-    body.momentum.p_W += (time / body.inverse_mass) * gravity_W;
-    plan.motion.twist.v_W = body.inverse_mass * body.momentum.p_W;
+    body.momentum.linear_W += (time / body.inverse_mass) * gravity_W;
+    plan.motion.twist.v_W = body.inverse_mass * body.momentum.linear_W;
   }
 
   static Mover mover(const ActorType& actor, int part, const MotionType& motion) {

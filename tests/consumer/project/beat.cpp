@@ -13,7 +13,7 @@ Actor<TwoBlades> blade(Vec3<float> center, Vec3<float> velocity) {
   actor.body =
       make_body<float>({center, Quat<float>::Identity()}, mass.mass, mass.inertia_S.diagonal())
           .value;
-  actor.body.momentum.p_W = mass.mass * velocity;
+  actor.body.momentum.linear_W = mass.mass * velocity;
   actor.restitution = 0.6F;
   return actor;
 }

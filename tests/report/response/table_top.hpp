@@ -82,7 +82,7 @@ class TableTop {
   /// One step of kStep.
   Status step() {
     if (lies(play_)) {
-      actor(0).body.momentum.p_W.z() -= kGravity * kStep * kMass;
+      actor(0).body.momentum.linear_W.z() -= kGravity * kStep * kMass;
     } else {
       command(0);
       command(1);
@@ -138,7 +138,7 @@ class TableTop {
     const S height = 2 * kRadius + gap_ * (S(1.5) + S(0.5) * vary_[0]);
     Actor<SceneT> top = rod({S(0.05) * vary_[1], 0, height}, Vec3<S>::UnitX());
     top.body.X_WB.q_WB = exp_map(Vec3<S>(0, 0, S(0.2) * vary_[2]));
-    top.body.momentum.p_W.y() = kMass * speed();
+    top.body.momentum.linear_W.y() = kMass * speed();
     if (play_ == Play::kBridge) {
       return add(top) && add(post(-kPostOffset)) && add(post(kPostOffset));
     }

@@ -40,17 +40,17 @@ void fly(long steps, Error& error) {
   using SceneT = Space<S>;
   auto world = std::make_unique<World<SceneT>>();
   auto rod = test::rod_at<SceneT>({0.3, -0.2, 0.1}, Vec3<double>::UnitZ());
-  rod.body.momentum.p_W = test::vector<S>(1.5, -0.7, 0.3);
-  rod.body.momentum.b_W = test::vector<S>(0.5, 0.6, 0);
+  rod.body.momentum.linear_W = test::vector<S>(1.5, -0.7, 0.3);
+  rod.body.momentum.angular_W = test::vector<S>(0.5, 0.6, 0);
   const auto id = world->add(rod).value;
   const Body<S> start = world->get(id)->body;
   step_through(*world, steps);
   const Body<S>& end = world->get(id)->body;
   const Wide place = start.X_WB.p_W.template cast<long double>() +
                      static_cast<long double>(start.inverse_mass) *
-                         start.momentum.p_W.template cast<long double>();
+                         start.momentum.linear_W.template cast<long double>();
   const Wide spin = static_cast<long double>(start.inverse_moments.x()) *
-                    start.momentum.b_W.template cast<long double>();
+                    start.momentum.angular_W.template cast<long double>();
   const WideQuat turned(Eigen::AngleAxis<long double>(spin.norm(), spin.normalized()));
   const WideQuat off = turned.conjugate() * end.X_WB.q_WB.template cast<long double>();
   error.place = static_cast<double>((end.X_WB.p_W.template cast<long double>() - place).norm());
@@ -68,7 +68,7 @@ void meet(long steps, Error& error) {
     const double side = k == 0 ? -1 : 1;
     Actor<SceneT> ball = test::ball_at<SceneT>({0.53 * side, 0, 0}, kRadius);
     ball.restitution = 1;
-    ball.body.momentum.p_W = test::vector<S>(-1.1 * side, 0, 0) / ball.body.inverse_mass;
+    ball.body.momentum.linear_W = test::vector<S>(-1.1 * side, 0, 0) / ball.body.inverse_mass;
     ids[static_cast<std::size_t>(k)] = world->add(ball).value;
   }
   step_through(*world, steps);

@@ -52,8 +52,8 @@ inline void add(Answer& answer, const Twist<float>& twist) {
 }
 
 inline void add(Answer& answer, const Momentum<float>& momentum) {
-  answer.add("momentum_p_W", momentum.p_W);
-  answer.add("momentum_b_W", momentum.b_W);
+  answer.add("momentum_linear_W", momentum.linear_W);
+  answer.add("momentum_angular_W", momentum.angular_W);
 }
 
 inline void add(Answer& answer, const Capsule<float>& capsule) {

@@ -41,8 +41,8 @@ Vec3<float> vector_of(const std::array<float, 3>& numbers) {
 
 Result<Body<float>> take_off(const Flyer& flyer) {
   auto body = make_body<float>({}, flyer.mass, vector_of(flyer.moments));
-  body.value.momentum.p_W = flyer.mass * Vec3<float>(0.3F, -0.1F, 0.2F);
-  body.value.momentum.b_W = vector_of(flyer.spin);
+  body.value.momentum.linear_W = flyer.mass * Vec3<float>(0.3F, -0.1F, 0.2F);
+  body.value.momentum.angular_W = vector_of(flyer.spin);
   body.value.spin_shows = flyer.spin_shows;
   return body;
 }

@@ -105,8 +105,8 @@ void meet(World<SceneT>& world, std::uint32_t number, Recorder& recorder) {
     auto actor = rod<SceneT>({{side, 0, 0}, Quat<float>::Identity()}, 1, 0.02F);
     set_free(actor);
     const float mass = 1 / actor.body.inverse_mass;
-    actor.body.momentum.p_W = mass * Vec3<float>(-side, 0.05F, 0.02F);
-    actor.body.momentum.b_W = 0.2F * mass * draw.vector(1.0F);
+    actor.body.momentum.linear_W = mass * Vec3<float>(-side, 0.05F, 0.02F);
+    actor.body.momentum.angular_W = 0.2F * mass * draw.vector(1.0F);
     if constexpr (SceneT::kRestitution) actor.restitution = 0.8F;
     (void)world.add(actor);
   }

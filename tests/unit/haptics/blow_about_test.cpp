@@ -24,11 +24,11 @@ TEST(BlowAbout, OneContact_GivesImpulseAndMomentOfTheHand) {
   DuelEvents events;
   ASSERT_TRUE(events.push(blow_at({1.5F, 2, 3}, Vec3<float>::UnitZ(), 2)));
   const Momentum<float> left = blow_about(Vec3<float>(1, 2, 3), Side::kLeft, events);
-  EXPECT_EQ(left.p_W, Vec3<float>(0, 0, 2));
-  EXPECT_EQ(left.b_W, Vec3<float>(0, -1, 0));
+  EXPECT_EQ(left.linear_W, Vec3<float>(0, 0, 2));
+  EXPECT_EQ(left.angular_W, Vec3<float>(0, -1, 0));
   const Momentum<float> right = blow_about(Vec3<float>(1, 2, 3), Side::kRight, events);
-  EXPECT_EQ(right.p_W, Vec3<float>(0, 0, -2));
-  EXPECT_EQ(right.b_W, Vec3<float>(0, 1, 0));
+  EXPECT_EQ(right.linear_W, Vec3<float>(0, 0, -2));
+  EXPECT_EQ(right.angular_W, Vec3<float>(0, 1, 0));
 }
 
 TEST(BlowAbout, SeveralContacts_AddUp_AndThoseWithoutImpulseAddNothing) {
@@ -37,8 +37,8 @@ TEST(BlowAbout, SeveralContacts_AddUp_AndThoseWithoutImpulseAddNothing) {
   ASSERT_TRUE(events.push(blow_at({9, 9, 9}, Vec3<float>::UnitX(), 0)));
   ASSERT_TRUE(events.push(blow_at({-1, 0, 0}, Vec3<float>::UnitY(), 1)));
   const Momentum<float> blow = blow_about(Vec3<float>(0, 0, 0), Side::kLeft, events);
-  EXPECT_EQ(blow.p_W, Vec3<float>(0, 3, 0));
-  EXPECT_EQ(blow.b_W, Vec3<float>(0, 0, 2 - 1));
+  EXPECT_EQ(blow.linear_W, Vec3<float>(0, 3, 0));
+  EXPECT_EQ(blow.angular_W, Vec3<float>(0, 0, 2 - 1));
 }
 
 }  // namespace

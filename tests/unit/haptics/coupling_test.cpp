@@ -151,7 +151,7 @@ TEST(Coupling, NotFinite_PullsNothing) {
   EXPECT_EQ(wrench.moment_W, Vec3<double>::Zero());
   Body<double> body = make_body({}, 1.0, Vec3<double>(1, 1, 1)).value;
   EXPECT_EQ(couple(CouplingSettings<double>{}, blade, body, 1e-3).status, Status::kInvalidArgument);
-  EXPECT_EQ(body.momentum.p_W, Vec3<double>::Zero());
+  EXPECT_EQ(body.momentum.linear_W, Vec3<double>::Zero());
 }
 
 TEST(Coupling, SettingsOutOfRange_AreRefused) {
@@ -188,7 +188,7 @@ RC_GTEST_PROP(CoupledBody, HeldByAStillHand_NeverGainsEnergy, ()) {
   const double dt = power_of_ten(-5, 0);
   Body<double> body =
       make_body({any_vector(1), Quat<double>::Identity()}, mass, Vec3<double>(1, 1, 1)).value;
-  body.momentum.p_W = mass * any_vector(3);
+  body.momentum.linear_W = mass * any_vector(3);
   const Frame hand;
   double before = energy(settings, hand, body);
   for (int i = 0; i < 200; ++i) {
@@ -236,7 +236,7 @@ RC_GTEST_PROP(CoupledBody, Pull_IsThatOfTheLimitedSpringAtTheEnd, ()) {
   const Vec3<double> turn = any_vector(1);
   const Vec3<double> moments(power_of_ten(-6, 0), power_of_ten(-6, 0), power_of_ten(-6, 0));
   Body<double> body = make_body({Vec3<double>::Zero(), exp_map(turn)}, 1.0, moments).value;
-  body.momentum.b_W = any_vector(1e-2);
+  body.momentum.angular_W = any_vector(1e-2);
   const auto felt = couple(settings, Frame{}, body, dt);
   RC_ASSERT(felt.ok());
   const Vec3<double> w = twist_of(body).w_W;
@@ -253,8 +253,8 @@ TEST(CoupledBody, BothSides_TakeTheSameImpulse) {
   Frame hand{{{0.02, -0.01, 0.03}, exp_map(Vec3<double>(0.1, 0.2, -0.3))}, {{1, 2, 3}, {4, 5, 6}}};
   const auto felt = couple(CouplingSettings<double>{}, hand, body, 1e-3);
   ASSERT_TRUE(felt.ok());
-  EXPECT_LT((body.momentum.p_W + 1e-3 * felt.value.force_W).norm(), 1e-18);
-  EXPECT_LT((body.momentum.b_W + 1e-3 * felt.value.moment_W).norm(), 1e-18);
+  EXPECT_LT((body.momentum.linear_W + 1e-3 * felt.value.force_W).norm(), 1e-18);
+  EXPECT_LT((body.momentum.angular_W + 1e-3 * felt.value.moment_W).norm(), 1e-18);
   EXPECT_GT(felt.value.force_W.norm(), 1);
   EXPECT_GT(felt.value.moment_W.norm(), 0.1);
 }
@@ -267,7 +267,7 @@ TEST(CoupledBody, Fixed_IsFeltAndDoesNotMove) {
   const auto felt = couple(CouplingSettings<double>{}, hand, body, 1e-3);
   ASSERT_TRUE(felt.ok());
   EXPECT_DOUBLE_EQ(felt.value.force_W.x(), -40);
-  EXPECT_EQ(body.momentum.p_W, Vec3<double>::Zero());
+  EXPECT_EQ(body.momentum.linear_W, Vec3<double>::Zero());
 }
 
 TEST(CoupledBody, StepOfNoLength_IsRefused) {

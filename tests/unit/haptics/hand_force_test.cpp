@@ -76,7 +76,7 @@ TEST(HandForce, BladeThatMovesAwayFromItsHand_DragsItAsLongAsItMoves) {
 TEST(HandForce, Blow_IsPlayedWhole) {
   HandForce<double> force = hand_force();
   State state = plain_state();
-  state.blow.p_W = {0.1, -0.05, 7};
+  state.blow.linear_W = {0.1, -0.05, 7};
   Vec2<double> area = kStep * force.advance(state, kStep);
   state.blow = {};
   for (int i = 0; i < 10; ++i) area += kStep * force.advance(state, kStep);
@@ -87,7 +87,7 @@ TEST(HandForce, Blow_IsPlayedWhole) {
 TEST(HandForce, BlowAtTheLimit_LeavesTheCouplingNoRoom) {
   HandForce<double> force = hand_force();
   State state = plain_state();
-  state.blow.p_W.x() = 10;
+  state.blow.linear_W.x() = 10;
   state.held_W.p_W.y() = -0.02;
   state.held_W.p_W.x() = -0.02;  // against the blow: has all the room
   const Vec2<double> against = force.advance(state, kStep);
@@ -107,7 +107,7 @@ TEST(HandForce, StateThatIsNotFinite_IsNotFeltAndNotKept) {
   bad.held_W.p_W.x() = NAN;
   EXPECT_EQ(force.advance(bad, kStep), Vec2<double>::Zero());
   bad = state;
-  bad.blow.b_W.z() = INFINITY;
+  bad.blow.angular_W.z() = INFINITY;
   EXPECT_EQ(force.advance(bad, kStep), Vec2<double>::Zero());
   EXPECT_EQ(force.advance(state, kStep), Vec2<double>::Zero());
 }

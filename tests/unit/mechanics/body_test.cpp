@@ -49,8 +49,8 @@ template <class Scalar>
 void expect_same(const Body<Scalar>& A, const Body<Scalar>& B) {
   EXPECT_EQ(A.X_WB.p_W, B.X_WB.p_W);
   EXPECT_EQ(A.X_WB.q_WB.coeffs(), B.X_WB.q_WB.coeffs());
-  EXPECT_EQ(A.momentum.p_W, B.momentum.p_W);
-  EXPECT_EQ(A.momentum.b_W, B.momentum.b_W);
+  EXPECT_EQ(A.momentum.linear_W, B.momentum.linear_W);
+  EXPECT_EQ(A.momentum.angular_W, B.momentum.angular_W);
 }
 
 TYPED_TEST(BodyOf, MakeBody_KeepsTheInverses) {
@@ -142,12 +142,12 @@ TYPED_TEST(BodyOf, Twist_IsMomentumOverMassAndInertia) {
     const Body<TypeParam> body = random_body(source, 100);
     const Twist<TypeParam> twist = twist_of(body);
     const Mat3<Real> R = true_rotation(body);
-    const Vec3<Real> w =
-        R * (real(body.inverse_moments).asDiagonal() * (R.transpose() * real(body.momentum.b_W)));
+    const Vec3<Real> w = R * (real(body.inverse_moments).asDiagonal() *
+                              (R.transpose() * real(body.momentum.angular_W)));
     EXPECT_LE(relative_error(twist.v_W, Vec3<Real>(static_cast<Real>(body.inverse_mass) *
-                                                   real(body.momentum.p_W))),
+                                                   real(body.momentum.linear_W))),
               4 * u<TypeParam>);
-    const Real scale = body.inverse_moments.maxCoeff() * body.momentum.b_W.norm();
+    const Real scale = body.inverse_moments.maxCoeff() * body.momentum.angular_W.norm();
     EXPECT_LE((real(twist.w_W) - w).norm(), 24 * u<TypeParam> * scale);
   }
 }
@@ -160,24 +160,25 @@ TYPED_TEST(BodyOf, MomentumOfTwist_GivesBackTheMomentumAlsoAtAnisotropyOneMillio
     // share.
     const int axis = i % 3;
     const Mat3<TypeParam> R = to_matrix(body.X_WB.q_WB);
-    body.momentum.b_W = R.col(axis);
+    body.momentum.angular_W = R.col(axis);
     const Momentum<TypeParam> back = momentum_of(body, twist_of(body));
     const double spread = static_cast<double>(body.inverse_moments.maxCoeff()) /
                           static_cast<double>(body.inverse_moments.minCoeff());
-    EXPECT_LE(relative_error(back.p_W, real(body.momentum.p_W)), 8 * u<TypeParam>);
-    EXPECT_LE(relative_error(back.b_W, real(body.momentum.b_W)), 24 * u<TypeParam> * spread);
+    EXPECT_LE(relative_error(back.linear_W, real(body.momentum.linear_W)), 8 * u<TypeParam>);
+    EXPECT_LE(relative_error(back.angular_W, real(body.momentum.angular_W)),
+              24 * u<TypeParam> * spread);
   }
 }
 
 TYPED_TEST(BodyOf, TwistInItsOwnAxes_LosesNothingAtAnisotropyOneMillion) {
   const Vec3<TypeParam> moments(TypeParam(1e-6), 1, 1);
   Body<TypeParam> body = make_body<TypeParam>({}, 1, moments).value;
-  body.momentum.b_W = {TypeParam(1e-6), 3, -2};
+  body.momentum.angular_W = {TypeParam(1e-6), 3, -2};
   const Vec3<TypeParam> w = twist_of(body).w_W;
   EXPECT_NEAR(w.x(), 1, 4 * u<TypeParam>);
   EXPECT_EQ(w.y(), TypeParam(3));
   EXPECT_EQ(w.z(), TypeParam(-2));
-  const Vec3<TypeParam> b = momentum_of(body, {{0, 0, 0}, w}).b_W;
+  const Vec3<TypeParam> b = momentum_of(body, {{0, 0, 0}, w}).angular_W;
   EXPECT_NEAR(b.x(), 1e-6, 8e-6 * u<TypeParam>);
 }
 
@@ -188,8 +189,8 @@ TYPED_TEST(BodyOf, FixedBody_HasNoTwistNoMomentumAndNoEnergy) {
   EXPECT_EQ(twist_of(wall).v_W, zero);
   EXPECT_EQ(twist_of(wall).w_W, zero);
   const Momentum<TypeParam> none = momentum_of(wall, {{1, 2, 3}, {4, 5, 6}});
-  EXPECT_EQ(none.p_W, zero);
-  EXPECT_EQ(none.b_W, zero);
+  EXPECT_EQ(none.linear_W, zero);
+  EXPECT_EQ(none.angular_W, zero);
   EXPECT_EQ(kinetic_energy(wall), TypeParam(0));
 }
 
@@ -220,8 +221,8 @@ TYPED_TEST(BodyOf, Apply_AddsForceAndTorqueOverTime) {
   Body<TypeParam> body = make_body<TypeParam>({}, 2, {1, 1, 1}).value;
   EXPECT_EQ(apply<TypeParam>(body, {4, 0, 0}, {0, 8, 0}, TypeParam(0.25)), Status::kOk);
   EXPECT_EQ(apply<TypeParam>(body, {0, 0, 4}, {0, 8, 0}, TypeParam(0.25)), Status::kOk);
-  EXPECT_EQ(body.momentum.p_W, Vec3<TypeParam>(1, 0, 1));
-  EXPECT_EQ(body.momentum.b_W, Vec3<TypeParam>(0, 4, 0));
+  EXPECT_EQ(body.momentum.linear_W, Vec3<TypeParam>(1, 0, 1));
+  EXPECT_EQ(body.momentum.angular_W, Vec3<TypeParam>(0, 4, 0));
 }
 
 TYPED_TEST(BodyOf, ApplyWithBadNumbers_ChangesNothing) {
@@ -252,8 +253,8 @@ TYPED_TEST(BodyOf, ApplyOnWhatCannotMove_ChangesNothing) {
 
   Body<TypeParam> hinged = make_body<TypeParam>({}, kInfinity<TypeParam>, {1, 1, 1}).value;
   EXPECT_EQ(apply<TypeParam>(hinged, {1, 2, 3}, {1, 2, 3}, 1), Status::kOk);
-  EXPECT_EQ(hinged.momentum.p_W, Vec3<TypeParam>(0, 0, 0));
-  EXPECT_EQ(hinged.momentum.b_W, Vec3<TypeParam>(1, 2, 3));
+  EXPECT_EQ(hinged.momentum.linear_W, Vec3<TypeParam>(0, 0, 0));
+  EXPECT_EQ(hinged.momentum.angular_W, Vec3<TypeParam>(1, 2, 3));
 }
 
 TYPED_TEST(BodyOf, Impulse_ChangesTheVelocityOfItsPointByTheCollisionMatrix) {
@@ -281,13 +282,13 @@ TYPED_TEST(BodyOf, KineticEnergy_IsHalfMomentumTimesTwist) {
   for (int i = 0; i < 5000; ++i) {
     const Body<TypeParam> body = random_body(source, 1e6);
     const Mat3<Real> R = true_rotation(body);
-    const Vec3<Real> b_B = R.transpose() * real(body.momentum.b_W);
+    const Vec3<Real> b_B = R.transpose() * real(body.momentum.angular_W);
     const Real truth =
-        (static_cast<Real>(body.inverse_mass) * real(body.momentum.p_W).squaredNorm() +
+        (static_cast<Real>(body.inverse_mass) * real(body.momentum.linear_W).squaredNorm() +
          b_B.cwiseProduct(b_B).dot(real(body.inverse_moments))) /
         2;
     const double scale = static_cast<double>(truth) +
-                         body.inverse_moments.maxCoeff() * body.momentum.b_W.squaredNorm();
+                         body.inverse_moments.maxCoeff() * body.momentum.angular_W.squaredNorm();
     EXPECT_NEAR(static_cast<double>(kinetic_energy(body)), static_cast<double>(truth),
                 16 * u<TypeParam> * scale);
   }

@@ -138,8 +138,8 @@ TYPED_TEST(CompoundBody, RandomParts_AgreeWithTheIntegralAndLieWhereTheyWereMode
       EXPECT_LE(misplaced(body, made.value.capsules_B[k], X_WS, parts[k].capsule_S),
                 64 * u<TypeParam>);
     }
-    EXPECT_EQ(body.momentum.p_W, Vec3<TypeParam>(0, 0, 0)) << "at rest";
-    EXPECT_EQ(body.momentum.b_W, Vec3<TypeParam>(0, 0, 0));
+    EXPECT_EQ(body.momentum.linear_W, Vec3<TypeParam>(0, 0, 0)) << "at rest";
+    EXPECT_EQ(body.momentum.angular_W, Vec3<TypeParam>(0, 0, 0));
   }
 }
 

@@ -150,8 +150,9 @@ TYPED_TEST(MotionOf, FreeFlightOfATop_MovesItsAxisAsEulersEquationsDo) {
       const auto top = random_top(source, odd, static_cast<TypeParam>(axial));
       const Motion<TypeParam> flight = free_flight(top, TypeParam(1));
       const Vec3<Real> axis_B = Vec3<Real>::Unit(odd);
-      const Quat<Real> q = integrated(real(top.X_WB.q_WB).normalized(), real(top.momentum.b_W),
-                                      real(top.inverse_moments), 1, 40000);
+      const Quat<Real> q =
+          integrated(real(top.X_WB.q_WB).normalized(), real(top.momentum.angular_W),
+                     real(top.inverse_moments), 1, 40000);
       const Vec3<Real> truth = q * axis_B;
       const Vec3<Real> found = real(pose_at(flight, TypeParam(1)).q_WB).normalized() * axis_B;
       EXPECT_LE((found - truth).norm(), 64 * u<TypeParam> + 1e-13) << axial << " about " << odd;
@@ -185,9 +186,10 @@ TYPED_TEST(MotionOf, FreeFlightOfATop_KeepsItsEnergy) {
 TYPED_TEST(MotionOf, FreeFlightOfANearlyRoundBody_CountsAsATopOnlyWithinRounding) {
   const Vec3<TypeParam> moments(TypeParam(0.1), 1, 1);
   Body<TypeParam> body = make_body<TypeParam>({}, 1, moments).value;
-  body.momentum.b_W = {1, 2, 3};
+  body.momentum.angular_W = {1, 2, 3};
   const auto turns_about_b = [&] {
-    return free_flight(body, TypeParam(0.01)).twist.w_W.cross(body.momentum.b_W).norm() < 1e-5;
+    return free_flight(body, TypeParam(0.01)).twist.w_W.cross(body.momentum.angular_W).norm() <
+           1e-5;
   };
   EXPECT_TRUE(turns_about_b());
   body.inverse_moments(2) = 1 + 30 * kRoundOff<TypeParam>;
@@ -215,7 +217,7 @@ TYPED_TEST(MotionOf, FreeFlightOfOtherBodies_KeepsItsEnergy) {
   for (const double ratio : {1.0 + 1e-4, 1.5, 3.0}) {
     const Vec3<TypeParam> moments(TypeParam(0.2), 1, static_cast<TypeParam>(ratio));
     Body<TypeParam> body = make_body<TypeParam>({}, 1, moments).value;
-    body.momentum.b_W = {TypeParam(0.6), 2, 3};
+    body.momentum.angular_W = {TypeParam(0.6), 2, 3};
     EXPECT_LT(energy_drift(body, step, 10000), 2e-4) << "ratio " << ratio;
   }
 }
@@ -224,11 +226,11 @@ TYPED_TEST(MotionOf, FreeFlightOfOtherBodies_ErrsByTheCubeOfTheStep) {
   // An error of the model, not of rounding: halving the step leaves an eighth of the error of one
   // step.
   Body<TypeParam> body = make_body<TypeParam>({}, 1, {1, 2, 3}).value;
-  body.momentum.b_W = {1, 2, -1};
+  body.momentum.angular_W = {1, 2, -1};
   double errors[2] = {};
   for (int i = 0; i < 2; ++i) {
     const auto step = static_cast<TypeParam>(i == 0 ? 0.25 : 0.125);
-    const Quat<Real> q = integrated(Quat<Real>::Identity(), real(body.momentum.b_W),
+    const Quat<Real> q = integrated(Quat<Real>::Identity(), real(body.momentum.angular_W),
                                     real(body.inverse_moments), static_cast<Real>(step), 2000);
     errors[i] = apart(pose_at(free_flight(body, step), step).q_WB, q);
   }
@@ -240,10 +242,10 @@ TYPED_TEST(MotionOf, FreeFlightOfOtherBodies_ErrsByTheCubeOfTheStep) {
 // equations.
 TYPED_TEST(MotionOf, FreeFlightOfATopWhoseSpinShows_IsExact) {
   Body<TypeParam> top = make_body<TypeParam>({}, 1, {TypeParam(0.5), 2, 2}).value;
-  top.momentum.b_W = {TypeParam(0.6), 1, -1};
+  top.momentum.angular_W = {TypeParam(0.6), 1, -1};
   top.spin_shows = true;
   const auto step = static_cast<TypeParam>(0.5);
-  const Quat<Real> q = integrated(Quat<Real>::Identity(), real(top.momentum.b_W),
+  const Quat<Real> q = integrated(Quat<Real>::Identity(), real(top.momentum.angular_W),
                                   real(top.inverse_moments), static_cast<Real>(step), 4000);
   EXPECT_LE(apart(pose_at(free_flight(top, step), step).q_WB, q), 64 * u<TypeParam> + 1e-13);
   top.spin_shows = false;
@@ -253,7 +255,7 @@ TYPED_TEST(MotionOf, FreeFlightOfATopWhoseSpinShows_IsExact) {
 
 TYPED_TEST(MotionOf, FreeFlightOfHalfATurnInAStep_IsNotValid) {
   Body<TypeParam> body = make_body<TypeParam>({}, 1, {1, 2, 3}).value;
-  body.momentum.b_W = {0, 0, TypeParam(3)};
+  body.momentum.angular_W = {0, 0, TypeParam(3)};
   EXPECT_TRUE(is_valid(free_flight(body, TypeParam(1))));
   EXPECT_FALSE(is_valid(free_flight(body, TypeParam(1.1))));
 }
@@ -266,7 +268,7 @@ TYPED_TEST(MotionOf, FreeFlightOfAnyFiniteSpin_IsAnAnswer) {
   top.spin_shows = true;
   for (const TypeParam spin : {TypeParam(1e4), TypeParam(1e18), Limits::max()}) {
     for (int axis = 0; axis < 3; ++axis) {
-      body.momentum.b_W = top.momentum.b_W = spin * Vec3<TypeParam>::Unit(axis);
+      body.momentum.angular_W = top.momentum.angular_W = spin * Vec3<TypeParam>::Unit(axis);
       EXPECT_FALSE(is_valid(free_flight(body, TypeParam(1)))) << spin;
       EXPECT_FALSE(is_valid(free_flight(top, TypeParam(1)))) << spin;
     }
@@ -277,7 +279,7 @@ TYPED_TEST(MotionOf, FreeFlightOfWhatTurnsAboutOneAxisOnly_KeepsTurning) {
   Body<TypeParam> wheel;
   wheel.inverse_mass = 1;
   wheel.inverse_moments = {0, 0, TypeParam(0.5)};
-  wheel.momentum.b_W = {1, 2, 3};
+  wheel.momentum.angular_W = {1, 2, 3};
   EXPECT_EQ(free_flight(wheel, TypeParam(1)).twist.w_W, Vec3<TypeParam>(0, 0, TypeParam(1.5)));
   const Body<TypeParam> wall;
   EXPECT_EQ(free_flight(wall, TypeParam(1)).twist.w_W, Vec3<TypeParam>(0, 0, 0));

@@ -86,7 +86,7 @@ Real energy_terms(const Collider<Scalar>& body, const Twist<Scalar>& after,
   for (int i = 0; i < 3; ++i) {
     if (body.inverse_moments[i] > 0) moment = std::max(moment, 1 / Real(body.inverse_moments[i]));
   }
-  return mass * v * v + moment * w * w + v * real(blow.p_W) + w * real(blow.b_W);
+  return mass * v * v + moment * w * w + v * real(blow.linear_W) + w * real(blow.angular_W);
 }
 
 template <class Scalar>
@@ -118,7 +118,7 @@ TYPED_TEST(FrictionLawOf, Always_AgreesWithTheMatrixForm) {
     const Real high = eigen.eigenvalues()[2];
     const Real speed = Real(c.A.twist.v_W.norm() + c.A.twist.w_W.norm() * 2) +
                        Real(c.B.twist.v_W.norm() + c.B.twist.w_W.norm() * 2);
-    const RealVec J = hit.value.on_A.p_W.template cast<Real>();
+    const RealVec J = hit.value.on_A.linear_W.template cast<Real>();
     impulse.see((J - truth.J).norm(), kU * (high / low) * (high / low) * speed / low);
     const RealVec n = c.contact.normal_BA_W.template cast<Real>();
     const RealVec after = exact::velocity(c.A, hit.value.twist_A, c.contact) -
@@ -151,11 +151,11 @@ TYPED_TEST(FrictionLawOf, Always_ConservesAndNeverGains) {  // I06, I09
     ++collided;
     const auto& on_A = hit.value.on_A;
     const auto& on_B = hit.value.on_B;
-    EXPECT_EQ(on_A.p_W, -on_B.p_W);
-    const RealVec J = on_A.p_W.template cast<Real>();
+    EXPECT_EQ(on_A.linear_W, -on_B.linear_W);
+    const RealVec J = on_A.linear_W.template cast<Real>();
     const RealVec about_origin =
-        c.A.X_WB.p_W.template cast<Real>().cross(J) + on_A.b_W.template cast<Real>() -
-        c.B.X_WB.p_W.template cast<Real>().cross(J) + on_B.b_W.template cast<Real>();
+        c.A.X_WB.p_W.template cast<Real>().cross(J) + on_A.angular_W.template cast<Real>() -
+        c.B.X_WB.p_W.template cast<Real>().cross(J) + on_B.angular_W.template cast<Real>();
     turning.see(about_origin.norm(), kU * J.norm() * 2);
     const RealVec n = c.contact.normal_BA_W.template cast<Real>();
     const Real mu = Real(c.law.friction);
@@ -168,7 +168,7 @@ TYPED_TEST(FrictionLawOf, Always_ConservesAndNeverGains) {  // I06, I09
                        exact::kinetic_energy(c.B, hit.value.twist_B);
     gain.see(after - before, kU * (energy_terms(c.A, hit.value.twist_A, on_A) +
                                    energy_terms(c.B, hit.value.twist_B, on_B)));
-    const RealVec turn = exact::inverse_inertia(c.A) * on_A.b_W.template cast<Real>();
+    const RealVec turn = exact::inverse_inertia(c.A) * on_A.angular_W.template cast<Real>();
     const RealVec done = (hit.value.twist_A.w_W - c.A.twist.w_W).template cast<Real>();
     twist.see((turn - done).norm(),
               kU * (Real(c.A.inverse_moments.maxCoeff()) * 2 * J.norm() +

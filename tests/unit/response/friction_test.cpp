@@ -41,10 +41,12 @@ bool same_bits(const Vec3<Scalar>& a, const Vec3<Scalar>& b) {
 template <class Scalar>
 bool same_bits(const Impulse<Scalar>& a, const Impulse<Scalar>& b) {
   return std::memcmp(&a.magnitude, &b.magnitude, sizeof(Scalar)) == 0 &&
-         same_bits(a.on_A.p_W, b.on_A.p_W) && same_bits(a.on_A.b_W, b.on_A.b_W) &&
-         same_bits(a.on_B.p_W, b.on_B.p_W) && same_bits(a.on_B.b_W, b.on_B.b_W) &&
-         same_bits(a.twist_A.v_W, b.twist_A.v_W) && same_bits(a.twist_A.w_W, b.twist_A.w_W) &&
-         same_bits(a.twist_B.v_W, b.twist_B.v_W) && same_bits(a.twist_B.w_W, b.twist_B.w_W);
+         same_bits(a.on_A.linear_W, b.on_A.linear_W) &&
+         same_bits(a.on_A.angular_W, b.on_A.angular_W) &&
+         same_bits(a.on_B.linear_W, b.on_B.linear_W) &&
+         same_bits(a.on_B.angular_W, b.on_B.angular_W) && same_bits(a.twist_A.v_W, b.twist_A.v_W) &&
+         same_bits(a.twist_A.w_W, b.twist_A.w_W) && same_bits(a.twist_B.v_W, b.twist_B.v_W) &&
+         same_bits(a.twist_B.w_W, b.twist_B.w_W);
 }
 
 V point_velocity(const test::Strike& strike, const Impulse<double>& hit) {
@@ -60,7 +62,7 @@ TEST(Friction, BallOnWall_SlidesOppositeToItsSlip) {  // I08 mu = .5
       friction_impulse(ball({6, 8, -1}), fixed(), floor_contact<double>(), {1.0, 0.5, 0.0});
   ASSERT_TRUE(hit.ok());
   EXPECT_DOUBLE_EQ(hit.value.magnitude, 2);
-  EXPECT_LE((hit.value.on_A.p_W - V(-0.6, -0.8, 2)).norm(), 1e-15);
+  EXPECT_LE((hit.value.on_A.linear_W - V(-0.6, -0.8, 2)).norm(), 1e-15);
   EXPECT_LE((hit.value.twist_A.v_W - V(5.4, 7.2, 1)).norm(), 4e-15);
   EXPECT_LE((hit.value.twist_A.w_W - 2.5 * V(-0.8, 0.6, 0)).norm(), 1e-15);
 }
@@ -69,7 +71,7 @@ TEST(Friction, BallOnWall_SticksAndRollsOn) {
   const auto hit =
       friction_impulse(ball({0.7, 0, -1}), fixed(), floor_contact<double>(), {1.0, 0.5, 0.0});
   // 2/7 of the slip's momentum: the ball keeps 5/7 of its speed and rolls.
-  EXPECT_LE((hit.value.on_A.p_W - V(-0.2, 0, 2)).norm(), 1e-15);
+  EXPECT_LE((hit.value.on_A.linear_W - V(-0.2, 0, 2)).norm(), 1e-15);
   EXPECT_LE((hit.value.twist_A.v_W - V(0.5, 0, 1)).norm(), 1e-15);
   EXPECT_LE((hit.value.twist_A.w_W - V(0, 0.5, 0)).norm(), 1e-15);
 }
@@ -90,7 +92,7 @@ TEST(Friction, ContactAtRest_SlidesWithinTheCone) {
         friction_impulse(ball({10, 0, -v_n}), fixed(), floor_contact<double>(), {0.0, 0.3, 0.0});
     ASSERT_TRUE(hit.ok());
     EXPECT_NEAR(hit.value.magnitude, v_n, 1e-15 * v_n);
-    EXPECT_NEAR(hit.value.on_A.p_W.x(), -0.3 * v_n, 1e-15 * v_n);
+    EXPECT_NEAR(hit.value.on_A.linear_W.x(), -0.3 * v_n, 1e-15 * v_n);
     EXPECT_EQ(hit.value.twist_A.v_W.z(), 0);
   }
 }
@@ -102,7 +104,7 @@ TEST(Friction, Sticking_StopsTheSlip) {
     const V& n = strike.contact.normal_BA_W;
     const auto hit = friction_impulse(strike.A, strike.B, strike.contact, {0.0, 1e6, 0.0});
     if (hit.value.magnitude == 0) continue;
-    if (across(hit.value.on_A.p_W, n).norm() > 0.99e6 * hit.value.magnitude) continue;
+    if (across(hit.value.on_A.linear_W, n).norm() > 0.99e6 * hit.value.magnitude) continue;
     ++stuck;
     EXPECT_LE(point_velocity(strike, hit.value).norm(), 1e-12);
   }
@@ -116,8 +118,8 @@ TEST(Friction, MuToInfinity_IsALimit) {
     const auto most = friction_impulse(strike.A, strike.B, strike.contact,
                                        {0.3, std::numeric_limits<double>::max(), 0.2});
     ASSERT_TRUE(high.ok() && most.ok());
-    EXPECT_LE((high.value.on_A.p_W - most.value.on_A.p_W).norm(),
-              1e-6 * most.value.on_A.p_W.norm());
+    EXPECT_LE((high.value.on_A.linear_W - most.value.on_A.linear_W).norm(),
+              1e-6 * most.value.on_A.linear_W.norm());
   }
 }
 
@@ -160,7 +162,7 @@ TYPED_TEST(FrictionOf, RecedingOrImmovable_ChangesNothing) {  // I05, I12
     EXPECT_EQ(hit.value.magnitude, TypeParam(0));
     EXPECT_TRUE(same_bits(hit.value.twist_A.v_W, A.twist.v_W));
     EXPECT_TRUE(same_bits(hit.value.twist_A.w_W, A.twist.w_W));
-    EXPECT_EQ(hit.value.on_A.p_W.norm(), TypeParam(0));
+    EXPECT_EQ(hit.value.on_A.linear_W.norm(), TypeParam(0));
   }
 }
 

@@ -41,8 +41,8 @@ TEST(Impulse, EqualMassesHeadOn_ExchangeVelocities) {  // I01
   EXPECT_EQ(hit.value.twist_A.v_W, V(-1, 0, 0));
   EXPECT_EQ(hit.value.twist_B.v_W, V(3, 0, 0));
   EXPECT_EQ(hit.value.twist_A.w_W, kO);
-  EXPECT_EQ(hit.value.on_A.p_W, V(-8, 0, 0));
-  EXPECT_EQ(hit.value.on_B.p_W, V(8, 0, 0));
+  EXPECT_EQ(hit.value.on_A.linear_W, V(-8, 0, 0));
+  EXPECT_EQ(hit.value.on_B.linear_W, V(8, 0, 0));
 }
 
 TEST(Impulse, NoRestitution_LeavesNoNormalVelocity) {  // I02
@@ -83,7 +83,7 @@ TEST(Impulse, InfiniteMass_Stays) {  // I05
   const auto both = collision_impulse(wall, wall, at({0, 5, 0}, {0, 1, 0}), 1.0);
   EXPECT_TRUE(both.ok());
   EXPECT_EQ(both.value.magnitude, 0);
-  EXPECT_EQ(both.value.on_A.p_W, kO);
+  EXPECT_EQ(both.value.on_A.linear_W, kO);
 }
 
 template <class Scalar>
@@ -193,7 +193,7 @@ Body<double> random_body(std::mt19937& random) {
 }
 
 V angular_momentum(const Body<double>& body) {
-  return body.X_WB.p_W.cross(body.momentum.p_W) + body.momentum.b_W;
+  return body.X_WB.p_W.cross(body.momentum.linear_W) + body.momentum.angular_W;
 }
 
 TEST(Impulse, RandomCollisions_ConserveAndNeverGainEnergy) {  // I09
@@ -207,16 +207,16 @@ TEST(Impulse, RandomCollisions_ConserveAndNeverGainEnergy) {  // I09
     const auto hit = collision_impulse(collider_of(A), collider_of(B), contact, restitution);
     ASSERT_TRUE(hit.ok());
     const double energy = kinetic_energy(A) + kinetic_energy(B);
-    const V p = A.momentum.p_W + B.momentum.p_W;
+    const V p = A.momentum.linear_W + B.momentum.linear_W;
     const V H = angular_momentum(A) + angular_momentum(B);
     const double v_after =
         relative_velocity(contact, A.X_WB, hit.value.twist_A, B.X_WB, hit.value.twist_B);
     for (const auto& [body, change] :
          {std::pair{&A, hit.value.on_A}, std::pair{&B, hit.value.on_B}}) {
-      body->momentum.p_W += change.p_W;
-      body->momentum.b_W += change.b_W;
+      body->momentum.linear_W += change.linear_W;
+      body->momentum.angular_W += change.angular_W;
     }
-    EXPECT_LE((A.momentum.p_W + B.momentum.p_W - p).norm(), 1e-14);
+    EXPECT_LE((A.momentum.linear_W + B.momentum.linear_W - p).norm(), 1e-14);
     EXPECT_LE((angular_momentum(A) + angular_momentum(B) - H).norm(), 1e-13);
     EXPECT_LE(kinetic_energy(A) + kinetic_energy(B), energy * (1 + 1e-13));
     EXPECT_LE((twist_of(A).v_W - hit.value.twist_A.v_W).norm(), 1e-13);

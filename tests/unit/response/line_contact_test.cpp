@@ -217,7 +217,7 @@ TEST(LineContact, OnePointOfPressure_DoesWhatTwoImpulsesDo) {
     }
     const double bound = 1e-12 * (1 + static_cast<double>(l.sum()));
     EXPECT_NEAR(one.value.magnitude, static_cast<double>(l.sum()), bound);
-    EXPECT_LE((one.value.on_A.b_W - torque.cast<double>()).norm(), bound);
+    EXPECT_LE((one.value.on_A.angular_W - torque.cast<double>()).norm(), bound);
   }
   EXPECT_GT(pressed[0], 100);
   EXPECT_GT(pressed[1], 2000);

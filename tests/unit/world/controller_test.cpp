@@ -57,7 +57,7 @@ TYPED_TEST(Controller, FreeFlight_FliesByItsMomentum) {
   EXPECT_TRUE(course.by_momentum);
   EXPECT_EQ(course.motion.duration, TypeParam(0.5));
   EXPECT_EQ(course.motion.twist.v_W, Vec3<TypeParam>(1, -2, 3));
-  EXPECT_EQ(course.motion.twist.w_W, Vec3<TypeParam>(body.momentum.b_W / 4));
+  EXPECT_EQ(course.motion.twist.w_W, Vec3<TypeParam>(body.momentum.angular_W / 4));
 }
 
 TYPED_TEST(Controller, Hand_IsAtItsTargetWhenTheStepEnds) {

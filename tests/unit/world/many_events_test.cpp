@@ -113,8 +113,8 @@ int compare(std::uint64_t index) {
     const auto& body = world->get(world->id_at(i))->body;
     const auto& truth = loop.bodies()[i].body;
     EXPECT_LT((body.X_WB.p_W - truth.X_WB.p_W).norm(), kNear) << index;
-    EXPECT_LT((body.momentum.p_W - truth.momentum.p_W).norm(), 100 * kNear) << index;
-    EXPECT_LT((body.momentum.b_W - truth.momentum.b_W).norm(), 100 * kNear) << index;
+    EXPECT_LT((body.momentum.linear_W - truth.momentum.linear_W).norm(), 100 * kNear) << index;
+    EXPECT_LT((body.momentum.angular_W - truth.momentum.angular_W).norm(), 100 * kNear) << index;
   }
   return static_cast<int>(expected.size());
 }

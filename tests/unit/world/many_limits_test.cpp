@@ -68,7 +68,7 @@ TEST(ManyLimits, CrowdThatClosesInWithLittleRoom_NeverOverlaps) {
   for (int i = 0; i < 30; ++i) {
     for (std::uint16_t k = 0; k < 64; ++k) {
       auto& body = run->world().get(run->world().id_at(k))->body;
-      body.momentum.p_W = -2 / body.inverse_mass * body.X_WB.p_W;
+      body.momentum.linear_W = -2 / body.inverse_mass * body.X_WB.p_W;
     }
     ASSERT_EQ(run->world().step(0.1F), Status::kOk);
     dropped += run->world().report().pairs_dropped;

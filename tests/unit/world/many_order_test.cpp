@@ -27,7 +27,8 @@ bool are_same(const World<SceneT>& P, const World<SceneT>& Q) {
     const auto& p = P.get(P.id_at(i))->body;
     const auto& q = Q.get(Q.id_at(i))->body;
     same = same && p.X_WB.p_W == q.X_WB.p_W && p.X_WB.q_WB.coeffs() == q.X_WB.q_WB.coeffs() &&
-           p.momentum.p_W == q.momentum.p_W && p.momentum.b_W == q.momentum.b_W;
+           p.momentum.linear_W == q.momentum.linear_W &&
+           p.momentum.angular_W == q.momentum.angular_W;
   }
   return same;
 }
@@ -82,7 +83,7 @@ struct Row : Scene {
 Actor<Row> in_row(double x, double v) {
   Actor<Row> actor;
   actor.body = make_body<double>({{x, 0, 0}, Quat<double>::Identity()}, 1, {1, 1, 1}).value;
-  actor.body.momentum.p_W.x() = v;
+  actor.body.momentum.linear_W.x() = v;
   actor.capsule_B = Capsule<double>::sphere(Vec3<double>::Zero(), 0.1);
   actor.restitution = 0.5;
   return actor;
@@ -111,20 +112,20 @@ std::vector<std::pair<int, int>> blows_of(const World<Row>& world) {
 TEST(ManyOrder, ContactsWhoseBracketsOverlap_AreTakenByTheirNumbers) {
   constexpr double kUlp = std::numeric_limits<double>::epsilon();
   const auto even = squeezed(0, 0);
-  const double v = even->get(even->id_at(0))->body.momentum.p_W.x();
+  const double v = even->get(even->id_at(0))->body.momentum.linear_W.x();
   for (const double ulp : {0.0, kUlp, -kUlp / 2, 2 * kUlp}) {
     const auto world = squeezed(ulp, ulp);
     const auto blows = blows_of(*world);
     ASSERT_GE(blows.size(), 2U);
     EXPECT_EQ(blows[0], (std::pair<int, int>{0, 1}));
     EXPECT_EQ(blows[1], (std::pair<int, int>{1, 2}));
-    EXPECT_NEAR(world->get(world->id_at(0))->body.momentum.p_W.x(), v, 1e-9);
+    EXPECT_NEAR(world->get(world->id_at(0))->body.momentum.linear_W.x(), v, 1e-9);
   }
   // Anti-vacuity: where the second is really the earlier one, it goes first, and all ends
   // otherwise.
   const auto apart = squeezed(0.01, 0.01);
   EXPECT_EQ(blows_of(*apart)[0], (std::pair<int, int>{1, 2}));
-  EXPECT_GT(std::abs(apart->get(apart->id_at(0))->body.momentum.p_W.x() - v), 0.01);
+  EXPECT_GT(std::abs(apart->get(apart->id_at(0))->body.momentum.linear_W.x() - v), 0.01);
 }
 
 /// Tells how often a bound was computed.
@@ -151,7 +152,7 @@ Actor<Room> at(float x, float v, bool fixed = false) {
   Actor<Room> actor;
   if (!fixed) {
     actor.body = make_body<float>({}, 1, {1, 1, 1}).value;
-    actor.body.momentum.p_W.x() = v;
+    actor.body.momentum.linear_W.x() = v;
   }
   actor.body.X_WB.p_W.x() = x;
   actor.capsule_B = {{{0, 0, -0.2F}, {0, 0, 0.2F}}, 0.1F};
@@ -203,7 +204,7 @@ TEST(ManyOrder, BodiesAtRest_CostNoSearchAndNoBound) {
     EXPECT_EQ(CountedBound::count() - before, 1) << "the one that moves";
   }
   // Who is pushed is searched and bounded again.
-  world->get(world->id_at(5))->body.momentum.p_W.x() = 1;
+  world->get(world->id_at(5))->body.momentum.linear_W.x() = 1;
   const int before = CountedBound::count();
   ASSERT_EQ(world->step(0.01F), Status::kOk);
   EXPECT_GT(world->report().pairs, 0U);

@@ -27,20 +27,20 @@ struct Pair {
 
 TEST(Resolution, Colliding_GetsTheImpulseAndIsNotMoved) {
   Pair pair;
-  pair.A.momentum.p_W = {-2, 0, 0};  // v_A = -1, v_B = 0: j = 1.5 / (1/2 + 1/3) = 1.8
+  pair.A.momentum.linear_W = {-2, 0, 0};  // v_A = -1, v_B = 0: j = 1.5 / (1/2 + 1/3) = 1.8
   const auto answer = pair.answer();
   ASSERT_TRUE(answer.ok());
   EXPECT_EQ(answer.value.kind, ContactKind::kColliding);
   EXPECT_NEAR(answer.value.impulse, 1.8, 1e-14);
   EXPECT_FALSE(answer.value.separated);
-  EXPECT_NEAR(pair.A.momentum.p_W.x(), -0.2, 1e-14);
-  EXPECT_NEAR(pair.B.momentum.p_W.x(), -1.8, 1e-14);
+  EXPECT_NEAR(pair.A.momentum.linear_W.x(), -0.2, 1e-14);
+  EXPECT_NEAR(pair.B.momentum.linear_W.x(), -1.8, 1e-14);
   EXPECT_EQ(pair.A.X_WB.p_W.x(), 0) << "a gap beyond the margin is left alone";
 }
 
 TEST(Resolution, CollidingWithinRounding_IsOpenedToTheMarginAndNoTimeIsCharged) {
   Pair pair;
-  pair.A.momentum.p_W = {-2, 0, 0};
+  pair.A.momentum.linear_W = {-2, 0, 0};
   pair.contact.gap = 1e-12;
   const auto answer = pair.answer();
   ASSERT_TRUE(answer.ok());
@@ -59,7 +59,7 @@ TEST(Resolution, SeparationBelowRounding_IsRaisedToTheMargin) {
 
 TEST(Resolution, Resting_IsSeparatedByInverseMassShares) {
   Pair pair;
-  pair.A.momentum.p_W = {-0.01, 0, 0};
+  pair.A.momentum.linear_W = {-0.01, 0, 0};
   const auto answer = pair.answer();
   ASSERT_TRUE(answer.ok());
   EXPECT_EQ(answer.value.kind, ContactKind::kResting);
@@ -67,12 +67,12 @@ TEST(Resolution, Resting_IsSeparatedByInverseMassShares) {
   const double shift = 1e-3 - 1e-6;
   EXPECT_NEAR(pair.A.X_WB.p_W.x(), shift * 3 / 5, 1e-15);
   EXPECT_NEAR(pair.B.X_WB.p_W.x(), -1 - shift * 2 / 5, 1e-15);
-  EXPECT_EQ(pair.A.momentum.p_W.x(), -0.01);
+  EXPECT_EQ(pair.A.momentum.linear_W.x(), -0.01);
 }
 
 TEST(Resolution, CollidingWhileOverlapping_GetsBoth) {
   Pair pair;
-  pair.A.momentum.p_W = {-2, 0, 0};
+  pair.A.momentum.linear_W = {-2, 0, 0};
   pair.contact.gap = -1e-3;
   const auto answer = pair.answer();
   ASSERT_TRUE(answer.ok());
@@ -83,7 +83,7 @@ TEST(Resolution, CollidingWhileOverlapping_GetsBoth) {
 
 TEST(Resolution, Receding_IsLeftAloneButForRounding) {
   Pair pair;
-  pair.A.momentum.p_W = {2, 0, 0};
+  pair.A.momentum.linear_W = {2, 0, 0};
   pair.contact.gap = -1e-12;
   const auto answer = pair.answer();
   ASSERT_TRUE(answer.ok());
@@ -91,7 +91,7 @@ TEST(Resolution, Receding_IsLeftAloneButForRounding) {
   EXPECT_FALSE(answer.value.separated);
   EXPECT_EQ(answer.value.separation.duration, 0);
   EXPECT_EQ(answer.value.impulse, 0);
-  EXPECT_EQ(pair.A.momentum.p_W.x(), 2);
+  EXPECT_EQ(pair.A.momentum.linear_W.x(), 2);
   EXPECT_NEAR(pair.A.X_WB.p_W.x() - pair.B.X_WB.p_W.x() - 1, 1e-9, 1e-11);
 }
 
@@ -99,18 +99,18 @@ TEST(Resolution, FixedSide_IsNeitherPushedNorMoved) {
   Pair pair;
   pair.B.inverse_mass = 0;
   pair.B.inverse_moments.setZero();
-  pair.A.momentum.p_W = {-2, 0, 0};
+  pair.A.momentum.linear_W = {-2, 0, 0};
   pair.contact.gap = -1e-3;
   ASSERT_TRUE(pair.answer().ok());
-  EXPECT_NEAR(pair.A.momentum.p_W.x(), 1, 1e-14);
-  EXPECT_EQ(pair.B.momentum.p_W, Vec3<double>::Zero());
-  EXPECT_EQ(pair.B.momentum.b_W, Vec3<double>::Zero());
+  EXPECT_NEAR(pair.A.momentum.linear_W.x(), 1, 1e-14);
+  EXPECT_EQ(pair.B.momentum.linear_W, Vec3<double>::Zero());
+  EXPECT_EQ(pair.B.momentum.angular_W, Vec3<double>::Zero());
   EXPECT_EQ(pair.B.X_WB.p_W.x(), -1);
 }
 
 TEST(Resolution, BadOptions_ChangeNothing) {
   Pair pair;
-  pair.A.momentum.p_W = {-0.01, 0, 0};
+  pair.A.momentum.linear_W = {-0.01, 0, 0};
   pair.options.separation = -1;
   EXPECT_FALSE(pair.answer().ok());
   pair = {};

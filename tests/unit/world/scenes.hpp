@@ -29,7 +29,7 @@ Actor<SceneT> ball(double x, double radius, double vx) {
   const S inertia = static_cast<S>(0.4 * radius * radius);
   actor.body =
       make_body<S>({vec<S>(x, 0, 0), Quat<S>::Identity()}, S(1), {inertia, inertia, inertia}).value;
-  actor.body.momentum.p_W = vec<S>(vx, 0, 0);
+  actor.body.momentum.linear_W = vec<S>(vx, 0, 0);
   actor.capsule_B = Capsule<S>::sphere(Vec3<S>::Zero(), static_cast<S>(radius));
   actor.restitution = 1;
   return actor;

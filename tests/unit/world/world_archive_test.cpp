@@ -35,8 +35,8 @@ void fill(World<SceneT>& world) {
   ASSERT_TRUE(world.add(test::ball<SceneT>(-0.5, 0.1, 3)).ok());
   ASSERT_TRUE(world.add(test::ball<SceneT>(0, 0.1, -2)).ok());
   Actor<SceneT> rod = test::rod<SceneT>(0.4, 0.3, 0.02);
-  rod.body.momentum.b_W = test::vec<S>(0.01, 0.02, 0.005);
-  rod.body.momentum.p_W = test::vec<S>(-1, 0, 0);
+  rod.body.momentum.angular_W = test::vec<S>(0.01, 0.02, 0.005);
+  rod.body.momentum.linear_W = test::vec<S>(-1, 0, 0);
   rod.restitution = 1;
   ASSERT_TRUE(world.add(rod).ok());
   Actor<SceneT> swung = test::rod<SceneT>(0.7, 0.3, 0.02);
@@ -86,8 +86,8 @@ std::vector<double> seen(const World<SceneT>& world) {
     if (actor == nullptr) continue;
     add(actor->body.X_WB.p_W);
     add(actor->body.X_WB.q_WB.coeffs());
-    add(actor->body.momentum.p_W);
-    add(actor->body.momentum.b_W);
+    add(actor->body.momentum.linear_W);
+    add(actor->body.momentum.angular_W);
   }
   for (const auto& event : world.events()) {
     all.push_back(static_cast<double>(event.kind));

@@ -27,7 +27,7 @@ struct TightScene : test::FlightScene<float> {
 Actor<TightScene> passing(float x, float z) {
   Actor<TightScene> actor = test::ball<TightScene>(0, 0.1, 0);
   actor.body.X_WB.p_W = {x, 0, z};
-  actor.body.momentum.p_W = {1000, 0, 1000};
+  actor.body.momentum.linear_W = {1000, 0, 1000};
   return actor;
 }
 
@@ -64,7 +64,7 @@ TEST(WorldAttack, TooFastASpinUnderGravity_StandsAndGathersNoFall) {
   const auto world = std::make_unique<World<TightScene>>();
   Actor<TightScene> top = test::ball<TightScene>(0, 0.1, 0);
   top.body.inverse_moments = {100, 200, 300};
-  top.body.momentum.b_W = {0, 0, 15};  // 4500 rad/s: more than half a turn in a step
+  top.body.momentum.angular_W = {0, 0, 15};  // 4500 rad/s: more than half a turn in a step
   const auto id = world->add(top);
   ASSERT_TRUE(id.ok());
   for (int i = 0; i < 100; ++i) {
@@ -73,7 +73,7 @@ TEST(WorldAttack, TooFastASpinUnderGravity_StandsAndGathersNoFall) {
   }
   const Actor<TightScene>& after = *world->get(id.value);
   EXPECT_EQ(after.body.X_WB.p_W.z(), 0);
-  EXPECT_EQ(after.body.momentum.p_W.z(), 0);
+  EXPECT_EQ(after.body.momentum.linear_W.z(), 0);
 }
 
 struct TwoPartScene : test::FlightScene<float> {
@@ -91,7 +91,7 @@ TEST(WorldAttack, PartInContactIsTakenOff_ContactEndsWithoutAnEvent) {
   ASSERT_TRUE(world->add(ground).ok());
   Actor<TwoPartScene> body;
   body.body = make_body<float>({{0, 0, 0.2005F}, Quat<float>::Identity()}, 1, {1, 1, 1}).value;
-  body.body.momentum.p_W = {0, 0, -1};
+  body.body.momentum.linear_W = {0, 0, -1};
   ASSERT_TRUE(body.capsules_B.push(sphere(0.5F, 0.1F)));
   ASSERT_TRUE(body.capsules_B.push(sphere(0, 0.1F)));
   const auto id = world->add(body);
@@ -100,7 +100,7 @@ TEST(WorldAttack, PartInContactIsTakenOff_ContactEndsWithoutAnEvent) {
   ASSERT_EQ(world->events().size(), 1);
   ASSERT_EQ(world->events()[0].part_B, 1);
   world->get(id.value)->capsules_B.remove_swapping(1);
-  world->get(id.value)->body.momentum.p_W = {0, 0, 1};
+  world->get(id.value)->body.momentum.linear_W = {0, 0, 1};
   ASSERT_EQ(world->step(kDt), Status::kOk);
   EXPECT_EQ(world->events().size(), 0);
   EXPECT_TRUE(world->report().complete());

@@ -126,10 +126,10 @@ TEST(DetectionOnlyScene, PassingThrough_IsToldOnceAndEnds) {
   Actor<DetectionOnly> actor;
   actor.capsule_B = Capsule<float>::sphere(Vec3<float>::Zero(), 0.1F);
   actor.body = make_body<float>({}, 1, {1, 1, 1}).value;
-  actor.body.momentum.p_W = {1, 0, 0};
+  actor.body.momentum.linear_W = {1, 0, 0};
   const auto id = world.add(actor).value;
   actor.body.X_WB.p_W = {1, 0, 0};
-  actor.body.momentum.p_W = Vec3<float>::Zero();
+  actor.body.momentum.linear_W = Vec3<float>::Zero();
   (void)world.add(actor);
   int begins = 0;
   int ends = 0;
@@ -164,7 +164,7 @@ TEST(GravityScene, FreeFall_IsTheSumOfTheSteps) {
   actor.body = make_body<float>({}, 2, {1, 1, 1}).value;
   const auto id = world.add(actor).value;
   for (int i = 0; i < 1000; ++i) ASSERT_EQ(world.step(1e-3F), Status::kOk);
-  EXPECT_NEAR(world.get(id)->body.momentum.p_W.z(), -2 * 9.81, 1e-3);
+  EXPECT_NEAR(world.get(id)->body.momentum.linear_W.z(), -2 * 9.81, 1e-3);
   EXPECT_NEAR(world.get(id)->body.X_WB.p_W.z(), -9.81e-6 * 1000 * 1001 / 2, 1e-4);
 }
 
@@ -202,7 +202,7 @@ TEST(GravityScene, WhatIsHeldForLackOfRoom_GathersNoSpeed) {
     const auto& body = world.get(world.id_at(slot))->body;
     if (body.X_WB.p_W.z() < 0) continue;
     ++held;
-    EXPECT_NEAR(body.momentum.p_W.z(), 0, 1e-6) << slot;
+    EXPECT_NEAR(body.momentum.linear_W.z(), 0, 1e-6) << slot;
   }
   EXPECT_EQ(held, 2);
 }
@@ -262,7 +262,7 @@ TEST(CompoundScene, EventNamesThePartThatIsHit) {
     ball.body =
         make_body<float>({{x, -0.5F, z}, Quat<float>::Identity()}, 0.1F, {1e-5F, 1e-5F, 1e-5F})
             .value;
-    ball.body.momentum.p_W = {0, 0.5F, 0};
+    ball.body.momentum.linear_W = {0, 0.5F, 0};
     (void)world.add(ball);
     ASSERT_EQ(world.step(0.2F), Status::kOk);
     ASSERT_GE(world.events().size(), 1);
@@ -271,9 +271,10 @@ TEST(CompoundScene, EventNamesThePartThatIsHit) {
     EXPECT_EQ(world.events()[0].part_B, 0);
     EXPECT_NEAR(world.events()[0].contact.point_W.x(), x, 1e-4);
     EXPECT_NEAR(world.events()[0].contact.point_W.z(), z, 1e-4);
-    EXPECT_LT(world.get(world.id_at(0))
-                  ->body.momentum.b_W.dot(hits_guard ? vec<float>(0, 0, -1) : vec<float>(1, 0, 0)),
-              0)
+    EXPECT_LT(
+        world.get(world.id_at(0))
+            ->body.momentum.angular_W.dot(hits_guard ? vec<float>(0, 0, -1) : vec<float>(1, 0, 0)),
+        0)
         << "it turns away from the blow";
   }
 }
@@ -310,15 +311,15 @@ TEST(Order, ContactsAtTheSameTime_AreAnsweredByTheirNames) {
       float x = static_cast<float>(i - 1);
       if (i == 2 && ulps != 0) x = std::nextafter(x, ulps > 0 ? 2.0F : 0.0F);
       actor.body = make_body<float>({{x, 0, 0}, Quat<float>::Identity()}, 1, {1, 1, 1}).value;
-      actor.body.momentum.p_W = {static_cast<float>(1 - i), 0, 0};
+      actor.body.momentum.linear_W = {static_cast<float>(1 - i), 0, 0};
       (void)world.add(actor);
     }
     ASSERT_EQ(world.step(1.0F), Status::kOk);
     ASSERT_GE(world.events().size(), 2);
     EXPECT_EQ(world.events()[0].body_A, 0) << ulps;
     EXPECT_EQ(world.events()[0].body_B, 1) << ulps;
-    EXPECT_NEAR(world.get(world.id_at(0))->body.momentum.p_W.x(), -1, 1e-4);
-    EXPECT_NEAR(world.get(world.id_at(2))->body.momentum.p_W.x(), 1, 1e-4);
+    EXPECT_NEAR(world.get(world.id_at(0))->body.momentum.linear_W.x(), -1, 1e-4);
+    EXPECT_NEAR(world.get(world.id_at(2))->body.momentum.linear_W.x(), 1, 1e-4);
   }
 }
 

@@ -60,7 +60,7 @@ TEST(WorldLimits, BadActors_AreRefused) {
   bad.body.X_WB.q_WB.w() = std::nan("");
   EXPECT_EQ(world.add(bad).status, Status::kInvalidArgument);
   bad = good;
-  bad.body.momentum.b_W.z() = std::numeric_limits<double>::infinity();
+  bad.body.momentum.angular_W.z() = std::numeric_limits<double>::infinity();
   EXPECT_EQ(world.add(bad).status, Status::kInvalidArgument);
   bad = good;
   bad.body.inverse_mass = -1;
@@ -152,7 +152,7 @@ TEST(WorldLimits, SearchOutOfBudget_StopsThePairBeforeTheContact) {
 TEST(WorldLimits, SpinBeyondTheLimit_HoldsTheBodyAndSaysSo) {
   World<TightScene> world;
   auto spinner = ball<TightScene>(0, 0.1, 1);
-  spinner.body.momentum.b_W = vec<double>(1e9, 0, 0);
+  spinner.body.momentum.angular_W = vec<double>(1e9, 0, 0);
   const auto id = world.add(spinner).value;
   ASSERT_EQ(world.step(1.0), Status::kOk);
   EXPECT_EQ(world.report().plans_invalid, 1);
@@ -239,7 +239,7 @@ TEST(WorldLimits, AnswerThatOverflows_HoldsThePairAndKeepsTheMomenta) {
   settings.search.unit = EpsilonIn::kMetres;
   ASSERT_EQ(world.configure(settings), Status::kOk);
   ASSERT_EQ(world.step(1e-3), Status::kOk);
-  EXPECT_TRUE(is_finite(world.get(id)->body.momentum.p_W));
+  EXPECT_TRUE(is_finite(world.get(id)->body.momentum.linear_W));
 }
 
 TEST(WorldLimits, BadSettings_AreRefusedAndTheOldStay) {

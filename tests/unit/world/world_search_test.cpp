@@ -151,8 +151,8 @@ struct SlidingScene : FlightScene<double, Translation> {};
 TEST(WorldSearch, TurningBodyInASceneWithoutRotation_IsHeldAndCounted) {
   World<SlidingScene> world;
   auto rod = test::rod<SlidingScene>(0, 0.3, 0.03);
-  rod.body.momentum.p_W = vec<double>(1, 0, 0);
-  rod.body.momentum.b_W = vec<double>(0, 0.01, 0);
+  rod.body.momentum.linear_W = vec<double>(1, 0, 0);
+  rod.body.momentum.angular_W = vec<double>(0, 0.01, 0);
   (void)world.add(rod);
   (void)world.add(post<SlidingScene>(0.2, 0.1));
   ASSERT_EQ(world.step(0.1), Status::kOk);
@@ -168,8 +168,8 @@ TEST(WorldSearch, AdvancementOutOfBudget_StopsThePairBeforeTheContact) {
   settings.search.budget = 1;
   ASSERT_EQ(world.configure(settings), Status::kOk);
   auto rod = test::rod<SceneT>(0, 0.4, 0.02);
-  rod.body.momentum.p_W = vec<double>(1, 0, 0);
-  rod.body.momentum.b_W = vec<double>(0, 0.4, 0);
+  rod.body.momentum.linear_W = vec<double>(1, 0, 0);
+  rod.body.momentum.angular_W = vec<double>(0, 0.4, 0);
   (void)world.add(rod);
   (void)world.add(post<SceneT>(0.6, 0.1));
   ASSERT_EQ(world.step(1.0), Status::kOk);
@@ -184,8 +184,8 @@ template <class SceneT>
 void fill(World<SceneT>& world) {
   for (int i = 0; i < 5; ++i) {
     auto rod = test::rod<SceneT>(0.45 * i - 0.9, 0.3, 0.03);
-    rod.body.momentum.p_W = vec<typename SceneT::Scalar>(-0.8 * (i - 2), 0.03 * i, -0.02 * i);
-    rod.body.momentum.b_W = vec<typename SceneT::Scalar>(0.02 * i, -0.04, 0);
+    rod.body.momentum.linear_W = vec<typename SceneT::Scalar>(-0.8 * (i - 2), 0.03 * i, -0.02 * i);
+    rod.body.momentum.angular_W = vec<typename SceneT::Scalar>(0.02 * i, -0.04, 0);
     rod.restitution = static_cast<typename SceneT::Scalar>(0.8);
     (void)world.add(rod);
   }
@@ -261,7 +261,7 @@ TEST(WorldSearch, NormalOfTheLastStep_SavesTheEvaluations) {
   auto first = test::rod<SceneT>(0, 0.3, 0.01);
   auto second = test::rod<SceneT>(0.05, 0.3, 0.01);
   first.body.X_WB.q_WB = second.body.X_WB.q_WB = Quat<float>(0.92388F, 0, 0.38268F, 0);
-  second.body.momentum.b_W = vec<float>(1e-4, 0, 0);
+  second.body.momentum.angular_W = vec<float>(1e-4, 0, 0);
   (void)world.add(first);
   (void)world.add(second);
   ASSERT_EQ(world.step(0.05F), Status::kOk);

@@ -25,7 +25,7 @@ struct Rack {
 
   Rack() {
     auto actor = test::rod<SceneT>(0, 0.5, kRadius);
-    actor.body.momentum.p_W = test::vec<S>(-2e-3, 0, 0);
+    actor.body.momentum.linear_W = test::vec<S>(-2e-3, 0, 0);
     rod = world.add(actor).value;
   }
   BodyId add_post(double side, double z) {

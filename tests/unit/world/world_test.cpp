@@ -59,8 +59,8 @@ TYPED_TEST(WorldOf, HeadOnElastic_ExchangesVelocities) {
   }
   EXPECT_EQ(begins, 1);
   EXPECT_NEAR(t_hit, 0.6, 1e-5);
-  EXPECT_NEAR(this->at(left).body.momentum.p_W.x(), -1.0, 1e-5);
-  EXPECT_NEAR(this->at(right).body.momentum.p_W.x(), 2.0, 1e-5);
+  EXPECT_NEAR(this->at(left).body.momentum.linear_W.x(), -1.0, 1e-5);
+  EXPECT_NEAR(this->at(right).body.momentum.linear_W.x(), 2.0, 1e-5);
   EXPECT_NEAR(this->at(left).body.X_WB.p_W.x(), 2 * 0.6 - 0.4, 1e-4);
   EXPECT_NEAR(this->at(right).body.X_WB.p_W.x(), 2 - 0.6 + 2 * 0.4, 1e-4);
 }
@@ -89,10 +89,10 @@ TYPED_TEST(WorldOf, FixedBody_StaysAndReflectsElastically) {
   const auto id = this->world.add(ball<TypeParam>(0, 0.1, 1)).value;
   const auto wall = this->world.add(post<TypeParam>(0.5, 0.1)).value;
   for (int i = 0; i < 60; ++i) ASSERT_EQ(this->world.step(S(0.01)), Status::kOk);
-  EXPECT_NEAR(this->at(id).body.momentum.p_W.x(), -1.0, 1e-6);
+  EXPECT_NEAR(this->at(id).body.momentum.linear_W.x(), -1.0, 1e-6);
   EXPECT_NEAR(this->at(id).body.X_WB.p_W.x(), 0.3 - 0.3, 1e-4);
   EXPECT_EQ(this->at(wall).body.X_WB.p_W, vec<S>(0.5, 0, 0));
-  EXPECT_EQ(this->at(wall).body.momentum.p_W, (Vec3<S>::Zero()));
+  EXPECT_EQ(this->at(wall).body.momentum.linear_W, (Vec3<S>::Zero()));
 }
 
 // A bullet that crosses the wall within one step is found (the paper's Fig. 1).
@@ -103,7 +103,7 @@ TYPED_TEST(WorldOf, FastBody_DoesNotTunnel) {
   ASSERT_EQ(this->world.step(S(0.001)), Status::kOk);
   EXPECT_EQ(this->world.report().collisions, 1);
   EXPECT_LT(this->at(id).body.X_WB.p_W.x(), 0.5);
-  EXPECT_LT(this->at(id).body.momentum.p_W.x(), 0);
+  EXPECT_LT(this->at(id).body.momentum.linear_W.x(), 0);
 }
 
 // Newton's cradle with gaps: the collisions come one after the other within one step.
@@ -117,8 +117,8 @@ TYPED_TEST(WorldOf, ChainOfBalls_PassesTheMomentumOnWithinOneStep) {
   ASSERT_EQ(this->world.step(S(0.5)), Status::kOk);
   EXPECT_TRUE(this->world.report().complete());
   EXPECT_EQ(this->world.report().collisions, 3);
-  EXPECT_NEAR(this->at(ids[0]).body.momentum.p_W.x(), 0, 1e-5);
-  EXPECT_NEAR(this->at(ids[3]).body.momentum.p_W.x(), 1, 1e-5);
+  EXPECT_NEAR(this->at(ids[0]).body.momentum.linear_W.x(), 0, 1e-5);
+  EXPECT_NEAR(this->at(ids[3]).body.momentum.linear_W.x(), 1, 1e-5);
   EXPECT_NEAR(this->at(ids[3]).body.X_WB.p_W.x(), 0.75 + 0.5 - 3 * 0.05, 1e-3);
 }
 
@@ -148,7 +148,8 @@ TYPED_TEST(WorldOf, BallsOnALine_ConserveMomentumAndEnergyAndNeverOverlap) {
   EXPECT_GE(collisions, 5);
   double momentum_after = 0;
   for (std::uint16_t a = 0; a < 5; ++a) {
-    momentum_after += static_cast<double>(this->at(this->world.id_at(a)).body.momentum.p_W.x());
+    momentum_after +=
+        static_cast<double>(this->at(this->world.id_at(a)).body.momentum.linear_W.x());
   }
   EXPECT_NEAR(momentum_after, momentum, 1e-5);
   EXPECT_NEAR(test::total_energy(this->world), energy, 1e-5);
@@ -197,7 +198,7 @@ TYPED_TEST(WorldOf, SpinOfACapsuleOffTheAxis_IsShown) {
   using S = typename TypeParam::Scalar;
   auto disc = ball<TypeParam>(0, 0.1, 0);
   disc.body = make_body<S>({}, S(1), Vec3<S>(1, 1, 2)).value;
-  disc.body.momentum.b_W = vec<S>(0, 0, 2);  // one radian a second
+  disc.body.momentum.angular_W = vec<S>(0, 0, 2);  // one radian a second
   disc.capsule_B = {{vec<S>(0, 0, 0), vec<S>(1, 0, 0)}, S(0.01)};
   const auto id = this->world.add(disc).value;
   ASSERT_EQ(this->world.step(S(1)), Status::kOk);
@@ -215,8 +216,8 @@ TYPED_TEST(WorldOf, BallInAHand_StrikesWithTheMomentumOfItsMotion) {
   const auto hand = this->world.add(carried).value;
   const auto free = this->world.add(ball<TypeParam>(0.3, 0.1, 0)).value;
   ASSERT_EQ(this->world.step(S(0.1)), Status::kOk);
-  EXPECT_NEAR(this->at(free).body.momentum.p_W.x(), 2, 1e-5);
-  EXPECT_NEAR(this->at(hand).body.momentum.p_W.x(), 0, 1e-5);
+  EXPECT_NEAR(this->at(free).body.momentum.linear_W.x(), 2, 1e-5);
+  EXPECT_NEAR(this->at(hand).body.momentum.linear_W.x(), 0, 1e-5);
 }
 
 // A contact ends in the step in which the gap has opened beyond twice the separation distance, not
@@ -281,7 +282,7 @@ TYPED_TEST(WorldOf, EveryBeatOfABounceBetweenTwoWalls_BeginsAndEnds) {
   EXPECT_GE(collisions, 18U);
   EXPECT_EQ(static_cast<std::uint32_t>(begins), collisions);
   EXPECT_LE(begins - ends, 1);
-  EXPECT_NEAR(std::abs(this->at(id).body.momentum.p_W.x()), 20, 1e-4);
+  EXPECT_NEAR(std::abs(this->at(id).body.momentum.linear_W.x()), 20, 1e-4);
 }
 
 TYPED_TEST(WorldOf, QuaternionThatIsNotUnit_IsRenewed) {
@@ -309,9 +310,10 @@ void fill_with_rods(World<SceneT>& world, double restitution) {
     if (i % 2 == 1)
       rod.body.inverse_moments.y() *= S(0.7);  // three unlike moments: not a body of revolution
     for (int k = 0; k < 3; ++k)
-      rod.body.momentum.p_W(k) = static_cast<S>((k == 0 ? -0.8 * (i - 2) : 0) + 0.3 * random());
+      rod.body.momentum.linear_W(k) =
+          static_cast<S>((k == 0 ? -0.8 * (i - 2) : 0) + 0.3 * random());
     for (int k = 0; k < 3; ++k)
-      rod.body.momentum.b_W(k) = static_cast<S>((k == 2 ? 1e-4 : 0.05) * random());
+      rod.body.momentum.angular_W(k) = static_cast<S>((k == 2 ? 1e-4 : 0.05) * random());
     rod.restitution = static_cast<S>(restitution);
     (void)world.add(rod);
   }
@@ -322,7 +324,7 @@ Vec3<double> total_momentum(World<SceneT>& world) {
   Vec3<double> sum = Vec3<double>::Zero();
   for (std::uint16_t slot = 0; slot < SceneT::kMaxBodies; ++slot) {
     if (auto* actor = world.get(world.id_at(slot))) {
-      sum += actor->body.momentum.p_W.template cast<double>();
+      sum += actor->body.momentum.linear_W.template cast<double>();
     }
   }
   return sum;
@@ -363,8 +365,8 @@ TEST(World, FloatAgreesWithDouble) {
     auto A = test::rod<SceneT>(0, 0.5, 0.01);
     auto B = test::rod<SceneT>(0.3, 0.5, 0.01);
     A.restitution = S(0.5);
-    A.body.momentum.p_W = vec<S>(3, 0.02, 0);
-    A.body.momentum.b_W = vec<S>(0, 0.05, 0);
+    A.body.momentum.linear_W = vec<S>(3, 0.02, 0);
+    A.body.momentum.angular_W = vec<S>(0, 0.05, 0);
     (void)world.add(A);
     (void)world.add(B);
   };
@@ -382,8 +384,8 @@ TEST(World, FloatAgreesWithDouble) {
     // Each takes a gap within its own contact tolerance for contact, 6e-6 S in float: seen from the
     // axes the normal differs by the contact tolerance over the radii, and the impulse of 2.7 N s
     // with it.
-    EXPECT_LT((f.momentum.p_W.cast<double>() - d.momentum.p_W).norm(), 1e-3);
-    EXPECT_LT((f.momentum.b_W.cast<double>() - d.momentum.b_W).norm(), 1e-4);
+    EXPECT_LT((f.momentum.linear_W.cast<double>() - d.momentum.linear_W).norm(), 1e-3);
+    EXPECT_LT((f.momentum.angular_W.cast<double>() - d.momentum.angular_W).norm(), 1e-4);
   }
 }
 

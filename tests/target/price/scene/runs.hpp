@@ -59,8 +59,8 @@ inline std::uint32_t mixed(std::uint32_t hash, const Vec3<float>& v) {
 }
 inline std::uint32_t mixed(std::uint32_t hash, const Body<float>& body) {
   const Vec3<float> turn = body.X_WB.q_WB.vec();
-  return mixed(mixed(mixed(mixed(hash, body.X_WB.p_W), turn), body.momentum.p_W),
-               body.momentum.b_W);
+  return mixed(mixed(mixed(mixed(hash, body.X_WB.p_W), turn), body.momentum.linear_W),
+               body.momentum.angular_W);
 }
 inline std::uint32_t mixed(std::uint32_t hash, const StraightBody<float>& body) {
   return mixed(mixed(hash, body.p_W), body.momentum_W);

@@ -43,11 +43,11 @@ class Blades {
  protected:
   static bool is_usable(const Blade& blade) {
     const Body<float>& body = blade.body;
-    return is_finite(body.X_WB.p_W) && is_finite(body.X_WB.q_WB) && is_finite(body.momentum.p_W) &&
-           is_finite(body.momentum.b_W) && is_finite(body.inverse_mass) &&
-           body.inverse_mass >= 0.F && is_finite(body.inverse_moments) &&
-           body.inverse_moments.minCoeff() >= 0.F && is_valid(blade.capsule_B) &&
-           blade.restitution >= 0.F && blade.restitution <= 1.F;
+    return is_finite(body.X_WB.p_W) && is_finite(body.X_WB.q_WB) &&
+           is_finite(body.momentum.linear_W) && is_finite(body.momentum.angular_W) &&
+           is_finite(body.inverse_mass) && body.inverse_mass >= 0.F &&
+           is_finite(body.inverse_moments) && body.inverse_moments.minCoeff() >= 0.F &&
+           is_valid(blade.capsule_B) && blade.restitution >= 0.F && blade.restitution <= 1.F;
   }
 
   void begin() {

@@ -100,8 +100,8 @@ class Duelists : public price::Blades {
     add(blades[1].body, impulse.on_B);
   }
   static void add(Body<float>& body, const Momentum<float>& change) {
-    if (body.inverse_mass > 0.F) body.momentum.p_W += change.p_W;
-    if (body.inverse_moments != Vec3<float>::Zero()) body.momentum.b_W += change.b_W;
+    if (body.inverse_mass > 0.F) body.momentum.linear_W += change.linear_W;
+    if (body.inverse_moments != Vec3<float>::Zero()) body.momentum.angular_W += change.angular_W;
   }
 
   int contacts_ = 0;
