@@ -36,9 +36,10 @@ class AdvancementSearch {
     const Scalar turn_B = state_.turn_B.turn;
     state_.bounds =
         term_bounds<Scalar>(pair.scale, travel, {turn_A, arm(pair.A)}, {turn_B, arm(pair.B)});
-    state_.magnitudes = inflated(
-        term_bounds<Scalar>(pair.scale, travel, {turn_A, pair.A.reach}, {turn_B, pair.B.reach}),
-        inflation);
+    state_.magnitudes =
+        inflated(term_bounds<Scalar>(pair.scale, travel, {turn_A, pair.A.bounding_radius},
+                                     {turn_B, pair.B.bounding_radius}),
+                 inflation);
     stand_at(Scalar(0));
   }
 
@@ -126,7 +127,7 @@ class AdvancementSearch {
   /// An upper bound of both arms; rounding has changed them by some u of the
   /// reach.
   static Scalar arm(const CapsulePath<Scalar>& path) {
-    return path.longest_arm + kInflation<Scalar> * path.reach;
+    return path.longest_arm + kInflation<Scalar> * path.bounding_radius;
   }
 
   static TermBounds<Scalar> inflated(const TermBounds<Scalar>& size, Scalar inflation) {

@@ -47,11 +47,11 @@ struct TermBounds {
   Scalar last_fourth;  ///< of its fourth, / 24
 };
 
-/// L, m: all lengths of the query, and how far turning could take each reach.
+/// L, m: all lengths of the query, and how far turning could take each bounding radius.
 template <class Scalar>
 Scalar query_length(const MovingPair<Scalar>& pair) {
-  const Scalar arc_A = pair.A.turn_rate * pair.duration * pair.A.reach;
-  const Scalar arc_B = pair.B.turn_rate * pair.duration * pair.B.reach;
+  const Scalar arc_A = pair.A.turn_rate * pair.duration * pair.A.bounding_radius;
+  const Scalar arc_B = pair.B.turn_rate * pair.duration * pair.B.bounding_radius;
   return kRoundUp<Scalar> * (pair.scale + (arc_A + arc_B));
 }
 
@@ -69,7 +69,7 @@ void to_units(CapsulePath<Scalar>& path, Scalar duration, Scalar scale) {
   }
   path.v = (path.v * duration) * scale;
   path.turn_rate *= duration;
-  path.reach *= scale;
+  path.bounding_radius *= scale;
   path.longest_arm *= scale;
   path.radius *= scale;
 }

@@ -71,7 +71,7 @@ void set_path(CapsulePath<Scalar>& path, const MovingCapsule<Scalar>& moving,
   path.v = moving.motion.twist.v_W - origin_v_W;
   path.turn_rate = turn_rate;
   path.radius = moving.capsule_B.radius;
-  path.reach = max_of(length(axis_B.a), length(axis_B.b));
+  path.bounding_radius = max_of(length(axis_B.a), length(axis_B.b));
   const Vec3<Scalar> lever_a = X_WB.q_WB * axis_B.a;
   const Vec3<Scalar> lever_b = X_WB.q_WB * axis_B.b;
   path.ends[0].start = center + lever_a;
@@ -112,7 +112,8 @@ Result<MovingPair<Scalar>> make_moving_pair(const MovingCapsule<Scalar>& A,
   set_path(pair.B, B, pair.origin_W, pair.origin_v_W);
   const Scalar apart = length<Scalar>(B.motion.X_WB.p_W - pair.origin_W);
   const Scalar travel = length(pair.B.v) * pair.duration;
-  const Scalar sizes = (pair.A.reach + pair.B.reach) + (pair.A.radius + pair.B.radius);
+  const Scalar sizes =
+      (pair.A.bounding_radius + pair.B.bounding_radius) + (pair.A.radius + pair.B.radius);
   pair.scale = kRoundUp<Scalar> * (apart + travel + sizes);
   if (pair.scale <= kLargestCoordinate<Scalar>) {
     made.status = Status::kOk;

@@ -9,17 +9,17 @@ namespace batuta {
 namespace {
 
 template <class Scalar>
-Scalar reach_of(const Capsule<Scalar>& capsule_B) {
+Scalar bounding_radius_of(const Capsule<Scalar>& capsule_B) {
   return max_of(length(capsule_B.axis.a), length(capsule_B.axis.b));
 }
 
 /// @pre `path` is as it was made
 template <class Scalar>
 void set_straight_path(CapsulePath<Scalar>& path, const Capsule<Scalar>& capsule_B,
-                       const Vec3<Scalar>& start, Scalar reach) {
+                       const Vec3<Scalar>& start, Scalar bounding_radius) {
   path.ends[0].start = start + capsule_B.axis.a;
   path.ends[1].start = start + capsule_B.axis.b;
-  path.reach = reach;
+  path.bounding_radius = bounding_radius;
   path.radius = capsule_B.radius;
 }
 
@@ -35,17 +35,17 @@ Result<MovingPair<Scalar>> make_straight_pair(const Capsule<Scalar>& A_B,
   if (!is_usable || A.duration != B.duration) return made;
   const Vec3<Scalar> between = B.p_W - A.p_W;
   const Vec3<Scalar> v = B.v_W - A.v_W;
-  const Scalar reach_A = reach_of(A_B);
-  const Scalar reach_B = reach_of(B_B);
-  const Scalar sizes = (reach_A + reach_B) + (A_B.radius + B_B.radius);
+  const Scalar bounding_radius_A = bounding_radius_of(A_B);
+  const Scalar bounding_radius_B = bounding_radius_of(B_B);
+  const Scalar sizes = (bounding_radius_A + bounding_radius_B) + (A_B.radius + B_B.radius);
   const Scalar scale = kRoundUp<Scalar> * (length(between) + length(v) * A.duration + sizes);
   // What is not finite in a motion is not finite in what it differs from another by.
   const bool is_finite_motion = is_finite(between) && is_finite(v);
   if (!is_finite_motion || !(scale <= kLargestCoordinate<Scalar>)) return made;
   made.status = Status::kOk;
   MovingPair<Scalar>& pair = made.value;
-  set_straight_path<Scalar>(pair.A, A_B, Vec3<Scalar>::Zero(), reach_A);
-  set_straight_path(pair.B, B_B, between, reach_B);
+  set_straight_path<Scalar>(pair.A, A_B, Vec3<Scalar>::Zero(), bounding_radius_A);
+  set_straight_path(pair.B, B_B, between, bounding_radius_B);
   pair.B.v = v;
   pair.origin_W = A.p_W;
   pair.origin_v_W = A.v_W;

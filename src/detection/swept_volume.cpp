@@ -197,7 +197,7 @@ Extent<Scalar> CoarseExtent::of(const CapsuleSweep<Scalar>& sweep, const EndWave
 
 /// How far an end of the axis is from the centre of mass at most, m.
 template <class Scalar>
-Scalar reach_of(const MovingCapsule<Scalar>& moving) {
+Scalar bounding_radius_of(const MovingCapsule<Scalar>& moving) {
   const Segment<Scalar>& axis_B = moving.capsule_B.axis;
   return max_of(length(axis_B.a), length(axis_B.b));
 }
@@ -240,7 +240,7 @@ template <class Scalar>
 SweptSphere<Scalar> swept_sphere(const MovingCapsule<Scalar>& moving) {
   const Vec3<Scalar>& start_W = moving.motion.X_WB.p_W;
   const Vec3<Scalar> travel = moving.motion.twist.v_W * moving.motion.duration;
-  const Scalar radius = reach_of(moving) + moving.capsule_B.radius;
+  const Scalar radius = bounding_radius_of(moving) + moving.capsule_B.radius;
   const Scalar size = length(start_W) + length(travel) + radius;
   return {start_W, start_W + travel, radius + kSphereOutward<Scalar> * size};
 }
@@ -255,7 +255,7 @@ CapsuleSweep<Scalar> capsule_sweep(const MovingCapsule<Scalar>& moving) {
   sweep.turn = sweep.path.turn_rate * duration;
   if (sweep.turn > Scalar(0) && sweep.turn <= kMaxAngle<Scalar>) sweep.at_end = sin_cos(sweep.turn);
   // Where a sum of lengths may overflow, 0 * infinity could make a face vanish.
-  const Scalar local = reach_of(moving) + length(sweep.travel_W);
+  const Scalar local = bounding_radius_of(moving) + length(sweep.travel_W);
   const Scalar other = length(sweep.start_W) + sweep.path.radius;
   sweep.is_bounded = local + other <= kLargestCoordinate<Scalar> && sweep.turn >= Scalar(0);
   sweep.outward = kLocalOutward<Scalar> * local + kOriginOutward<Scalar> * other;

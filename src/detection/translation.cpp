@@ -137,7 +137,7 @@ class TranslationSearch {
 /// A ball about its centre of mass may: nobody sees it.
 template <class Scalar>
 bool turns(const CapsulePath<Scalar>& path) {
-  return path.turn_rate > Scalar(0) && path.reach > Scalar(0);
+  return path.turn_rate > Scalar(0) && path.bounding_radius > Scalar(0);
 }
 
 template <class Scalar>

@@ -178,7 +178,7 @@ inline void add_body(Load& load, const Body<float>& body, double reach) {
 
 /// The furthest that a surface is from its body's point.
 template <class SceneT>
-double reach_of(const Actor<SceneT>& actor) {
+double bounding_radius_of(const Actor<SceneT>& actor) {
   double reach = 0;
   if constexpr (SceneT::Search::kForSpheres) {
     reach = static_cast<double>(actor.radius);
@@ -208,7 +208,7 @@ Load load_of(const World<SceneT>& world) {
   for (std::uint16_t slot = 0; slot < SceneT::kMaxBodies; ++slot) {
     const Actor<SceneT>* const actor = world.get(world.id_at(slot));
     if (actor == nullptr) continue;
-    add_body(load, actor->body, reach_of(*actor));
+    add_body(load, actor->body, bounding_radius_of(*actor));
     load.lossless = load.lossless && is_lossless(*actor);
   }
   return load;

@@ -112,7 +112,7 @@ double margin_of(const BodyT& A, const BodyT& B, double reaches, double energy, 
   };
   const double places = flight_of(A, 0).X_WB.p_W.template cast<double>().norm() +
                         flight_of(B, 0).X_WB.p_W.template cast<double>().norm();
-  const double L = places + reaches + (speed(A) + speed(B)) * dt;
+  const double L = places + bounding radii + (speed(A) + speed(B)) * dt;
   const double contact =
       std::max(contact_tolerance, static_cast<double>(kLeastContactTolerance<float>)) * L +
       static_cast<double>(kInflation<float>) * L;
@@ -140,8 +140,9 @@ std::vector<Meeting> meetings_of(const World<SceneT>& world, double energy, floa
     const Actor<SceneT>* const B = world.get(world.id_at(b));
     if (a >= b || A == nullptr || B == nullptr || !may_meet(*A, *B)) continue;
     if (stays(A->body) && stays(B->body)) continue;
-    const double allowed = margin_of(A->body, B->body, reach_of(*A) + reach_of(*B), energy,
-                                     static_cast<double>(dt), contact_tolerance);
+    const double allowed =
+        margin_of(A->body, B->body, bounding_radius_of(*A) + bounding_radius_of(*B), energy,
+                  static_cast<double>(dt), contact_tolerance);
     for (int i = 0; i < parts_of(*A) * parts_of(*B); ++i) {
       const RealPair real({shape_of(*A, i / parts_of(*B)), flight_of(A->body, dt)},
                           {shape_of(*B, i % parts_of(*B)), flight_of(B->body, dt)});

@@ -41,7 +41,8 @@ struct Claim {
 /// L of advancement.hpp, m.
 template <class Scalar>
 Scalar query_length_of(const MovingPair<Scalar>& pair) {
-  const Scalar swept = pair.A.turn_rate * pair.A.reach + pair.B.turn_rate * pair.B.reach;
+  const Scalar swept =
+      pair.A.turn_rate * pair.A.bounding_radius + pair.B.turn_rate * pair.B.bounding_radius;
   return pair.scale + pair.duration * swept;
 }
 

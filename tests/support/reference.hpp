@@ -54,7 +54,7 @@ class Reference {
   Reference(const MovingCapsule<Scalar>& A, const MovingCapsule<Scalar>& B);
 
   Real duration() const { return duration_; }
-  /// S: distance of the centres + relative travel + reaches + radii, m.
+  /// S: distance of the centres + relative travel + bounding radii + radii, m.
   Real scale() const { return scale_; }
   /// What gap() may be wrong by, m: 32 u S (1 + turn).
   Real rounding() const { return rounding_; }

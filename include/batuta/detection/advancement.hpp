@@ -10,8 +10,9 @@
 namespace batuta {
 
 /// What rounding can do to a certificate, over the length L of the query: so much is added to the
-/// radii, and no rounding error lets a contact pass. L = S + turn_A reach_A + turn_B reach_B: what
-/// turning could do to each reach counts as a length (advancement.md, "Rounding").
+/// radii, and no rounding error lets a contact pass. L = S + turn_A bounding_radius_A + turn_B
+/// bounding_radius_B: what turning could do to each bounding radius counts as a length
+/// (advancement.md, "Rounding").
 template <class Scalar>
 inline constexpr Scalar kInflation = 72 * kRoundOff<Scalar>;
 

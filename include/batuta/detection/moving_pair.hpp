@@ -35,9 +35,9 @@ struct CapsulePath {
   std::array<EndPath<Scalar>, 2> ends;    ///< of axis.a and axis.b
   Vec3<Scalar> v = Vec3<Scalar>::Zero();  ///< of the centre of mass, m/s
   Scalar turn_rate = 0;                   ///< |w|, rad/s; 0: arms and sides are zero
-  Scalar reach = 0;                       ///< of the ends from the centre of mass, m, to within 3 u
-  Scalar longest_arm = 0;                 ///< of the two ends, m, to within 3 u; at most the reach
-  Scalar radius = 0;                      ///< m
+  Scalar bounding_radius = 0;             ///< of the ends from the centre of mass, m, to within 3 u
+  Scalar longest_arm = 0;  ///< of the two ends, m, to within 3 u; at most the bounding radius
+  Scalar radius = 0;       ///< m
 };
 
 /// The path of a capsule seen from an origin that moves steadily, axes of W.
@@ -62,8 +62,8 @@ struct MovingPair {
   Vec3<Scalar> origin_W = Vec3<Scalar>::Zero();    ///< A's centre of mass at t = 0, m
   Vec3<Scalar> origin_v_W = Vec3<Scalar>::Zero();  ///< and its velocity, m/s
   Scalar duration = 0;                             ///< s
-  Scalar scale =
-      0;  ///< S: distance of the centres + relative travel + reaches + radii, m (an upper bound)
+  Scalar scale = 0;  ///< S: distance of the centres + relative travel + bounding radii + radii, m
+                     ///< (an upper bound)
 };
 
 /// Puts two moving capsules into their common frame.

@@ -54,7 +54,7 @@ void expect_same_path(const CapsulePath<Scalar>& P, const CapsulePath<Scalar>& Q
   }
   EXPECT_EQ(P.v, Q.v);
   EXPECT_EQ(P.turn_rate, Q.turn_rate);
-  EXPECT_EQ(P.reach, Q.reach);
+  EXPECT_EQ(P.bounding_radius, Q.bounding_radius);
   EXPECT_EQ(P.longest_arm, Q.longest_arm);
   EXPECT_EQ(P.radius, Q.radius);
 }
