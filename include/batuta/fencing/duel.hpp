@@ -52,8 +52,8 @@ class Duel {
   Status step(const InputSample* left, const InputSample* right);
 
   /// Bout; OpenBout in a scene without targets.
-  decltype(auto) bout() const { return tally_.bout(); }
-  const DuelReport& report() const { return tally_.report; }
+  decltype(auto) bout() const { return scoring_.bout(); }
+  const DuelReport& report() const { return scoring_.report; }
   std::uint32_t steps() const { return steps_; }
   /// us since the start of the bout: exact to the step, the rest rounded.
   std::uint64_t time_us(const Moment<Scalar>& moment) const {
@@ -88,7 +88,7 @@ class Duel {
   template <class S = SceneT>
   const BodyShape<Scalar>& body_W(Side side) const {
     static_assert(S::kTargets, "Duel: without kTargets there is no body_W(); fencers have no body");
-    return tally_.body_W(side);
+    return scoring_.body_W(side);
   }
 
   /// Everything that the next step depends on, for save() and restore() (core/snapshot.hpp), a
@@ -97,8 +97,8 @@ class Duel {
   /// the duel is one that was not configured. Bound: its members.
   template <class ArchiveT>
   void archive(ArchiveT& ar) {
-    auto& [settings, world, places, tally, steps, dt] = *this;
-    ar(settings, world, places, tally, steps, dt);
+    auto& [settings, world, places, scoring, steps, dt] = *this;
+    ar(settings, world, places, scoring, steps, dt);
     if (!ar.reading()) return;
     ar.require(dt_ == Scalar(0) || (ar.all_sane() && is_sound()));
     if (!ar.ok()) dt_ = 0;
@@ -122,7 +122,7 @@ class Duel {
   };
 
   /// What a fencer's data come to, before anything is changed.
-  struct Seat {
+  struct FencerSetup {
     FencerGrid<Scalar> grid;
     WeaponBody<Scalar> weapon;
     Pose<Scalar> X_WF;
@@ -131,7 +131,7 @@ class Duel {
   };
 
   /// A referee is a base: where there is none, it takes no room.
-  struct Tally : RefereeOf<SceneT> {
+  struct Scoring : RefereeOf<SceneT> {
     DuelReport report;
 
     template <class ArchiveT>
@@ -143,9 +143,9 @@ class Duel {
 
   Place& at(Side side) { return places_[index_of(side)]; }
   const Place& at(Side side) const { return places_[index_of(side)]; }
-  static Result<Seat> seat_for(const Fencer<Scalar>& fencer, const Pose<Scalar>& X_WF);
-  static Status arm(const Fencer<Scalar>& fencer, Seat& seat);
-  void take_place(Side side, const Seat& seat, const FencerBuild<Scalar>& build);
+  static Result<FencerSetup> setup_for(const Fencer<Scalar>& fencer, const Pose<Scalar>& X_WF);
+  static Status arm(const Fencer<Scalar>& fencer, FencerSetup& setup);
+  void take_place(Side side, const FencerSetup& setup, const FencerBuild<Scalar>& build);
   const Actor<SceneType>& blade_of(Side side) const;
   void move_hand(Side side, const InputSample* sample);
   void add_up();
@@ -154,7 +154,7 @@ class Duel {
   Settings settings_;
   WorldType world_;
   std::array<Place, 2> places_;
-  Tally tally_;
+  Scoring scoring_;
   std::uint32_t steps_ = 0;
   Scalar dt_ = 0;  ///< s; 0: not configured
 };

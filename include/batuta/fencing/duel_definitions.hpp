@@ -57,72 +57,73 @@ Status Duel<Scalar, SearchT, SceneT>::configure(const Settings& settings,
                                                 const Fencer<Scalar>& left,
                                                 const Fencer<Scalar>& right) {
   if (validate(settings) != Status::kOk) return Status::kInvalidArgument;
-  const auto left_seat = seat_for(left, settings.salle.X_WF(Side::kLeft));
-  const auto right_seat = seat_for(right, settings.salle.X_WF(Side::kRight));
-  if (!left_seat.ok() || !right_seat.ok()) return Status::kInvalidArgument;
+  const auto left_setup = setup_for(left, settings.salle.X_WF(Side::kLeft));
+  const auto right_setup = setup_for(right, settings.salle.X_WF(Side::kRight));
+  if (!left_setup.ok() || !right_setup.ok()) return Status::kInvalidArgument;
 
   // From here on nothing can be refused.
   settings_ = settings;
   (void)world_.configure(settings.world);
   for (Place& place : places_) (void)world_.remove(place.blade);  // Bound: 2
-  if constexpr (SceneT::kTargets) tally_.begin();
-  take_place(Side::kLeft, left_seat.value, left.build);
-  take_place(Side::kRight, right_seat.value, right.build);
-  tally_.report = {};
+  if constexpr (SceneT::kTargets) scoring_.begin();
+  take_place(Side::kLeft, left_setup.value, left.build);
+  take_place(Side::kRight, right_setup.value, right.build);
+  scoring_.report = {};
   steps_ = 0;
   dt_ = static_cast<Scalar>(settings.step_us) * kSecondsPerUs<Scalar>;
   return Status::kOk;
 }
 
 template <class Scalar, class SearchT, class SceneT>
-Result<typename Duel<Scalar, SearchT, SceneT>::Seat> Duel<Scalar, SearchT, SceneT>::seat_for(
-    const Fencer<Scalar>& fencer, const Pose<Scalar>& X_WF) {
+Result<typename Duel<Scalar, SearchT, SceneT>::FencerSetup>
+Duel<Scalar, SearchT, SceneT>::setup_for(const Fencer<Scalar>& fencer, const Pose<Scalar>& X_WF) {
   if constexpr (SceneT::kTargets) {
-    if (validate(fencer.build) != Status::kOk) return failure<Seat>(Status::kInvalidArgument);
+    if (validate(fencer.build) != Status::kOk)
+      return failure<FencerSetup>(Status::kInvalidArgument);
   }
   typename FencerGrid<Scalar>::Keys keys_WH;
   for (std::size_t i = 0; i < keys_WH.size(); ++i) {  // Bound: nine keys
     const Pose<Scalar>& key_FH = fencer.keys_FH[i];
     // A place that is NaN goes on to set_keys(); an orientation that is would be renewed.
     const bool far = key_FH.p_W.cwiseAbs().maxCoeff() > kLargestReach<Scalar>;
-    if (far || !is_finite(key_FH.q_WB)) return failure<Seat>(Status::kInvalidArgument);
+    if (far || !is_finite(key_FH.q_WB)) return failure<FencerSetup>(Status::kInvalidArgument);
     keys_WH[i] = chained(X_WF, key_FH);
   }
   const auto weapon = weapon_body(fencer.weapon);
-  Seat seat;
-  if (!weapon.ok() || seat.grid.set_keys(keys_WH) != Status::kOk) {
-    return failure<Seat>(Status::kInvalidArgument);
+  FencerSetup setup;
+  if (!weapon.ok() || setup.grid.set_keys(keys_WH) != Status::kOk) {
+    return failure<FencerSetup>(Status::kInvalidArgument);
   }
-  seat.weapon = weapon.value;
-  seat.X_WF = X_WF;
-  seat.hand = seat.grid.at(Vec2<Scalar>::Zero());  // where a stick starts
-  if (arm(fencer, seat) != Status::kOk) return failure<Seat>(Status::kInvalidArgument);
-  return success(seat);
+  setup.weapon = weapon.value;
+  setup.X_WF = X_WF;
+  setup.hand = setup.grid.at(Vec2<Scalar>::Zero());  // where a stick starts
+  if (arm(fencer, setup) != Status::kOk) return failure<FencerSetup>(Status::kInvalidArgument);
+  return success(setup);
 }
 
 /// The blade in the hand.
 template <class Scalar, class SearchT, class SceneT>
-Status Duel<Scalar, SearchT, SceneT>::arm(const Fencer<Scalar>& fencer, Seat& seat) {
-  const Pose<Scalar> X_WB = chained(seat.hand.X_WH, seat.weapon.X_HB);
-  const auto body = make_body(X_WB, seat.weapon.mass, seat.weapon.moments);
+Status Duel<Scalar, SearchT, SceneT>::arm(const Fencer<Scalar>& fencer, FencerSetup& setup) {
+  const Pose<Scalar> X_WB = chained(setup.hand.X_WH, setup.weapon.X_HB);
+  const auto body = make_body(X_WB, setup.weapon.mass, setup.weapon.moments);
   if (!body.ok()) return body.status;
-  seat.blade.body = body.value;
-  seat.blade.capsule_B = seat.weapon.blade_B;
-  if constexpr (SceneT::kRestitution) seat.blade.restitution = fencer.weapon.restitution;
-  return seat.blade.controller.take(X_WB, fencer.grip);
+  setup.blade.body = body.value;
+  setup.blade.capsule_B = setup.weapon.blade_B;
+  if constexpr (SceneT::kRestitution) setup.blade.restitution = fencer.weapon.restitution;
+  return setup.blade.controller.take(X_WB, fencer.grip);
 }
 
 /// @pre both blades of the earlier bout are out of the world
 template <class Scalar, class SearchT, class SceneT>
-void Duel<Scalar, SearchT, SceneT>::take_place(Side side, const Seat& seat,
+void Duel<Scalar, SearchT, SceneT>::take_place(Side side, const FencerSetup& setup,
                                                [[maybe_unused]] const FencerBuild<Scalar>& build) {
   Place& place = at(side);
-  place.grid = seat.grid;
-  place.weapon = seat.weapon;
-  place.hand = seat.hand;
+  place.grid = setup.grid;
+  place.weapon = setup.weapon;
+  place.hand = setup.hand;
   (void)place.stick.configure(settings_.stick);
-  if constexpr (SceneT::kTargets) tally_.place(side, build, seat.X_WF, seat.hand.X_WH);
-  const auto blade = world_.add(seat.blade);
+  if constexpr (SceneT::kTargets) scoring_.place(side, build, setup.X_WF, setup.hand.X_WH);
+  const auto blade = world_.add(setup.blade);
   BATUTA_INVARIANT(blade.ok());
   place.blade = blade.value;
 }
@@ -139,7 +140,7 @@ Status Duel<Scalar, SearchT, SceneT>::step(const InputSample* left, const InputS
   if constexpr (SceneT::kTargets) {
     const auto* left_blade = world_.get(at(Side::kLeft).blade);
     const auto* right_blade = world_.get(at(Side::kRight).blade);
-    tally_.judge({left_blade, right_blade}, settings_, {steps_, dt_}, tally_.report);
+    scoring_.judge({left_blade, right_blade}, settings_, {steps_, dt_}, scoring_.report);
   }
   ++steps_;
   return Status::kOk;
@@ -153,19 +154,19 @@ void Duel<Scalar, SearchT, SceneT>::move_hand(Side side, const InputSample* samp
   place.hand = place.grid.at(place.stick.position());
 
   auto& actor = *world_.get(place.blade);
-  if constexpr (SceneT::kTargets) tally_.follow(side, place.hand.X_WH, actor.body.X_WB, dt_);
+  if constexpr (SceneT::kTargets) scoring_.follow(side, place.hand.X_WH, actor.body.X_WB, dt_);
   actor.controller.command(chained(place.hand.X_WH, place.weapon.X_HB), dt_);
 }
 
 template <class Scalar, class SearchT, class SceneT>
 void Duel<Scalar, SearchT, SceneT>::add_up() {
   const StepReport<Scalar>& step = world_.report();
-  tally_.report.blows += step.collisions;
-  tally_.report.rests += step.separations;
-  tally_.report.evaluations += step.evaluations;
-  tally_.report.budget_outs += step.searches_cut;
-  tally_.report.searches_invalid += step.searches_invalid;
-  if (!step.complete()) ++tally_.report.incomplete_steps;
+  scoring_.report.blows += step.collisions;
+  scoring_.report.rests += step.separations;
+  scoring_.report.evaluations += step.evaluations;
+  scoring_.report.budget_outs += step.searches_cut;
+  scoring_.report.searches_invalid += step.searches_invalid;
+  if (!step.complete()) ++scoring_.report.incomplete_steps;
 }
 
 /// What was read is a state that steps can go on from: as far as an index, a conversion or a
@@ -179,7 +180,7 @@ bool Duel<Scalar, SearchT, SceneT>::is_sound() const {
     good = good && blade != nullptr && is_valid(blade->capsule_B) &&
            place.stick.position().cwiseAbs().maxCoeff() <= Scalar(1);
   }
-  if constexpr (SceneT::kTargets) good = good && tally_.is_sound(dt_);
+  if constexpr (SceneT::kTargets) good = good && scoring_.is_sound(dt_);
   const bool both = at(Side::kLeft).blade != at(Side::kRight).blade;
   return good && both && world_.size() == 2;
 }
