@@ -100,7 +100,7 @@ void archive(Archive& ar, BladeController<SceneT>& controller) {
   static_assert(detail::takes<BladeController<SceneT>, Nothing, Nothing>() &&
                     !detail::takes<BladeController<SceneT>, Nothing, Nothing, Nothing>(),
                 "archive: BladeController has other bases or members than those listed below");
-  ar(static_cast<CornersOf<SceneT>&>(controller), controller.holder);
+  ar(static_cast<CornersOf<SceneT>&>(controller), controller.carrier);
 }
 
 template <class SceneT>

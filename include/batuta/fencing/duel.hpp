@@ -70,7 +70,7 @@ class Duel {
   template <class S = SceneT>
   const Grip<Scalar>& grip(Side side) const {
     static_assert(S::kGrip, "Duel: without kGrip there is no grip(); a Hand carries each blade");
-    return blade_of(side).controller.holder;
+    return blade_of(side).controller.carrier;
   }
   const KeyedPose<Scalar>& hand(Side side) const {
     return at(side).hand;

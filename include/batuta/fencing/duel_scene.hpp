@@ -54,15 +54,15 @@ template <class SceneT>
 struct BladeController : CornersOf<SceneT> {
   using Scalar = typename SceneT::Scalar;
 
-  std::conditional_t<SceneT::kGrip, Grip<Scalar>, Hand<Scalar>> holder;
+  std::conditional_t<SceneT::kGrip, Grip<Scalar>, Hand<Scalar>> carrier;
 
   /// Takes the blade where it is. @returns kOk | kInvalidArgument (settings)
   Status take(const Pose<Scalar>& X_WB, [[maybe_unused]] const GripSettings<Scalar>& settings) {
     if constexpr (SceneT::kGrip) {
-      holder.place(X_WB);
-      return holder.configure(settings);
+      carrier.place(X_WB);
+      return carrier.configure(settings);
     } else {
-      holder.target_W = X_WB;
+      carrier.target_W = X_WB;
       return Status::kOk;
     }
   }
@@ -70,22 +70,22 @@ struct BladeController : CornersOf<SceneT> {
   void command(const Pose<Scalar>& X_WB, Scalar dt) {
     if constexpr (SceneT::kTargets) this->corners.clear();
     if constexpr (SceneT::kGrip) {
-      holder.command(X_WB, dt);
+      carrier.command(X_WB, dt);
     } else {
-      holder.target_W = X_WB;
-      holder.step = dt;
+      carrier.target_W = X_WB;
+      carrier.step = dt;
     }
   }
 
   PlannedMotion<Scalar> plan(const Body<Scalar>& body, Scalar t, Scalar duration) const {
-    return holder.plan(body, t, duration);
+    return carrier.plan(body, t, duration);
   }
   void on_contact(const Body<Scalar>& body, const Feedback<Scalar>& feedback) {
     // Never full: the world answers at most kMaxContacts in a step.
     if constexpr (SceneT::kTargets) this->corners.push({feedback.time, body.X_WB});
-    holder.on_contact(body, feedback);
+    carrier.on_contact(body, feedback);
   }
-  void on_step_end(const Body<Scalar>& body, Scalar dt) { holder.on_step_end(body, dt); }
+  void on_step_end(const Body<Scalar>& body, Scalar dt) { carrier.on_step_end(body, dt); }
 };
 
 /// The scene as its world runs it.

@@ -240,8 +240,8 @@ TEST(DuelFeatures, WhatIsOff_HasNoMember) {
   EXPECT_FALSE(HasTarget<Drill::Settings>::value);
   EXPECT_TRUE(HasCorners<Stiff::SceneType::Controller>::value);
   EXPECT_FALSE(HasCorners<Drill::SceneType::Controller>::value);
-  EXPECT_TRUE((std::is_same_v<decltype(Stiff::SceneType::Controller::holder), Hand<float>>));
-  EXPECT_TRUE((std::is_same_v<decltype(Drill::SceneType::Controller::holder), Grip<float>>));
+  EXPECT_TRUE((std::is_same_v<decltype(Stiff::SceneType::Controller::carrier), Hand<float>>));
+  EXPECT_TRUE((std::is_same_v<decltype(Drill::SceneType::Controller::carrier), Grip<float>>));
   EXPECT_TRUE((std::is_same_v<decltype(std::declval<Drill>().bout()), OpenBout>));
 }
 
