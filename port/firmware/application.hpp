@@ -78,7 +78,7 @@ class Application {
   /// 0: alone.
   std::uint32_t session() const { return session_; }
   /// What the force device was told last.
-  const ForceCommand& force() const { return stage_.told(); }
+  const ForceCommand& force() const { return stage_.last_command(); }
   /// The own side's way to the motor: counts since the bout began, and what held the force back.
   const OutputStage& stage() const { return stage_; }
   /// Emergency stop: no force from now on, whatever a host does. May interrupt tick() where the

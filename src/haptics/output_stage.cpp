@@ -55,7 +55,7 @@ Status OutputStage::configure(const StageSettings& settings) {
   allowed_ = 1;
   enabled_ = false;
   configured_ = true;
-  (void)cut(told_.time);  // a device that is gone says so in the first step
+  (void)cut(last_command_.time);  // a device that is gone says so in the first step
   return Status::kOk;
 }
 
@@ -73,7 +73,7 @@ void OutputStage::stop(Microseconds time) {
 
 void OutputStage::reset() {
   stopped_.store(false);  // first: a stop() that comes in behind it is another one, and stays
-  let_go();
+  drop_force();
 }
 
 Status OutputStage::step(const StageInput& input) {
@@ -127,7 +127,7 @@ float OutputStage::ramped(const StageInput& input) {
 
 Status OutputStage::hand_over(const ForceCommand& command) {
   if (!is_stopped()) {
-    told_ = command;
+    last_command_ = command;
     const Status status = device_.write(command, ForcePermit());
     if (status != Status::kOk) {
       ++report_.refused;
@@ -137,19 +137,19 @@ Status OutputStage::hand_over(const ForceCommand& command) {
   }
   // Also where stop() came in between and the device was told zero before the command.
   ++report_.stops;
-  let_go();
+  drop_force();
   (void)cut(command.time);
   return Status::kUnavailable;
 }
 
 /// Zero at once. @returns of the device
 Status OutputStage::cut(Microseconds time) {
-  told_ = {time, 0.0F, 0.0F, 0.0F};
+  last_command_ = {time, 0.0F, 0.0F, 0.0F};
   return device_.off(time);
 }
 
 /// As after configure(): disabled, with nothing left.
-void OutputStage::let_go() {
+void OutputStage::drop_force() {
   enabled_ = false;
   fade_.drop();
   for (Axis& axis : axes_) axis.slew.drop();  // Bound: 2

@@ -75,8 +75,8 @@ void step_hostile(OutputStage& stage, const StageSettings& settings, Watched& de
                           : usable                     ? Status::kOk
                                                        : Status::kInvalidArgument;
     EXPECT_EQ(stage.step(input), wanted);
-    EXPECT_EQ(stage.told().x, device.last.x);
-    EXPECT_EQ(stage.told().y, device.last.y);
+    EXPECT_EQ(stage.last_command().x, device.last.x);
+    EXPECT_EQ(stage.last_command().y, device.last.y);
     EXPECT_EQ(device.last.time, input.time);
   }
   EXPECT_TRUE(is_finite(stage.report().worst_excess));

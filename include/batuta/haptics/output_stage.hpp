@@ -106,7 +106,7 @@ class OutputStage final {
   Status step(const StageInput& input);
 
   /// What the last step or configure() told the device; zero by a stop() since then is not in it.
-  const ForceCommand& told() const { return told_; }
+  const ForceCommand& last_command() const { return last_command_; }
   /// What held the last step's force back.
   const StageLimits& limits() const { return limits_; }
   const StageReport& report() const { return report_; }
@@ -122,7 +122,7 @@ class OutputStage final {
   float ramped(const StageInput& input);
   Status hand_over(const ForceCommand& command);
   Status cut(Microseconds time);
-  void let_go();
+  void drop_force();
 
   ForceDevice& device_;
   Vec2<float> gain_ = Vec2<float>::Zero();  ///< of the settings, what steps need
@@ -131,7 +131,7 @@ class OutputStage final {
   ForceRamp samples_;
   ForceRamp commands_;
   ForceRamp fade_;
-  ForceCommand told_;
+  ForceCommand last_command_;
   StageLimits limits_;
   StageReport report_;
   float allowed_ = 1;  ///< StageInput::allowed of the last step that could be computed with

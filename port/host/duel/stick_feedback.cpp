@@ -29,7 +29,7 @@ StickFeedback::StickFeedback(const std::array<LiveForce*, 2>& forces) : forces_(
 
 StickFeedback::~StickFeedback() {
   for (auto& stage : stages_) {  // Bound: 2
-    if (stage) stage->stop(stage->told().time);
+    if (stage) stage->stop(stage->last_command().time);
   }
 }
 

@@ -38,7 +38,7 @@ void ForcePump::turn() {
   }
 }
 
-void ForcePump::let_go() {
+void ForcePump::drop_force() {
   if (kind() != ForceKind::kNone) (void)backend_->render({});
   kind_ = ForceKind::kNone;
   backend_->end_thread();

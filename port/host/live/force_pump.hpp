@@ -61,7 +61,7 @@ class ForcePump {
   /// One turn, on the device's thread.
   void turn();
   /// Takes the force away. On the device's thread, as its last act.
-  void let_go();
+  void drop_force();
   /// Leaves a device alone that has no force. On the device's thread.
   void close() { backend_->close(); }
   /// As ForceBackend::problem(), before close(). On the device's thread.

@@ -25,7 +25,7 @@ LiveForce::LiveForce(std::unique_ptr<ForceBackend> backend, const ForceOptions& 
       next = std::max(next + kTurn, std::chrono::steady_clock::now());
       std::this_thread::sleep_until(next);
     }
-    pump_.let_go();
+    pump_.drop_force();
   });
 }
 

@@ -313,7 +313,7 @@ TEST(ForcePump, LettingGo_IsZero) {
   ForceRig rig(ForceKind::kForce);
   rig.pump.put(1, 1);
   rig.turns(1);
-  rig.pump.let_go();
+  rig.pump.drop_force();
   EXPECT_EQ(rig.feels.back().x, 0.0F);
   EXPECT_EQ(rig.feels.back().y, 0.0F);
   EXPECT_EQ(rig.pump.kind(), ForceKind::kNone);

@@ -190,7 +190,7 @@ RC_GTEST_PROP(OutputStage, ConfiguredAgain_IsLikeANewOne, ()) {
     (void)used.stage.step(input);
     (void)fresh.stage.step(input);
     RC_ASSERT(used.last() == fresh.last());
-    RC_ASSERT(used.stage.told().own == fresh.stage.told().own);
+    RC_ASSERT(used.stage.last_command().own == fresh.stage.last_command().own);
   }
 }
 
@@ -206,9 +206,9 @@ RC_GTEST_PROP(OutputStage, WhatIsAllowed_IsOneRampAmongOthers, ()) {
     (void)part.stage.step(input);
     input.allowed = input.allowed >= 0 && input.allowed <= 1 ? 1 : input.allowed;
     (void)all.stage.step(input);
-    const ForceCommand& told = part.stage.told();
-    RC_ASSERT(told.own == std::fmin(all.stage.told().own, allowed));
-    if (told.own == all.stage.told().own) RC_ASSERT(part.last() == all.last());
+    const ForceCommand& told = part.stage.last_command();
+    RC_ASSERT(told.own == std::fmin(all.stage.last_command().own, allowed));
+    if (told.own == all.stage.last_command().own) RC_ASSERT(part.last() == all.last());
   }
 }
 

@@ -31,7 +31,7 @@ TEST(OutputStage, InHealth_TellsTheDemandItself) {
   EXPECT_EQ(rig.run(kLong, alive(demand)), demand);
   EXPECT_FALSE(rig.stage.limits().ramped || rig.stage.limits().clipped ||
                rig.stage.limits().end_stop || rig.stage.limits().speed || rig.stage.limits().slew);
-  EXPECT_EQ(rig.stage.told().x, 0.5F);
+  EXPECT_EQ(rig.stage.last_command().x, 0.5F);
   EXPECT_EQ(rig.stage.report().steps, 100U);
   StageInput input = alive(demand);
   input.time = 77;
@@ -199,7 +199,7 @@ TEST(OutputStage, EmergencyStopWithinAStep_EndsWithZero) {
   rig.motor.during_write = [&] { rig.stage.stop(5); };
   EXPECT_EQ(rig.stage.step(alive({1, 1})), Status::kUnavailable);
   EXPECT_EQ(rig.last(), Vec2<float>(0, 0));
-  EXPECT_EQ(rig.stage.told().x, 0.0F);
+  EXPECT_EQ(rig.stage.last_command().x, 0.0F);
   EXPECT_EQ(rig.stage.step(alive({1, 1})), Status::kUnavailable);
 }
 
