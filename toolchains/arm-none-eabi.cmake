@@ -15,7 +15,7 @@ set(BATUTA_BOARD "mps2/an386" CACHE STRING "Board: <port>/<file of port/<port>/b
 include(${CMAKE_CURRENT_LIST_DIR}/cpu/${BATUTA_CPU}.cmake)
 # Sets BATUTA_BOARD_MACHINE (of QEMU) and BATUTA_BOARD_LINKER_SCRIPT.
 string(REPLACE "/" "/board/" board_file ${BATUTA_BOARD})
-include(${CMAKE_CURRENT_LIST_DIR}/../port/${board_file}.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/../port/platforms/${board_file}.cmake)
 
 set(CMAKE_CXX_FLAGS_INIT "${BATUTA_CPU_FLAGS} -fno-exceptions -fno-rtti -fno-threadsafe-statics -ffunction-sections -fdata-sections")
 # -O2: -O3 grows the code and -Os multiplies the run time of Eigen's expressions.

@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <vector>
 
-#include "link/frame_decoder.hpp"
-#include "link/sender.hpp"
+#include "shared/link/frame_decoder.hpp"
+#include "shared/link/sender.hpp"
 
 namespace batuta::link {
 namespace {

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes the fuzzer's seeds: the protocol of port/link/link.md in a second language, so that the
+"""Writes the fuzzer's seeds: the protocol of port/shared/link/link.md in a second language, so that the
 seeds are also a check of the first. One seed a message, and one a kind of damage.
 
 usage: make_corpus.py [--compare] FOLDER    --compare: exit 1 unless FOLDER holds these very files

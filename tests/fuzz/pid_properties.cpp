@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "bytes.hpp"
-#include "pid/device.hpp"
+#include "shared/hid_pid/device.hpp"
 
 namespace batuta::pid {
 namespace {

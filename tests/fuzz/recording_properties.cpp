@@ -8,8 +8,8 @@
 #include <string>
 
 #include "bytes.hpp"
-#include "host/devices/event_line.hpp"
-#include "host/devices/recording.hpp"
+#include "programs/devices/event_line.hpp"
+#include "programs/devices/recording.hpp"
 
 namespace batuta::fuzz {
 namespace {

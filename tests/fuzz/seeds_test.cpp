@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "link/frame_decoder.hpp"
+#include "shared/link/frame_decoder.hpp"
 
 namespace batuta::link {
 namespace {

@@ -6,7 +6,7 @@
 #include "batuta/haptics/coupling.hpp"
 #include "batuta/haptics/gain_advisor.hpp"
 #include "resting.hpp"
-#include "simulated/axis.hpp"
+#include "shared/simulated/axis.hpp"
 
 namespace batuta {
 namespace {

@@ -34,7 +34,7 @@ class Arrows(Tree):
     def test_upwards_is_allowed(self):
         self.put("include/batuta/world/w.hpp", '#include "batuta/core/a.hpp"\n#include "batuta/world/b.hpp"\n')
         self.put("src/world/w.cpp", '#include "batuta/world/w.hpp"\n#include <cmath>\n')
-        self.put("port/host/h.cpp", '#include "batuta/world/w.hpp"\n#include "host/h.hpp"\n')
+        self.put("port/platforms/host/h.cpp", '#include "batuta/world/w.hpp"\n#include "platforms/host/h.hpp"\n')
         self.assert_found(self.check())
 
     def test_downwards_is_found(self):
@@ -44,7 +44,7 @@ class Arrows(Tree):
         self.assert_found(self.check(), "a.hpp:2: room core", "g.cpp:3: room geometry", "m.cpp:2: room mechanics")
 
     def test_port_and_relative_paths_are_found(self):
-        self.put("src/core/a.cpp", '#include "host/trap.hpp"\n#include "../port/host/trap.hpp"\n#include "pool.hpp"\n')
+        self.put("src/core/a.cpp", '#include "platforms/host/trap.hpp"\n#include "../port/platforms/host/trap.hpp"\n#include "pool.hpp"\n')
         self.assert_found(self.check(), "host/trap.hpp", "../port", "pool.hpp")
 
     def test_private_header_of_the_room_is_allowed(self):
@@ -58,15 +58,15 @@ class Arrows(Tree):
         self.assert_found(self.check(), "attic is not a room", "no such room")
 
     def test_shared_parts_of_ports_read_no_port(self):
-        self.put("port/host/h.cpp", '#include "link/frame.hpp"\n#include "firmware/bout.hpp"\n')
-        self.put("port/firmware/f.cpp", '#include "link/frame.hpp"\n')
+        self.put("port/platforms/host/h.cpp", '#include "shared/link/frame.hpp"\n#include "shared/firmware/bout.hpp"\n')
+        self.put("port/shared/firmware/f.cpp", '#include "shared/link/frame.hpp"\n')
         self.assertEqual(self.check(), [])
-        self.put("port/link/l.cpp", '#include "firmware/bout.hpp"\n#include "host/h.hpp"\n')
+        self.put("port/shared/link/l.cpp", '#include "shared/firmware/bout.hpp"\n#include "platforms/host/h.hpp"\n')
         self.assert_found(self.check(), "firmware/bout.hpp", "host/h.hpp")
 
     def test_port_of_another_port_is_found(self):
-        self.put("port/host/h.cpp", '#include "mps2/m.hpp"\n#include "../src/core/a.hpp"\n')
-        self.put("port/mps2/m.hpp", "")
+        self.put("port/platforms/host/h.cpp", '#include "platforms/mps2/m.hpp"\n#include "../src/core/a.hpp"\n')
+        self.put("port/platforms/mps2/m.hpp", "")
         self.assert_found(self.check(), "port host", "port host")
 
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "ensemble.hpp"
-#include "host/query_file.hpp"
+#include "programs/query_file.hpp"
 
 namespace batuta::test {
 

@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "batuta/haptics/gain_advisor.hpp"
-#include "simulated/axis.hpp"
-#include "simulated/encoder.hpp"
+#include "shared/simulated/axis.hpp"
+#include "shared/simulated/encoder.hpp"
 
 namespace batuta::test {
 

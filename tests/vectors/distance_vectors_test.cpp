@@ -9,7 +9,7 @@
 
 #include "batuta/geometry/segment.hpp"
 #include "exact_distance.hpp"
-#include "host/query_file.hpp"
+#include "programs/query_file.hpp"
 
 namespace batuta {
 namespace {

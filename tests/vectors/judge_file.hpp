@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "host/query_file.hpp"
+#include "programs/query_file.hpp"
 
 namespace batuta::test {
 

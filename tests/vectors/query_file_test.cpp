@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/query_file.hpp"
+#include "programs/query_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@
 #include <cstdio>
 
 #include "batuta/response/impulse.hpp"
-#include "host/answer/fields.hpp"
+#include "programs/answer/fields.hpp"
 #include "judge_file.hpp"
 
 namespace batuta {

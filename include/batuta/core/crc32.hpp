@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The CRC-32 of Ethernet, zlib and PNG: polynomial 0x04C11DB7, bits reflected, start and final
-// exclusive-or 0xFFFFFFFF; 0xCBF43926 for "123456789". Why this one: port/link/link.md.
+// exclusive-or 0xFFFFFFFF; 0xCBF43926 for "123456789". Why this one: port/shared/link/link.md.
 
 #include <cstdint>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "firmware/application.hpp"
+#include "shared/firmware/application.hpp"
 
 #include <gmock/gmock.h>
 
 #include <limits>
 
 #include "device_rig.hpp"
-#include "firmware/step_messages.hpp"
+#include "shared/firmware/step_messages.hpp"
 
 namespace batuta::test {
 namespace {

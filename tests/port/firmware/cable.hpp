@@ -6,7 +6,7 @@
 #include <random>
 
 #include "batuta/port/clock.hpp"
-#include "link/byte_stream.hpp"
+#include "shared/link/byte_stream.hpp"
 
 namespace batuta::test {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cable.hpp"
-#include "firmware/application.hpp"
+#include "shared/firmware/application.hpp"
 
 namespace batuta::test {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "firmware/stage_settings.hpp"
+#include "shared/firmware/stage_settings.hpp"
 
 #include <gtest/gtest.h>
 

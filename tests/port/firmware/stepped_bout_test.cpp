@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "firmware/stepped_bout.hpp"
+#include "shared/firmware/stepped_bout.hpp"
 
 #include <gtest/gtest.h>
 
 #include <memory>
 
-#include "firmware/step_messages.hpp"
+#include "shared/firmware/step_messages.hpp"
 
 namespace batuta::firmware {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "firmware/stick_forces.hpp"
+#include "shared/firmware/stick_forces.hpp"
 
 #include <gtest/gtest.h>
 

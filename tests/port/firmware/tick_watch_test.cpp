@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "firmware/tick_watch.hpp"
+#include "shared/firmware/tick_watch.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include <memory>
 
-#include "host/duel/observer.hpp"
+#include "programs/duel/observer.hpp"
 
 namespace batuta::host {
 

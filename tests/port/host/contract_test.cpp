@@ -3,10 +3,10 @@
 #include <memory>
 
 #include "contract_suite.hpp"
-#include "host/clock.hpp"
-#include "host/devices/replay_device.hpp"
-#include "host/devices/script_device.hpp"
-#include "host/live/live_force.hpp"
+#include "platforms/host/clock.hpp"
+#include "programs/devices/replay_device.hpp"
+#include "programs/devices/script_device.hpp"
+#include "programs/live/live_force.hpp"
 
 namespace batuta::test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/devices/description.hpp"
+#include "programs/devices/description.hpp"
 
 #include <gtest/gtest.h>
 #include <linux/input.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The host's end of the cable by itself, against a device that says what the test wants.
-#include "host/duel/device/device_link.hpp"
+#include "programs/duel/device/device_link.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The host's side of a session against the firmware's application, over a cable in memory.
-#include "host/duel/device/device_partner.hpp"
+#include "programs/duel/device/device_partner.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/duel/device/device_setup.hpp"
+#include "programs/duel/device/device_setup.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "host/duel/duel_runner.hpp"
+#include "programs/duel/duel_runner.hpp"
 
 #include <gtest/gtest.h>
 
 #include "bouts.hpp"
 #include "heap_trap.hpp"
-#include "host/devices/replay_device.hpp"
-#include "host/duel/bout_words.hpp"
+#include "programs/devices/replay_device.hpp"
+#include "programs/duel/bout_words.hpp"
 
 namespace batuta::host {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/devices/event_line.hpp"
+#include "programs/devices/event_line.hpp"
 
 #include <evemu.h>
 #include <gtest/gtest.h>

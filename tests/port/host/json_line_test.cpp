@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "host/duel/json_line.hpp"
+#include "programs/duel/json_line.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <string>
 
-#include "host/duel/utf8.hpp"
+#include "programs/duel/utf8.hpp"
 
 namespace batuta::host {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/live/claim.hpp"
+#include "programs/live/claim.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

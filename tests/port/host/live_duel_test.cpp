@@ -9,10 +9,10 @@
 #include <memory>
 
 #include "fake_stick.hpp"
-#include "host/devices/script_device.hpp"
-#include "host/duel/bout_log.hpp"
-#include "host/duel/json_log.hpp"
-#include "host/duel/stick_feedback.hpp"
+#include "programs/devices/script_device.hpp"
+#include "programs/duel/bout_log.hpp"
+#include "programs/duel/json_log.hpp"
+#include "programs/duel/stick_feedback.hpp"
 #include "soon.hpp"
 
 namespace batuta::host {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Signs and directions, held against the words of linux/input.h and SDL_haptic.h.
-#include "host/live/effects.hpp"
+#include "programs/live/effects.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "host/live/linux_effects.hpp"
+#include "programs/live/linux_effects.hpp"
 
 namespace batuta::host {
 namespace {

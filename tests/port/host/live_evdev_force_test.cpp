@@ -5,8 +5,8 @@
 #include <cerrno>
 
 #include "fake_stick.hpp"
-#include "host/live/evdev_feed.hpp"
-#include "host/live/evdev_force.hpp"
+#include "programs/live/evdev_feed.hpp"
+#include "programs/live/evdev_force.hpp"
 
 namespace batuta::host {
 namespace {

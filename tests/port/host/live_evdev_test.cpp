@@ -7,8 +7,8 @@
 #include <cerrno>
 
 #include "fake_stick.hpp"
-#include "host/devices/source.hpp"
-#include "host/live/evdev_feed.hpp"
+#include "programs/devices/source.hpp"
+#include "programs/live/evdev_feed.hpp"
 
 namespace batuta::host {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the thread of a force does, turn by turn and without the thread.
-#include "host/live/force_pump.hpp"
+#include "programs/live/force_pump.hpp"
 
 #include <gtest/gtest.h>
 

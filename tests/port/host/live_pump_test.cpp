@@ -5,8 +5,8 @@
 #include <deque>
 #include <thread>
 
-#include "host/live/feed_pump.hpp"
-#include "host/live/latest.hpp"
+#include "programs/live/feed_pump.hpp"
+#include "programs/live/latest.hpp"
 
 namespace batuta::host {
 namespace {

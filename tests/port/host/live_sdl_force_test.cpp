@@ -2,7 +2,7 @@
 // Forces through SDL. Its virtual joystick knows none: a fake takes the place of its functions.
 #include <map>
 
-#include "host/live/sdl_force.hpp"
+#include "programs/live/sdl_force.hpp"
 #include "virtual_stick.hpp"
 
 namespace batuta::host {

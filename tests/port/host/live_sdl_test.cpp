@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 
 #include "batuta/haptics/output_stage.hpp"
-#include "host/devices/source.hpp"
-#include "host/live/live_force.hpp"
-#include "host/live/sdl_feed.hpp"
-#include "host/live/sdl_force.hpp"
+#include "programs/devices/source.hpp"
+#include "programs/live/live_force.hpp"
+#include "programs/live/sdl_feed.hpp"
+#include "programs/live/sdl_force.hpp"
 #include "soon.hpp"
 #include "virtual_stick.hpp"
 

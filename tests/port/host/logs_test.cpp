@@ -7,9 +7,9 @@
 
 #include "bouts.hpp"
 #include "heap_trap.hpp"
-#include "host/duel/bout_log.hpp"
-#include "host/duel/json_log.hpp"
-#include "host/duel/progress_bar.hpp"
+#include "programs/duel/bout_log.hpp"
+#include "programs/duel/json_log.hpp"
+#include "programs/duel/progress_bar.hpp"
 
 namespace batuta::host {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/mass/mesh_file.hpp"
+#include "programs/mass/mesh_file.hpp"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 #include <fstream>
 #include <random>
 
-#include "host/mass/words.hpp"
+#include "programs/mass/words.hpp"
 #include "meshes.hpp"
 
 namespace batuta::mesh {

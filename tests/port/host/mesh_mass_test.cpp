@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/mass/mesh_mass.hpp"
+#include "programs/mass/mesh_mass.hpp"
 
 #include <gmock/gmock.h>
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "host/mass/mesh_mass.hpp"
+#include "programs/mass/mesh_mass.hpp"
 
 namespace batuta::mesh::samples {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/duel/pace.hpp"
+#include "programs/duel/pace.hpp"
 
 #include <gtest/gtest.h>
 

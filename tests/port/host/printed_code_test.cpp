@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "batuta/mechanics/compound.hpp"
-#include "host/mass/mesh_file.hpp"
-#include "host/mass/mesh_mass.hpp"
+#include "programs/mass/mesh_file.hpp"
+#include "programs/mass/mesh_mass.hpp"
 
 namespace {
 

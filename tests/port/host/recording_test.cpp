@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/devices/recording.hpp"
+#include "programs/devices/recording.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

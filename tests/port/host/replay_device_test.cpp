@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/devices/replay_device.hpp"
+#include "programs/devices/replay_device.hpp"
 
 #include <gtest/gtest.h>
 

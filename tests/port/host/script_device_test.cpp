@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/devices/script_device.hpp"
+#include "programs/devices/script_device.hpp"
 
 #include <gtest/gtest.h>
 

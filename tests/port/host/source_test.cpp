@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/devices/source.hpp"
+#include "programs/devices/source.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

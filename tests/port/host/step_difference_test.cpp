@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "host/duel/device/step_difference.hpp"
+#include "programs/duel/device/step_difference.hpp"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <memory>
 
-#include "firmware/step_messages.hpp"
+#include "shared/firmware/step_messages.hpp"
 
 namespace batuta::host {
 namespace {

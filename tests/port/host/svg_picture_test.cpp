@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/duel/svg_picture.hpp"
+#include "programs/duel/svg_picture.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "host/duel/trace.hpp"
+#include "programs/duel/trace.hpp"
 
 #include <gtest/gtest.h>
 

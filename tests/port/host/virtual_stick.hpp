@@ -10,7 +10,7 @@
 #include <memory>
 #include <string>
 
-#include "host/live/sdl_stick.hpp"
+#include "programs/live/sdl_stick.hpp"
 
 namespace batuta::test {
 

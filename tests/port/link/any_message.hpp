@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "draws.hpp"
-#include "link/messages.hpp"
+#include "shared/link/messages.hpp"
 
 namespace batuta::link::test {
 

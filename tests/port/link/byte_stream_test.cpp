@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "link/byte_stream.hpp"
+#include "shared/link/byte_stream.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "link/cobs.hpp"
+#include "shared/link/cobs.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

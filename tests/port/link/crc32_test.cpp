@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "link/crc32.hpp"
+#include "shared/link/crc32.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// port/link/link.md against the code: its tables, its examples and its times. What the document
+// port/shared/link/link.md against the code: its tables, its examples and its times. What the document
 // says is read from it, so that the two cannot part.
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "link/frame_decoder.hpp"
+#include "shared/link/frame_decoder.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "link/messages.hpp"
+#include "shared/link/messages.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "heap_trap.hpp"
-#include "link/sender.hpp"
+#include "shared/link/sender.hpp"
 #include "wire.hpp"
 
 namespace batuta::link::test {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "link/byte_stream.hpp"
+#include "shared/link/byte_stream.hpp"
 
 namespace batuta::link::test {
 

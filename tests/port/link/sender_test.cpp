@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "link/sender.hpp"
+#include "shared/link/sender.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Against the other end of a pty, as an emulated board is.
 
-#include "host/serial/serial_port.hpp"
+#include "programs/serial/serial_port.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

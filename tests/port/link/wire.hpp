@@ -8,8 +8,8 @@
 #include <initializer_list>
 
 #include "any_message.hpp"
-#include "link/crc32.hpp"
-#include "link/frame_decoder.hpp"
+#include "shared/link/crc32.hpp"
+#include "shared/link/frame_decoder.hpp"
 
 namespace batuta::link::test {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The condition law against its definition in double, and its properties.
 
-#include "pid/condition.hpp"
+#include "shared/hid_pid/condition.hpp"
 
 #include <gtest/gtest.h>
 

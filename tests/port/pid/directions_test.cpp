@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "host.hpp"
-#include "pid/direction.hpp"
+#include "shared/hid_pid/direction.hpp"
 
 namespace batuta::pid::test {
 namespace {

@@ -3,7 +3,7 @@
 
 // begin
 #include "batuta/haptics/output_stage.hpp"
-#include "pid/tinyusb.hpp"
+#include "shared/hid_pid/tinyusb.hpp"
 #include "tusb.h"
 
 namespace pid = batuta::pid;

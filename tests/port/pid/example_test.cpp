@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "batuta/haptics/output_stage.hpp"
-#include "pid/tinyusb.hpp"
+#include "shared/hid_pid/tinyusb.hpp"
 #include "tusb.h"
 
 extern batuta::pid::Device<16> effects;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "descriptor_parser.hpp"
-#include "pid/device.hpp"
+#include "shared/hid_pid/device.hpp"
 
 namespace batuta::pid::test {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The builder's bytes against items written out by hand from HID 1.11, section 6.2.2.
 
-#include "pid/items.hpp"
+#include "shared/hid_pid/items.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

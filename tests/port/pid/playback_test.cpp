@@ -2,7 +2,7 @@
 // Delay, duration and loops against a clock that counts single milliseconds, in steps of any
 // length.
 
-#include "pid/playback.hpp"
+#include "shared/hid_pid/playback.hpp"
 
 #include <gtest/gtest.h>
 

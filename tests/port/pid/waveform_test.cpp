@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Shapes and envelopes against values worked out by hand.
 
-#include "pid/waveform.hpp"
+#include "shared/hid_pid/waveform.hpp"
 
 #include <gtest/gtest.h>
 

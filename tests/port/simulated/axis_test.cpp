@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "simulated/axis.hpp"
+#include "shared/simulated/axis.hpp"
 
 #include <gtest/gtest.h>
 
 #include "draws.hpp"
 #include "heap_trap.hpp"
-#include "simulated/encoder.hpp"
+#include "shared/simulated/encoder.hpp"
 
 namespace batuta::port_simulated {
 namespace {

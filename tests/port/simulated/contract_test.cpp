@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The simulated stick keeps the contract of a port's devices.
 #include "../contract_suite.hpp"
-#include "simulated/stick.hpp"
+#include "shared/simulated/stick.hpp"
 
 namespace batuta::test {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "batuta/haptics/gain_advisor.hpp"
 #include "batuta/haptics/output_stage.hpp"
-#include "simulated/stick.hpp"
+#include "shared/simulated/stick.hpp"
 
 namespace batuta {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "simulated/stick.hpp"
+#include "shared/simulated/stick.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The exponential of a period against the textbook's solutions.
-#include "simulated/transition.hpp"
+#include "shared/simulated/transition.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 // An ADC stick on plain memory, and a hand that does what DMA and its interrupt do.
 
-#include "stm32f405/drivers/adc_stick.hpp"
+#include "platforms/stm32f405/drivers/adc_stick.hpp"
 
 namespace batuta::stm32f405::test {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // From conversions to samples: ranges, times, counts, and what happens when the stick goes.
 
-#include "stm32f405/drivers/adc_stick.hpp"
+#include "platforms/stm32f405/drivers/adc_stick.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The duty of a bridge against exact arithmetic.
 
-#include "stm32f405/drivers/bridge_duty.hpp"
+#include "platforms/stm32f405/drivers/bridge_duty.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "stm32f405/board.hpp"
+#include "platforms/stm32f405/board.hpp"
 
 namespace batuta::stm32f405 {
 namespace {

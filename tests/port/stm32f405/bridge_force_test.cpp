@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The four ways in which the force goes away, and the one in which it comes.
 
-#include "stm32f405/drivers/bridge_force.hpp"
+#include "platforms/stm32f405/drivers/bridge_force.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,11 +2,11 @@
 // The order of the clocks' start, and where it ends when a part does not come up. The registers are
 // memory: what "becomes ready" is ready from the beginning, or never.
 
-#include "stm32f405/drivers/clock_start.hpp"
+#include "platforms/stm32f405/drivers/clock_start.hpp"
 
 #include <gtest/gtest.h>
 
-#include "stm32f405/board.hpp"
+#include "platforms/stm32f405/board.hpp"
 
 namespace batuta::stm32f405 {
 namespace {

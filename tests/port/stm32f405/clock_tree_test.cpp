@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The clocks' arithmetic against the reference manual's tables and worked numbers.
 
-#include "stm32f405/drivers/clock_tree.hpp"
+#include "platforms/stm32f405/drivers/clock_tree.hpp"
 
 #include <gtest/gtest.h>
 
-#include "stm32f405/board.hpp"
+#include "platforms/stm32f405/board.hpp"
 
 namespace batuta::stm32f405 {
 namespace {

@@ -4,7 +4,7 @@
 #include "contract_suite.hpp"
 
 #include "adc_rig.hpp"
-#include "stm32f405/drivers/bridge_force.hpp"
+#include "platforms/stm32f405/drivers/bridge_force.hpp"
 
 namespace batuta::test {
 namespace {

@@ -8,8 +8,8 @@
 #include <random>
 #include <thread>
 
-#include "cortex_m/byte_ring.hpp"
-#include "stm32f405/drivers/latest.hpp"
+#include "platforms/cortex_m/byte_ring.hpp"
+#include "platforms/stm32f405/drivers/latest.hpp"
 
 namespace batuta::stm32f405 {
 namespace {

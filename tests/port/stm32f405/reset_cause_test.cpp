@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // RCC_CSR as the part leaves it after each kind of reset (RM0090 7.3.21).
 
-#include "stm32f405/drivers/reset_cause.hpp"
+#include "platforms/stm32f405/drivers/reset_cause.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // When a board may try again, and when it parks.
 
-#include "stm32f405/drivers/restart_ledger.hpp"
+#include "platforms/stm32f405/drivers/restart_ledger.hpp"
 
 #include <gtest/gtest.h>
 

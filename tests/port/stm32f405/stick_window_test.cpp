@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sums of conversions, and what is a stick.
 
-#include "stm32f405/drivers/stick_window.hpp"
+#include "platforms/stm32f405/drivers/stick_window.hpp"
 
 #include <gtest/gtest.h>
 

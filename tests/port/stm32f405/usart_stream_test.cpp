@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The serial line, with the test in the place of the wire.
 
-#include "stm32f405/drivers/usart_stream.hpp"
+#include "platforms/stm32f405/drivers/usart_stream.hpp"
 
 #include <gtest/gtest.h>
 

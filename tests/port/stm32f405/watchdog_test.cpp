@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Who feeds the watchdog, and how long it waits.
 
-#include "stm32f405/drivers/watchdog.hpp"
+#include "platforms/stm32f405/drivers/watchdog.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Queries that cost much, with what is true of them, as a query file (port/host/query_file.hpp):
+// Queries that cost much, with what is true of them, as a query file (port/programs/query_file.hpp):
 // T, A..., B... by the bits of their floats; then, in decimal, what they cost and the truth:
 //   degrees          no body turns further
 //   contact tolerance             tau, m

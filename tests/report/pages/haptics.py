@@ -90,7 +90,7 @@ def _energy_table(rows):
     return table(["stiffness over the bound", *(f"most energy, controller {name}" for name in _values(rows, "controller"))], lines)
 
 
-TEXT = """A spring and a damper are sampled, and their force is held on a simulated stick (`port/simulated`: exact between samples). The bound is
+TEXT = """A spring and a damper are sampled, and their force is held on a simulated stick (`port/shared/simulated`: exact between samples). The bound is
 that of the gain advisor, K T (n + 1/2) + |B| <= b (`src/haptics/gain_advisor.md`), which holds for whatever passive hand. Onsets are found by bisection, in
 simulated time by the growth of the stored energy, and independently as the place where the spectral radius of the exact discrete system passes 1.
 """

@@ -5,8 +5,8 @@
 
 #include "batuta/geometry/segment.hpp"
 #include "checks.hpp"
-#include "cortex_m/fault.hpp"
-#include "cortex_m/stack.hpp"
+#include "platforms/cortex_m/fault.hpp"
+#include "platforms/cortex_m/stack.hpp"
 
 namespace {
 

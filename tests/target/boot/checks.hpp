@@ -2,7 +2,7 @@
 #pragma once
 // Checks of a program that has no test framework: what fails is written and counted.
 
-#include "cortex_m/semihosting.hpp"
+#include "platforms/cortex_m/semihosting.hpp"
 
 class Checks {
  public:

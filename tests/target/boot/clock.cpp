@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The clock: it never goes back, neither at the end of a period nor at that of 32 bits, whoever
 // reads.
-#include "cortex_m/systick.hpp"
+#include "platforms/cortex_m/systick.hpp"
 
 #include "checks.hpp"
-#include "cortex_m/vectors.hpp"
-#include "mps2/board.hpp"
+#include "platforms/cortex_m/vectors.hpp"
+#include "platforms/mps2/board.hpp"
 
 namespace {
 

@@ -2,8 +2,8 @@
 // With -icount shift=10 an instruction takes 1024 ns: that tells the rate of the board's clock, and
 // that counting instructions is exact.
 #include "checks.hpp"
-#include "cortex_m/systick.hpp"
-#include "mps2/board.hpp"
+#include "platforms/cortex_m/systick.hpp"
+#include "platforms/mps2/board.hpp"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A failure is seen: the exit status arrives.
-#include "cortex_m/semihosting.hpp"
+#include "platforms/cortex_m/semihosting.hpp"
 
 int main() {
   batuta::semihosting::exit(3);

@@ -2,10 +2,10 @@
 // The other end of uart_test.py: sends back what comes, or does not read at all.
 //   uart echo COUNT    ends after COUNT bytes have come; 0 where none was lost
 //   uart flood COUNT   reads nothing until COUNT bytes have come, then counts what is there
-#include "mps2/uart.hpp"
+#include "platforms/mps2/uart.hpp"
 
 #include "checks.hpp"
-#include "mps2/board.hpp"
+#include "platforms/mps2/board.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cortex_m/semihosting.hpp"
+#include "platforms/cortex_m/semihosting.hpp"
 #include "io.hpp"
 
 namespace batuta::digest {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a processor refuses to do: hard_fault undefined|address|interrupt
-#include "cortex_m/registers.hpp"
+#include "platforms/cortex_m/registers.hpp"
 #include "push.hpp"
 
 extern "C" {

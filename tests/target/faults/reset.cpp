@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A board that resets after a fault: the next start finds the record, once, and the force off.
 #include "batuta/core/assert.hpp"
-#include "cortex_m/fault.hpp"
-#include "cortex_m/registers.hpp"
+#include "platforms/cortex_m/fault.hpp"
+#include "platforms/cortex_m/registers.hpp"
 #include "push.hpp"
 
 using batuta::cortex_m::FaultCode;

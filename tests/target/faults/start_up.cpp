@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The board cannot be set up: main() is never reached.
-#include "cortex_m/fault.hpp"
+#include "platforms/cortex_m/fault.hpp"
 #include "push.hpp"
 
 std::uint32_t batuta_board_init() {

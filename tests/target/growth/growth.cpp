@@ -3,7 +3,7 @@
 // section (tests/support/crowd.hpp) as rows of a CSV that tests/report/render.py draws. Counted by
 // SysTick under QEMU's -icount; exit status 0, or 1 where a sparse crowd grows faster than it may.
 
-#include "cortex_m/semihosting.hpp"
+#include "platforms/cortex_m/semihosting.hpp"
 #include "crowd.hpp"
 #include "price/bench/ticks.hpp"
 

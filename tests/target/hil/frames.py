@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Frames of the serial link (port/link/link.md), written down a second time."""
+"""Frames of the serial link (port/shared/link/link.md), written down a second time."""
 
 import struct
 import zlib

@@ -3,11 +3,11 @@
 // has to start it so many times and no more.
 
 #include "batuta/core/assert.hpp"
-#include "cortex_m/fault.hpp"
-#include "stm32f405/board.hpp"
-#include "stm32f405/drivers/usart_stream.hpp"
-#include "stm32f405/interrupts.hpp"
-#include "stm32f405/memory_map.hpp"
+#include "platforms/cortex_m/fault.hpp"
+#include "platforms/stm32f405/board.hpp"
+#include "platforms/stm32f405/drivers/usart_stream.hpp"
+#include "platforms/stm32f405/interrupts.hpp"
+#include "platforms/stm32f405/memory_map.hpp"
 
 namespace {
 

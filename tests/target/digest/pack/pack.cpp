@@ -14,8 +14,8 @@
 #include "../answer.hpp"
 #include "../section.hpp"
 #include "batuta/fencing/fencer.hpp"
-#include "host/devices/source.hpp"
-#include "host/query_file.hpp"
+#include "programs/devices/source.hpp"
+#include "programs/query_file.hpp"
 
 namespace batuta::digest {
 namespace {

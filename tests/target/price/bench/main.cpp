@@ -3,8 +3,8 @@
 // (tests/target/digest), OUT gets the figures (samples.hpp), of the queries each EVERY-th is taken,
 // of a bout the first STEPS steps.
 
-#include "cortex_m/semihosting.hpp"
-#include "cortex_m/stack.hpp"
+#include "platforms/cortex_m/semihosting.hpp"
+#include "platforms/cortex_m/stack.hpp"
 #include "measure.hpp"
 #include "ticks.hpp"
 

@@ -3,7 +3,7 @@
 // each step of the run, and the bits in which it ended.
 
 #include "../scene/scene.hpp"
-#include "cortex_m/semihosting.hpp"
+#include "platforms/cortex_m/semihosting.hpp"
 #include "samples.hpp"
 #include "ticks.hpp"
 

@@ -4,7 +4,7 @@
 // time. These are instructions, not cycles: an emulator knows nothing of pipelines, buses and
 // flash.
 
-#include "cortex_m/registers.hpp"
+#include "platforms/cortex_m/registers.hpp"
 
 namespace batuta::price {
 

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The loop of the program: devices -> duel, one step after the other, with the sums that a summary
+// needs. It neither prints nor allocates: observers are told after each step.
+
+#include <array>
+#include <chrono>
+#include <limits>
+
+#include "shared/firmware/stepped_bout.hpp"
+#include "programs/devices/source.hpp"
+
+namespace batuta::host {
+
+/// How a bout ended.
+enum class Ending : std::uint8_t {
+  kNone,    ///< it is still going on
+  kTouch,   ///< one touch
+  kDouble,  ///< two within the window
+  kDraw,    ///< no touch until the recordings, or the time, were at an end
+};
+
+/// Of one fencer's device.
+struct DeviceTally {
+  std::uint32_t samples = 0;  ///< handed out
+  std::uint32_t refused = 0;  ///< not handed out: outside the stick's square
+  bool ended = false;   ///< the recording was over before the bout; the stick stayed where it was
+  double ended_at = 0;  ///< s
+};
+
+/// Sums over the bout.
+struct Tally {
+  std::array<DeviceTally, 2> devices;
+  std::uint32_t beats = 0;   ///< contacts that began with a blow
+  std::uint32_t begins = 0;  ///< contact events of each kind
+  std::uint32_t persists = 0;
+  std::uint32_t ends = 0;
+  std::uint32_t events_dropped = 0;  ///< answered, but not recorded
+  std::uint32_t contacts_dropped =
+      0;  ///< not answered any more in their step: the blades were held
+  float smallest_gap =
+      std::numeric_limits<float>::infinity();  ///< between the blades after any step, m
+  float deepest_overlap = 0;                   ///< found by a search when it began, m
+  float longest_hold = 0;                      ///< of a blade whose way was not known to be free, s
+  std::uint64_t host_ns = 0;                   ///< time in SteppedBout::step()
+  std::uint64_t host_ns_worst = 0;
+};
+
+class DuelRunner {
+ public:
+  using DuelType = firmware::DuelType;
+  static constexpr Microseconds kStep_us = 1000;
+  /// Where no source ends: a bout of the preliminary rounds.
+  static constexpr double kBoutLength = 180;
+
+  /// @param limit  s; infinite: as long as the longest recording
+  DuelRunner(Source& left, Source& right, double limit);
+
+  /// Puts the fencers on guard.
+  Status start();
+
+  /// One step of kStep_us. @returns whether the bout goes on. @pre start() was kOk
+  bool step();
+
+  /// Of the last step(): other than kOk, there was none, and the bout has not come to its end.
+  Status status() const { return status_; }
+  Ending ending() const { return ending_; }
+  const DuelType& duel() const { return bout_.duel(); }
+  /// The duel with the forces on the sticks and the samples of the last step.
+  const firmware::SteppedBout& bout() const { return bout_; }
+  const Tally& tally() const { return tally_; }
+  const Source& source(Side side) const { return *sources_[index_of(side)]; }
+  /// When the bout ends without a touch, s.
+  double limit() const { return limit_; }
+  /// Simulated time since the start, s.
+  double now() const { return bout_.steps() * 1e-6 * kStep_us; }
+
+ private:
+  const InputSample* read(Side side, InputSample& sample);
+  void add_up(std::chrono::nanoseconds spent);
+  Ending judge() const;
+
+  std::array<Source*, 2> sources_;
+  firmware::SteppedBout bout_;
+  Tally tally_;
+  double limit_;
+  Ending ending_ = Ending::kNone;
+  Status status_ = Status::kOk;
+};
+
+}  // namespace batuta::host

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+
+#include "programs/duel/json_log.hpp"
+
+#include <string>
+
+namespace batuta::host {
+namespace {
+
+const char* name_of(EventKind kind) {
+  switch (kind) {
+    case EventKind::kBegin:
+      return "begin";
+    case EventKind::kPersist:
+      return "persist";
+    case EventKind::kEnd:
+      break;
+  }
+  return "end";
+}
+
+const char* name_of(ContactKind kind) {
+  switch (kind) {
+    case ContactKind::kColliding:
+      return "colliding";
+    case ContactKind::kResting:
+      return "resting";
+    case ContactKind::kReceding:
+      break;
+  }
+  return "receding";
+}
+
+void add_result(JsonLine& line, const DuelRunner& runner) {
+  line.text("result", result_of(runner))
+      .count("steps", runner.duel().steps())
+      .number("simulated_seconds", runner.now());
+  const auto& touches = runner.duel().bout().touches;
+  if (touches.empty()) return;
+  line.text("touch_by", batuta::host::name_of(touches[0].by))
+      .text("touch_part", batuta::name_of(touches[0].part))
+      .number("touch_time", time_of(runner, touches[0]))
+      .flag("touch_certain", touches[0].certain);
+}
+
+void add_contacts(JsonLine& line, const DuelRunner& runner) {
+  const DuelReport& report = runner.duel().report();
+  const Tally& tally = runner.tally();
+  line.count("beats", tally.beats)
+      .count("blows", report.blows)
+      .count("rests", report.rests)
+      .count("begin", tally.begins)
+      .count("persist", tally.persists)
+      .count("end", tally.ends)
+      .number("smallest_gap", static_cast<double>(tally.smallest_gap))
+      .number("deepest_overlap", static_cast<double>(tally.deepest_overlap))
+      .number("longest_hold", static_cast<double>(tally.longest_hold))
+      .count("incomplete_steps", report.incomplete_steps)
+      .count("events_not_recorded", tally.events_dropped)
+      .count("contacts_not_answered", tally.contacts_dropped)
+      .count("budget_outs", report.budget_outs)
+      .count("searches_invalid", report.searches_invalid)
+      .count("evaluations", report.evaluations);
+}
+
+void add_device(JsonLine& line, const DuelRunner& runner, Side side) {
+  const StickReport& stick = runner.duel().stick(side).report();
+  const DeviceTally& device = runner.tally().devices[index_of(side)];
+  const std::string prefix = batuta::host::name_of(side);
+  const auto key = [&](const char* what) { return prefix + "_" + what; };
+  line.count(key("samples_used").c_str(), stick.used)
+      .count(key("samples_rejected").c_str(), rejected(runner, side))
+      .count(key("samples_overwritten").c_str(), stick.lost)
+      .count(key("device_losses").c_str(), runner.source(side).losses())
+      .count(key("unplugs").c_str(), runner.source(side).unplugs())
+      .flag(key("source_ended").c_str(), device.ended);
+}
+
+}  // namespace
+
+void JsonLog::on_start(const DuelRunner& runner) {
+  JsonLine(out_, "start")
+      .text("left", runner.source(Side::kLeft).description())
+      .text("right", runner.source(Side::kRight).description())
+      .number("step_seconds", 1e-6 * DuelRunner::kStep_us)
+      .number("limit_seconds", runner.limit());
+}
+
+void JsonLog::on_step(const DuelRunner& runner) {
+  for (const auto& event : runner.duel().world().events()) {  // Bound: DuelScene::kMaxEvents
+    const bool blow = event.contact_kind == ContactKind::kColliding;
+    if (event.kind != EventKind::kPersist || blow) write_contact(time_of(runner, event), event);
+  }
+  touches_.for_each_new(runner, [&](const Touch<float>& touch) {
+    JsonLine(out_, "touch")
+        .number("time", time_of(runner, touch))
+        .text("by", batuta::host::name_of(touch.by))
+        .text("part", batuta::name_of(touch.part))
+        .number("place", static_cast<double>(touch.place))
+        .vector("point", touch.contact.point_W)
+        .flag("certain", touch.certain);
+  });
+}
+
+void JsonLog::write_contact(double time, const ContactEvent<float>& event) {
+  JsonLine(out_, "contact")
+      .number("time", time)
+      .text("event", name_of(event.kind))
+      .text("kind", name_of(event.contact_kind))
+      .number("place_left", static_cast<double>(event.place_A))
+      .number("place_right", static_cast<double>(event.place_B))
+      .number("impulse", static_cast<double>(event.impulse))
+      .number("relative_velocity", static_cast<double>(event.v_rel))
+      .number("gap", static_cast<double>(event.contact.gap))
+      .vector("point", event.contact.point_W)
+      .vector("normal", event.contact.normal_BA_W);
+}
+
+void JsonLog::on_end(const DuelRunner& runner) {
+  JsonLine line(out_, "summary");
+  add_result(line, runner);
+  add_contacts(line, runner);
+  add_device(line, runner, Side::kLeft);
+  add_device(line, runner, Side::kRight);
+  line.number("host_ns_per_step_mean", mean_step_ns(runner))
+      .count("host_ns_per_step_max", runner.tally().host_ns_worst);
+}
+
+}  // namespace batuta::host

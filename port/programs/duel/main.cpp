@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+// batuta-duel: opens the devices, runs the bout, tells the observers.
+
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <fstream>
+#include <memory>
+#include <thread>
+
+#include "platforms/host/clock.hpp"
+#include "programs/duel/bout_log.hpp"
+#include "programs/duel/device/device_log.hpp"
+#include "programs/duel/device/device_setup.hpp"
+#include "programs/duel/interrupt.hpp"
+#include "programs/duel/json_log.hpp"
+#include "programs/duel/options.hpp"
+#include "programs/duel/pace.hpp"
+#include "programs/duel/progress_bar.hpp"
+#include "programs/duel/replay.hpp"
+#include "programs/duel/run_record.hpp"
+#include "programs/duel/stick_feedback.hpp"
+#include "programs/duel/svg_picture.hpp"
+
+namespace batuta::host {
+namespace {
+
+using Observers = std::vector<std::unique_ptr<Observer>>;
+
+int complain(int exit_code, const std::string& what) {
+  std::fprintf(stderr, "batuta-duel: %s\n", what.c_str());
+  return exit_code;
+}
+
+/// Below this, a replay is over before a bar could be read.
+constexpr double kLongReplay = 600;  // s
+
+/// Where a bout is drawn and recorded, if it is to be, and who feels it.
+struct Outputs {
+  std::array<LiveForce*, 2> forces{};
+  std::ofstream svg;
+  FileSink record;
+};
+
+Observers make_observers(const Options& options, double limit, Outputs& outputs) {
+  Observers observers;
+  auto feedback = std::make_unique<StickFeedback>(outputs.forces);
+  auto force_log = std::make_unique<ForceLog>(stdout, options.json, *feedback);
+  observers.push_back(std::move(feedback));  // the hand first
+  if (limit >= kLongReplay && !options.realtime && isatty(STDERR_FILENO) != 0) {
+    observers.push_back(std::make_unique<ProgressBar>(stderr));
+  }
+  if (options.json) {
+    observers.push_back(std::move(force_log));  // the summary is the last line
+    observers.push_back(std::make_unique<JsonLog>(stdout));
+  } else {
+    observers.push_back(std::make_unique<BoutLog>(stdout));
+    observers.push_back(std::move(force_log));
+  }
+  if (!options.svg.empty()) observers.push_back(std::make_unique<SvgPicture>(outputs.svg));
+  if (!options.record.empty()) observers.push_back(std::make_unique<RunRecord>(outputs.record));
+  return observers;
+}
+
+/// Waits until a step that was just simulated is over on the clock as well.
+void wait_for_step(Clock& clock, Pace& pace) {
+  std::fflush(stdout);
+  const std::int32_t early_us = pace.wait_us(clock.now());
+  if (early_us > 0) std::this_thread::sleep_for(std::chrono::microseconds(early_us));
+}
+
+/// @returns whether the bout came to its end; if not, the runner's status or the device says why
+bool run(DuelRunner& runner, const Observers& observers, bool realtime, DevicePartner* device) {
+  HostClock clock;
+  for (const auto& observer : observers) observer->on_start(runner);
+  Pace pace(clock.now(), DuelRunner::kStep_us);
+  bool going_on = true;
+  while (going_on && !is_interrupted()) {  // Bound: the steps up to runner.limit()
+    if (device != nullptr && !device->before_step(runner)) return false;
+    going_on = runner.step();
+    if (runner.status() != Status::kOk) return false;
+    if (device != nullptr && !device->after_step(runner)) return false;
+    for (const auto& observer : observers) observer->on_step(runner);
+    if (realtime) wait_for_step(clock, pace);
+  }
+  return true;
+}
+
+/// The last words. JSON ends with the summary, the log with what the device has to say.
+void conclude(const DuelRunner& runner, const Observers& observers, DevicePartner* device,
+              bool json) {
+  if (device != nullptr && json) print_device_json(stdout, *device);
+  if (device == nullptr || device->session() == Session::kGoingOn) {
+    for (const auto& observer : observers) observer->on_end(runner);
+  }
+  if (device != nullptr && !json) print_device(stdout, *device);
+}
+
+/// Sessions with a device that may be lost before the program gives up.
+constexpr std::uint32_t kMostLost = 10;
+
+enum class BoutEnd : std::uint8_t {
+  kOver,
+  kDeviceLost,  ///< another session may be tried
+  kFailed,      ///< and everything has been said
+};
+
+/// What became of a bout that its device did not follow to its end.
+BoutEnd give_up_on(const DevicePartner& device) {
+  const bool again = device.session() == Session::kLost && device.lost_sessions() <= kMostLost &&
+                     !is_interrupted();
+  complain(kExitFailure, device.problem() + (again ? "; a new session begins" : ""));
+  return again ? BoutEnd::kDeviceLost : BoutEnd::kFailed;
+}
+
+BoutEnd fail(const std::string& what) {
+  complain(kExitFailure, what);
+  return BoutEnd::kFailed;
+}
+
+/// A recording holds one bout: each begins the file anew.
+BoutEnd play_bout(const Options& options, DeviceSetup& setup, Outputs& outputs) {
+  if (!options.record.empty()) {
+    const std::string error = outputs.record.open(options.record);
+    if (!error.empty()) return fail(error);
+  }
+  DevicePartner* device = setup.partner();
+  if (device != nullptr && !device->open()) return fail(device->problem());
+  const auto runner = std::make_unique<DuelRunner>(setup.source(Side::kLeft),
+                                                   setup.source(Side::kRight), options.seconds);
+  if (runner->start() != Status::kOk) return fail("the fencers are not valid");
+  const Observers observers = make_observers(options, runner->limit(), outputs);
+  const bool ended = run(*runner, observers, options.realtime, device);
+  if (runner->status() != Status::kOk) {
+    return fail("step " + std::to_string(runner->bout().steps() + 1) +
+                " was not made: the bout refused it");
+  }
+  const BoutEnd end = ended ? BoutEnd::kOver : give_up_on(*device);
+  if (end != BoutEnd::kDeviceLost) conclude(*runner, observers, device, options.json);
+  return end;
+}
+
+/// One bout; with a device that was lost on the way, another one.
+int play_bouts(const Options& options, DeviceSetup& setup, Outputs& outputs) {
+  BoutEnd end = BoutEnd::kDeviceLost;
+  while (end == BoutEnd::kDeviceLost) {  // Bound: kMostLost + 1 sessions
+    end = play_bout(options, setup, outputs);
+  }
+  return end == BoutEnd::kOver ? kExitOk : kExitFailure;
+}
+
+/// Opens a source and says what there is to say.
+OpenedSource open(const std::string& words) {
+  OpenedSource opened = open_source(words);
+  if (!opened.error.empty()) complain(kExitUsage, opened.error);
+  if (!opened.note.empty()) complain(kExitOk, opened.note);
+  return opened;
+}
+
+/// Whether all that was to be written is.
+int finish(const Options& options, Outputs& outputs) {
+  outputs.svg.flush();
+  if (!options.svg.empty() && !outputs.svg)
+    return complain(kExitFailure, options.svg + ": cannot be written");
+  if (!options.record.empty() && !outputs.record.close())
+    return complain(kExitFailure, options.record + ": cannot be written");
+  const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  return written ? kExitOk : complain(kExitFailure, "the output cannot be written");
+}
+
+/// @returns null: there is none, for a reason that has been told unless it is the usual one
+LiveForce* open_force(Source& source, const ForceOptions& effects) {
+  LiveForce* const force = source.force(effects);
+  if (force == nullptr || force->first_kind() != ForceKind::kNone) return force;
+  const std::string& problem = force->problem();
+  if (!problem.empty()) complain(kExitOk, source.description() + ": no force: " + problem);
+  return nullptr;
+}
+
+/// The ways back into the hands, where there are some.
+std::array<LiveForce*, 2> open_forces(const Options& options, Source& left, Source& right) {
+  if (options.force == "off") return {};
+  ForceOptions effects;
+  effects.spring.coefficient = options.spring;
+  effects.damper.coefficient = options.damper;
+  return {open_force(left, effects), open_force(right, effects)};
+}
+
+/// Effects that were asked for, and that no device will compute, are worth a word.
+void tell_of_effects(const Options& options, const std::array<LiveForce*, 2>& forces) {
+  bool done = options.spring + options.damper <= 0;
+  for (const LiveForce* force : forces) {  // Bound: 2
+    done = done || (force != nullptr && force->first_kind() == ForceKind::kForce);
+  }
+  if (!done) complain(kExitOk, "--spring and --damper: no device here has a force to do that");
+}
+
+int play(Options options) {
+  watch_interrupts();
+  const OpenedSource left = open(options.left);
+  if (!left.source) return kExitUsage;
+  const OpenedSource right = open(options.right);
+  if (!right.source) return kExitUsage;
+  DeviceSetup setup;
+  const std::string error = setup.open(left, right);
+  if (!error.empty()) return complain(kExitUsage, error);
+  Outputs outputs;
+  outputs.forces = open_forces(options, *left.source, *right.source);
+  tell_of_effects(options, outputs.forces);
+  if (left.source->is_live() || right.source->is_live()) options.realtime = true;
+  if (!options.svg.empty()) {
+    outputs.svg.open(options.svg);
+    if (!outputs.svg)
+      return complain(kExitFailure, options.svg + ": cannot be written: " + std::strerror(errno));
+  }
+  const int exit_code = play_bouts(options, setup, outputs);
+  return exit_code == kExitOk ? finish(options, outputs) : exit_code;
+}
+
+/// A recorded bout instead of one of two sources.
+int play_again(const Options& options) {
+  const Replay result = replay(options.replay);
+  const int exit_code = exit_code_for(result);
+  if (exit_code != kExitOk) return complain(exit_code, words_for(result));
+  std::printf("%s\n", words_for(result).c_str());
+  return kExitOk;
+}
+
+}  // namespace
+}  // namespace batuta::host
+
+int main(int count, char** words) {
+  using namespace batuta::host;
+  try {
+    const auto line = read_command_line(count, words);
+    if (!line.run) return line.exit_code;
+    return line.options.replay.empty() ? play(line.options) : play_again(line.options);
+  } catch (const std::exception& problem) {
+    return complain(kExitFailure, problem.what());
+  }
+}

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// batuta-feel: how a firmware closes the loop between a stick with motors and its blade. A hand
+// leads a simulated stick forward and to the left, beats the opponent's blade and feels that.
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+#include "batuta/fencing/fencer.hpp"
+#include "batuta/haptics/gain_advisor.hpp"
+#include "batuta/haptics/hand_force.hpp"
+#include "batuta/haptics/output_stage.hpp"
+#include "shared/simulated/stick.hpp"
+
+namespace batuta {
+namespace {
+
+constexpr float kForceLimit = 10;    // N m for each unit of the stick
+constexpr float kDamping = 0.05F;    // of the stick, N m s for each unit
+constexpr float kTurnShare = 0.01F;  // N m/rad for each N/m: a wrist is 10 cm long
+constexpr int kTold = 100;           // ms from one line to the next
+constexpr int kEnd = 2000;           // ms
+
+port_simulated::StickSettings device() {
+  port_simulated::StickSettings settings;
+  settings.x.damping = static_cast<double>(kDamping);
+  settings.x.mass = 0.01;
+  settings.x.hand_stiffness = 5;
+  settings.x.hand_damping = 0.02;
+  settings.y = settings.x;
+  settings.force_limit = static_cast<double>(kForceLimit);
+  return settings;
+}
+
+DeviceProfile<float> profile(float period) {
+  DeviceProfile<float> of_device;
+  of_device.period = period;
+  of_device.damping = kDamping;
+  of_device.force_limit = kForceLimit;
+  of_device.travel = 1;
+  return of_device;
+}
+
+/// What springs of these stiffnesses at the hand are at the stick: J^T K J, of which no direction
+/// is stiffer than its largest sum of a row.
+float at_the_stick(const StickJacobian<float>& jacobian, float along, float about) {
+  const Eigen::Matrix2f K =
+      along * (jacobian.topRows<3>().transpose() * jacobian.topRows<3>()) +
+      about * (jacobian.bottomRows<3>().transpose() * jacobian.bottomRows<3>());
+  return K.cwiseAbs().rowwise().sum().maxCoeff();
+}
+
+Gains<float> at_the_stick(const StickJacobian<float>& jacobian,
+                          const CouplingSettings<float>& coupling) {
+  return {at_the_stick(jacobian, coupling.stiffness, coupling.turn_stiffness),
+          at_the_stick(jacobian, coupling.damping, coupling.turn_damping)};
+}
+
+const char* name_of(GainVerdict verdict) {
+  switch (verdict) {
+    case GainVerdict::kInside:
+      return "inside";
+    case GainVerdict::kBeyondSampling:
+      return "beyond: too much for this period and damping";
+    case GainVerdict::kBeyondEncoder:
+      return "beyond: too much for this encoder";
+    default:
+      return "no gains";
+  }
+}
+
+/// Where the hand wants the stick.
+Vec2<double> will(int ms) {
+  const double way = 0.6 * std::min(1.0, ms / 1500.0);
+  return {-way, way};
+}
+
+void tell(int ms, const port_simulated::SimulatedStick& stick) {
+  const Vec2<double> hand = will(ms);
+  std::printf("%5d  %6.3f %6.3f   %6.3f %6.3f   %6.2f %6.2f\n", ms, hand.x(), hand.y(),
+              stick.x().position(), stick.y().position(), stick.held().x(), stick.held().y());
+}
+
+int usage() {
+  std::fprintf(stderr, "batuta-feel [stiffness of the coupling, N/m, >= 0; 100]\n");
+  return 2;
+}
+
+/// Duel, felt force and output stage about the simulated stick.
+class Loop {
+ public:
+  explicit Loop(const HandForceSettings<float>& feel) : stage_(stick_.force()) {
+    StageSettings stage;
+    stage.gain = {1 / kForceLimit, 1 / kForceLimit};
+    good_ = stick_.configure(device()) == Status::kOk && felt_.configure(feel) == Status::kOk &&
+            duel_.configure(duel_settings<float>(), first_fencer<float>(),
+                            second_fencer<float>()) == Status::kOk &&
+            stage_.configure(stage) == Status::kOk && stage_.enable() == Status::kOk;
+  }
+
+  bool is_good() const { return good_; }
+  const Duel<float>& duel() const { return duel_; }
+  const port_simulated::SimulatedStick& stick() const { return stick_; }
+  const OutputStage& stage() const { return stage_; }
+
+  /// What a firmware does each millisecond; the first line is what the world does in it.
+  void tick(int ms) {
+    stick_.advance(will(ms));
+    InputSample sample;
+    const bool fresh = stick_.input().read(stick_.now(), sample) == Status::kOk;
+    (void)duel_.step(fresh ? &sample : nullptr, nullptr);
+    StageInput input;
+    input.time = stick_.now();
+    input.position = duel_.stick(Side::kLeft).position();
+    input.velocity = duel_.stick(Side::kLeft).velocity();
+    input.demanded = felt_.advance(hand_state(duel_, Side::kLeft), duel_.dt());
+    input.fresh_sample = fresh;
+    input.fresh_command = true;
+    (void)stage_.step(input);
+  }
+
+ private:
+  Duel<float> duel_;
+  HandForce<float> felt_;
+  port_simulated::SimulatedStick stick_;
+  OutputStage stage_;
+  bool good_ = false;
+};
+
+HandForceSettings<float> feel_of(float stiffness) {
+  HandForceSettings<float> feel;
+  feel.coupling.stiffness = stiffness;
+  feel.coupling.turn_stiffness = kTurnShare * stiffness;
+  feel.coupling.damping = 0;
+  feel.coupling.turn_damping = 0;
+  feel.transient.max_force = kForceLimit;
+  return feel;
+}
+
+int run(float stiffness) {
+  const HandForceSettings<float> feel = feel_of(stiffness);
+  Loop loop(feel);
+  if (!loop.is_good()) return usage();
+  const auto gains = at_the_stick(loop.duel().hand(Side::kLeft).jacobian, feel.coupling);
+  const auto limit = largest_stiffness(profile(loop.duel().dt()), gains.damping);
+  std::printf(
+      "%g N/m at the hand are %.3g N m for each unit of the stick, of %.3g that it bears: %s\n",
+      static_cast<double>(stiffness), static_cast<double>(gains.stiffness),
+      static_cast<double>(limit.value.largest), name_of(check(profile(loop.duel().dt()), gains)));
+  std::printf("   ms        hand            stick        felt, N m\n");
+  for (int ms = 0; ms < kEnd; ++ms) {
+    loop.tick(ms);
+    if (ms % kTold == 0) tell(ms, loop.stick());
+  }
+  const StageReport& report = loop.stage().report();
+  std::printf("%u ms; clipped in %.1f %% of them\n", report.steps,
+              100.0 * static_cast<double>(report.clipped_share()));
+  return 0;
+}
+
+}  // namespace
+}  // namespace batuta
+
+int main(int count, char** words) {
+  if (count > 2) return batuta::usage();
+  char* end = nullptr;
+  const float stiffness = count == 2 ? std::strtof(words[1], &end) : 100.0F;
+  return end == nullptr || *end == '\0' ? batuta::run(stiffness) : batuta::usage();
+}

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "programs/query_file.hpp"
+
+#include <charconv>
+#include <cstdint>
+#include <cstring>
+
+namespace batuta::host {
+namespace {
+
+constexpr std::size_t kFloatDigits = 8;
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+void split(std::string_view content, std::vector<std::string_view>& fields) {
+  fields.clear();
+  std::size_t begin = 0;
+  for (std::size_t comma = content.find(','); comma != std::string_view::npos;
+       comma = content.find(',', begin)) {  // Bound: the length of the line
+    fields.push_back(content.substr(begin, comma - begin));
+    begin = comma + 1;
+  }
+  fields.push_back(content.substr(begin));
+}
+
+}  // namespace
+
+std::optional<float> float_of_bits(std::string_view text) {
+  if (text.empty() || text.size() > kFloatDigits) return std::nullopt;
+  std::uint32_t bits = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, status] = std::from_chars(text.data(), end, bits, 16);
+  if (status != std::errc() || stop != end) return std::nullopt;
+  bits <<= 4 * (kFloatDigits - text.size());
+  float value = 0;
+  static_assert(sizeof value == sizeof bits);
+  std::memcpy(&value, &bits, sizeof value);
+  return value;
+}
+
+std::optional<double> double_of_decimal(std::string_view text) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, status] = std::from_chars(text.data(), end, value);
+  if (status != std::errc() || stop != end) return std::nullopt;
+  return value;
+}
+
+void QueryRow::start(long line, const Columns& columns) {
+  columns_ = &columns;
+  content_.clear();
+  fields_.clear();
+  error_.clear();
+  line_ = line;
+}
+
+void QueryRow::fail(std::string_view column, std::string_view reason) {
+  if (!error_.empty()) return;
+  error_ = "line " + std::to_string(line_);
+  if (!column.empty()) error_.append(", column ").append(column);
+  error_.append(": ").append(reason);
+}
+
+std::string_view QueryRow::text(std::string_view column) {
+  if (!ok() || columns_ == nullptr) return {};
+  const auto found = columns_->find(column);
+  if (found != columns_->end()) return fields_[found->second];
+  fail(column, "the file has no such column");
+  return {};
+}
+
+float QueryRow::bits(std::string_view column) {
+  const std::optional<float> value = float_of_bits(text(column));
+  if (!value) fail(column, "expected the bits of a float, 1 to 8 hexadecimal digits");
+  return value.value_or(0.0F);
+}
+
+double QueryRow::decimal(std::string_view column) {
+  const std::optional<double> value = double_of_decimal(text(column));
+  if (!value) fail(column, "expected a decimal number");
+  return value.value_or(0.0);
+}
+
+QueryFile::QueryFile(std::istream& in) : in_(in) {
+  read_header();
+}
+
+QueryFile::Line QueryFile::read_line(std::string& content) {
+  using Traits = std::istream::traits_type;
+  content.clear();
+  std::streambuf* buffer = in_.rdbuf();
+  if (buffer == nullptr) return Line::kEnd;
+  bool read_any = false;
+  bool too_long = false;
+  // Bound: the length of the file.
+  for (auto c = buffer->sbumpc(); !Traits::eq_int_type(c, Traits::eof()); c = buffer->sbumpc()) {
+    read_any = true;
+    if (Traits::to_char_type(c) == '\n') break;
+    too_long = too_long || content.size() == kMaxLineLength;
+    if (!too_long) content.push_back(Traits::to_char_type(c));
+  }
+  if (!read_any) return Line::kEnd;
+  if (too_long) return Line::kTooLong;
+  if (!content.empty() && content.back() == '\r') content.pop_back();
+  return Line::kRead;
+}
+
+void QueryFile::read_header() {
+  std::string content;
+  const Line result = read_line(content);
+  if (result == Line::kTooLong) {
+    error_ = "header: the line is too long";
+    return;
+  }
+  std::string_view header = content;
+  if (header.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
+    header.remove_prefix(kByteOrderMark.size());
+  }
+  if (header.empty()) {
+    error_ = "header: the file has none";
+    return;
+  }
+  std::vector<std::string_view> names;
+  split(header, names);
+  for (std::size_t i = 0; i < names.size(); ++i) {  // Bound: the length of the line
+    if (names[i].empty()) error_ = "header: column " + std::to_string(i + 1) + " has no name";
+    const bool inserted = columns_.emplace(names[i], i).second;
+    if (!inserted) error_ = "header: there are two columns " + std::string(names[i]);
+    if (!ok()) return;
+  }
+}
+
+bool QueryFile::next(QueryRow& row) {
+  if (!ok()) return false;
+  row.start(line_ + 1, columns_);
+  const Line result = read_line(row.content_);
+  if (result == Line::kEnd) return false;
+  ++line_;
+  if (result == Line::kTooLong) {
+    row.fail({}, "longer than " + std::to_string(kMaxLineLength) + " characters");
+    return true;
+  }
+  split(row.content_, row.fields_);
+  if (row.fields_.size() != columns_.size()) {
+    row.fail({}, "expected " + std::to_string(columns_.size()) + " fields, found " +
+                     std::to_string(row.fields_.size()));
+  }
+  return true;
+}
+
+}  // namespace batuta::host

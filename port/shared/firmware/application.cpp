@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+
+#include "shared/firmware/application.hpp"
+
+#include "shared/firmware/step_messages.hpp"
+
+namespace batuta::firmware {
+
+using link::MessageType;
+using link::Mode;
+using link::Refusal;
+
+namespace {
+
+/// In 16 bits: the line has little room, and the first few are what matters.
+std::uint16_t saturated(std::uint32_t count) {
+  return static_cast<std::uint16_t>(count < 0xFFFFU ? count : 0xFFFFU);
+}
+
+}  // namespace
+
+Status Application::start(const ApplicationSettings& settings) {
+  if (settings.pause <= 0) return Status::kInvalidArgument;
+  settings_ = settings;
+  report_ = {};
+  session_ = 0;
+  mode_ = Mode::kFree;
+  const Status status = restart();
+  if (status != Status::kOk) return status;
+  past_silences_ = 0;
+  watch_.start(settings.bout.step_us);
+  return Status::kOk;
+}
+
+void Application::tick(std::uint32_t tick) {
+  watch_.begin(tick, board_.clock.now());
+  read_stick();
+  listen();
+  const bool stepped = step_is_due() && make_step();
+  if (stepped) tell_step(false);
+  if (bout_.is_over()) wait_after_bout();
+  command_force(stepped);
+  (void)sender_.pump(board_.stream);
+  watch_.end(board_.clock.now());
+}
+
+/// The latest sample wins, whether it is the board's or the host's.
+void Application::read_stick() {
+  if (board_.stick == nullptr || mode_ != Mode::kFree) return;
+  InputSample sample;
+  const Status status = board_.stick->read(watch_.begun(), sample);
+  if (status == Status::kOk) keep(settings_.own_side, sample);
+  if (status == Status::kInvalidArgument) ++report_.stick_invalid;
+}
+
+void Application::keep(Side side, const InputSample& sample) {
+  order_.samples[index_of(side)] = sample;
+  order_.has[index_of(side)] = true;
+}
+
+void Application::listen() {
+  reader_.begin_tick();
+  for (int i = 0; i < kFramesPerTick; ++i) {  // Bound: kFramesPerTick
+    const link::Frame* frame = reader_.next(board_.stream);
+    if (frame == nullptr || !obey(*frame)) return;
+  }
+}
+
+/// @returns whether another frame may be obeyed in this tick
+bool Application::obey(const link::Frame& frame) {
+  link::Hello hello;
+  link::Step step;
+  link::StickSample sample;
+  if (link::read_message(frame, step)) return take(step);
+  if (link::read_message(frame, sample)) take(sample);
+  if (link::read_message(frame, hello)) open(hello);
+  return true;
+}
+
+void Application::open(const link::Hello& hello) {
+  const bool again = hello.session == session_ && hello.mode == mode_;
+  if (!again) {
+    if (restart() != Status::kOk) return refuse(Refusal::kNotReady, MessageType::kHello, 0);
+    session_ = hello.session;
+    mode_ = hello.mode;
+  }
+  welcome();
+}
+
+void Application::welcome() {
+  link::Welcome message;
+  message.session = session_;
+  message.mode = mode_;
+  message.step_us = static_cast<std::uint32_t>(settings_.bout.step_us);
+  message.fault_code = last_fault_.code;
+  message.fault_detail = last_fault_.detail;
+  message.step = bout_.steps();
+  (void)sender_.send(message);  // without room it is counted, and the host asks again
+}
+
+/// A new bout, with no force on the stick.
+Status Application::restart() {
+  past_silences_ = silences();
+  order_ = {};
+  paused_ = 0;
+  const float dt = static_cast<float>(settings_.bout.step_us) * kSecondsPerUs<float>;
+  const Status status = stage_.configure(stage_settings(settings_.bout.force, dt));
+  if (status != Status::kOk) return status;
+  (void)stage_.enable();  // unless stopped: a new bout ends no emergency stop
+  return bout_.start(settings_.bout);
+}
+
+/// The next step, or the last one once more; at most one of them is answered in a tick.
+bool Application::take(const link::Step& step) {
+  if (session_ == 0) {
+    refuse(Refusal::kNoSession, MessageType::kStep, step.step);
+  } else if (mode_ != Mode::kPaced) {
+    refuse(Refusal::kWrongMode, MessageType::kStep, step.step);
+  } else if (step.step == bout_.steps() && step.step > 0) {
+    tell_step(true);
+    return false;
+  } else if (step.step != bout_.steps() + 1) {
+    refuse(Refusal::kWrongStep, MessageType::kStep, step.step);
+  } else if (bout_.is_over()) {
+    refuse(Refusal::kBoutOver, MessageType::kStep, step.step);
+  } else {
+    order_ = {true, {step.has_left, step.has_right}, {step.left, step.right}};
+    return false;
+  }
+  return true;
+}
+
+void Application::take(const link::StickSample& sample) {
+  if (session_ == 0) return refuse(Refusal::kNoSession, MessageType::kStickSample, 0);
+  if (mode_ != Mode::kFree) return refuse(Refusal::kWrongMode, MessageType::kStickSample, 0);
+  keep(sample.side == link::LinkSide::kLeft ? Side::kLeft : Side::kRight, sample.sample);
+}
+
+void Application::refuse(Refusal why, MessageType what, std::uint32_t step) {
+  ++report_.steps_refused;
+  (void)sender_.send(link::Refused{why, what, step, bout_.steps()});
+}
+
+bool Application::step_is_due() const {
+  return mode_ == Mode::kFree ? !bout_.is_over() : order_.make;
+}
+
+bool Application::make_step() {
+  const Status status = bout_.step(order_.sample(Side::kLeft), order_.sample(Side::kRight));
+  order_ = {};
+  return status == Status::kOk;
+}
+
+/// Alone the next bout begins by itself; a host would not know what its own bout has to do then.
+void Application::wait_after_bout() {
+  if (session_ != 0) return;
+  if (++paused_ < settings_.pause) return;
+  (void)restart();  // as valid as it was in start()
+}
+
+void Application::tell_step(bool repeated) {
+  const DuelType& duel = bout_.duel();
+  for (const Side side : {Side::kLeft, Side::kRight}) {  // Bound: 2
+    if (mode_ == Mode::kFree && bout_.used(side) != nullptr) {
+      (void)sender_.send(used_message(bout_, side));
+    }
+    (void)sender_.send(pose_message(duel, side));
+    (void)sender_.send(force_message(bout_, side));
+  }
+  for (int i = 0; i < duel.world().events().size(); ++i) {  // Bound: DuelScene::kMaxEvents
+    (void)sender_.send(event_message(duel, i));
+  }
+  const int touches = duel.bout().touches.size();
+  for (int i = touches - new_touches(duel); i < touches; ++i) {  // Bound: 2
+    (void)sender_.send(touch_message(duel, i));
+  }
+  send_report(repeated);
+}
+
+void Application::send_report(bool repeated) {
+  link::StepReport message = report_message(bout_);
+  message.frames = static_cast<std::uint8_t>(frames_of(bout_, mode_ == Mode::kFree));
+  message.repeated = repeated;
+  message.overruns = ticks().overruns;
+  message.skipped = ticks().skipped;
+  message.silences = silences();
+  message.rejected = link().rejected();
+  message.lost = link().lost;
+  message.unsent = unsent();
+  message.session = static_cast<std::uint16_t>(session_);  // its low half
+  message.force_failures = saturated(report_.force_failures);
+  message.stick_invalid = saturated(report_.stick_invalid);
+  message.spent_us = static_cast<std::uint32_t>(elapsed_us(watch_.begun(), board_.clock.now()));
+  (void)sender_.send(message);
+}
+
+/// The force of a step is for one step's length: the motor gets it in the tick that made the step,
+/// once, and nothing in a tick without a step, nor after the bout: so a pulse keeps its area. What
+/// comes back after a silence comes slowly.
+void Application::command_force(bool stepped) {
+  const Side own = settings_.own_side;
+  const auto& stick = bout_.duel().stick(own);
+  const StickForce& force = bout_.forces().of(own);
+  StageInput input;
+  input.time = watch_.begun();
+  input.position = stick.position();
+  if (stepped) input.velocity = stick.velocity();
+  if (stepped && !bout_.is_over()) input.demanded = force.demanded;
+  input.allowed = force.allowed;
+  input.fresh_sample = stepped && bout_.is_alive(own);
+  input.fresh_command = stepped;
+  if (stage_.step(input) != Status::kOk) ++report_.force_failures;
+}
+
+}  // namespace batuta::firmware

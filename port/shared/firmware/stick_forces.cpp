@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+
+#include "shared/firmware/stick_forces.hpp"
+
+#include "batuta/haptics/force_share.hpp"
+
+namespace batuta::firmware {
+namespace {
+
+HandForceSettings<float> feel_of(const ForceSettings& settings) {
+  HandForceSettings<float> feel = settings.feel;
+  feel.transient.max_force = settings.full_scale;
+  return feel;
+}
+
+}  // namespace
+
+Status validate(const ForceSettings& settings) {
+  const bool good = is_positive(settings.full_scale) && is_positive(settings.gain().x()) &&
+                    validate(settings.ramp) == Status::kOk &&
+                    validate(settings.speed_limit) == Status::kOk &&
+                    validate(feel_of(settings)) == Status::kOk;
+  return good ? Status::kOk : Status::kInvalidArgument;
+}
+
+Status StickForces::configure(const ForceSettings& settings) {
+  if (validate(settings) != Status::kOk) return Status::kInvalidArgument;
+  full_scale_ = settings.full_scale;
+  forces_ = {};
+  stale_steps_ = 0;
+  for (ForceRamp& ramp : ramps_) (void)ramp.configure(settings.ramp);             // Bound: 2; valid
+  for (HandForce<float>& hand : hands_) (void)hand.configure(feel_of(settings));  // Bound: 2; valid
+  return Status::kOk;
+}
+
+void StickForces::advance(const DuelType& duel, const std::array<bool, 2>& fresh) {
+  for (const Side side : {Side::kLeft, Side::kRight}) {  // Bound: 2
+    ForceRamp& ramp = ramps_[index_of(side)];
+    ramp.advance(fresh[index_of(side)]);
+    Vec2<float> demanded = hands_[index_of(side)].advance(hand_state(duel, side), duel.dt());
+    const float least = kLeastShare * full_scale_;
+    for (int i = 0; i < 2; ++i) {  // Bound: the stick's coordinates
+      if (std::abs(demanded[i]) < least) demanded[i] = 0.0F;
+    }
+    forces_[index_of(side)] = told(demanded, ramp);
+  }
+  if (forces_[0].silent || forces_[1].silent) ++stale_steps_;
+}
+
+/// By the output stage's own first step, and its watchdog over the samples.
+StickForce StickForces::told(const Vec2<float>& demanded, const ForceRamp& ramp) const {
+  const Vec2<float> whole = scaled(demanded, gain_of(full_scale_));
+  const bool usable = is_finite(whole);
+  const ForceShare force = usable ? clipped(whole) : ForceShare{};
+  const float left = ramp.share();
+  return {demanded,         left,       left * force.share, !usable || force.is_clipped(),
+          ramp.is_silent(), left < 1.0F};
+}
+
+}  // namespace batuta::firmware

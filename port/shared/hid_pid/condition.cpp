@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+
+#include "shared/hid_pid/condition.hpp"
+
+#include "batuta/core/types.hpp"
+#include "shared/hid_pid/limits.hpp"
+
+namespace batuta::pid {
+namespace {
+
+float share_of(int level) {
+  return static_cast<float>(level) / static_cast<float>(kFullLevel);
+}
+
+}  // namespace
+
+float Condition::force(float metric, float knee) const {
+  const float beyond_high = metric - share_of(centre + dead_band);
+  const float beyond_low = metric - share_of(centre - dead_band);
+  const bool above = beyond_high > 0.0F;
+  if (!above && !(beyond_low < 0.0F)) return 0.0F;
+  const float beyond = above ? beyond_high : beyond_low;
+  const float step = knee < 1.0F ? clamp(beyond / knee, -1.0F, 1.0F) : beyond;
+  const float coefficient = share_of(above ? positive_coefficient : negative_coefficient);
+  const float most = share_of(above ? positive_saturation : negative_saturation);
+  return clamp(coefficient * step, -most, most);
+}
+
+}  // namespace batuta::pid
