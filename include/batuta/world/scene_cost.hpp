@@ -2,7 +2,7 @@
 #pragma once
 // What a scene costs in RAM, and the most that a step of it can take: constants, for a
 // static_assert beside the scene. Flash, stack and instructions are measured in linked images
-// (tests/target/price).
+// (tests/measure/price).
 
 #include "batuta/world/world.hpp"
 

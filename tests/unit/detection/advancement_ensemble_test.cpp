@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every claim on a thousand queries of each family, and on queries that once went wrong. The
-// campaign of tests/report/misses asks ten thousand times as many.
+// campaign of tests/measure/report/misses asks ten thousand times as many.
 #include <gtest/gtest.h>
 
 #include <string>

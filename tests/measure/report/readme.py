@@ -18,7 +18,7 @@ def example(source, name):
     return "```cpp\n" + "\n".join(line for line in lines if "SPDX" not in line) + "\n```\n"
 
 
-PICTURE = "tests/report/error_against_cost.svg"  # in the repository; drawn by the report
+PICTURE = "tests/measure/report/error_against_cost.svg"  # in the repository; drawn by the report
 SKIPPED = 77
 
 

@@ -10,7 +10,7 @@ FILES = ["growth"]
 
 CROWDS = ["sparse", "dense", "worst"]
 MOST_GROWTH = 2.3  # of a sparse crowd, from N to 2 N
-PART = "growth_m4f.csv"  # instructions on a part, if they were counted (tests/target/growth)
+PART = "growth_m4f.csv"  # instructions on a part, if they were counted (tests/measure/growth)
 
 
 def _crowd(rows, crowd):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The footprint of the scenes for the report: CSV as tests/report/rows.py reads it, from price.json of every target's tree
+"""The footprint of the scenes for the report: CSV as tests/measure/report/rows.py reads it, from price.json of every target's tree
 that was measured."""
 
 import csv
@@ -37,7 +37,7 @@ def _write(path, header, lines):
 
 def write(build):
     """Writes report/footprint.csv and report/features.csv of a build folder."""
-    prices = [json.loads(path.read_text()) for path in sorted(build.glob("target/*/tests/target/price/price.json"))]
+    prices = [json.loads(path.read_text()) for path in sorted(build.glob("target/*/tests/measure/price/price.json"))]
     prices = [price for price in prices if price["part"] == price["cpu"]]
     folder = build / "report"
     folder.mkdir(parents=True, exist_ok=True)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Rows of a section's CSV. A column's name says how it merges: `name` is a key, `name:sum` adds, `name:max` and
-`name:min` keep the larger and the smaller, `name:hist` adds bins (tests/report/table.hpp)."""
+`name:min` keep the larger and the smaller, `name:hist` adds bins (tests/measure/report/table.hpp)."""
 
 import csv
 import math
