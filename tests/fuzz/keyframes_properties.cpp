@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What must hold of the grid of key poses for any keys and any stick, as a libFuzzer target: keys
 // that cannot be used change nothing, and the surface through the others is continuous with its
-// derivative across the borders of its cells. Bounds: src/fencing/keyframes.md, "Error".
+// derivative across the borders of its cells. Bounds: src/control/keyframes.md, "Error".
 
 #include <algorithm>
 #include <optional>
 
-#include "batuta/fencing/keyframes.hpp"
+#include "batuta/control/keyframes.hpp"
 #include "bytes.hpp"
 
 namespace batuta::fuzz {

@@ -5,7 +5,7 @@
 
 #include "batuta/fencing/bout.hpp"
 #include "batuta/fencing/grip.hpp"
-#include "batuta/fencing/stick.hpp"
+#include "batuta/control/stick.hpp"
 #include "batuta/fencing/target.hpp"
 #include "batuta/world/world.hpp"
 

@@ -12,7 +12,7 @@
 //   ( 0, -1)  back guard: out of the opponent's reach, blade high
 
 #include "batuta/fencing/grip.hpp"
-#include "batuta/fencing/keyframes.hpp"
+#include "batuta/control/keyframes.hpp"
 #include "batuta/fencing/skeleton.hpp"
 #include "batuta/fencing/weapon.hpp"
 

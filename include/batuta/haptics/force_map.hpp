@@ -5,7 +5,7 @@
 // [Kavan §5, Fig. 5]. The same map both ways: what the stick gives, the hand gets, as power.
 // Frame W, SI units. Mathematics: src/haptics/force_map.md.
 
-#include "batuta/fencing/keyframes.hpp"
+#include "batuta/control/keyframes.hpp"
 
 namespace batuta {
 

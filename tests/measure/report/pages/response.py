@@ -232,7 +232,7 @@ KEYFRAME_TEXT = """
 ### Keyframe grids
 
 A grid of n x n keys samples a smooth hand that is known everywhere: *arm* turns by up to 0.8 rad, *wide* by up to 1.7.
-Between the keys the error falls with the third power of the cell (src/fencing/keyframes.md); two keys per axis give a bilinear
+Between the keys the error falls with the third power of the cell (src/control/keyframes.md); two keys per axis give a bilinear
 surface. Slopes are fitted from 6 keys on, in double. Pose and velocity are continuous: across borders of cells, from a few
 roundings on one side to a few on the other, they jump by rounding.
 """

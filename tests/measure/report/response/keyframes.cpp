@@ -2,7 +2,7 @@
 // Error of the interpolated hand against the number of keys. The truth is a smooth function from
 // the stick to a pose; a grid of n x n keys samples it, and is asked in between.
 
-#include "batuta/fencing/keyframes.hpp"
+#include "batuta/control/keyframes.hpp"
 
 #include <array>
 #include <cmath>

@@ -3,7 +3,7 @@
 // From time-stamped samples of a device, as irregular as they come, to the stick's position and
 // velocity at every step of the simulation: "the velocities are estimated using the elapsed time"
 // [Kavan §5], one sample late and without the spikes that a difference over one step would have.
-// Stick coordinates: the square [-1, 1]^2. Times: src/fencing/stick.md.
+// Stick coordinates: the square [-1, 1]^2. Times: src/control/stick.md.
 
 #include "batuta/core/types.hpp"
 #include "batuta/port/input.hpp"
@@ -11,7 +11,7 @@
 namespace batuta {
 
 /// A float counts microseconds one by one up to here: what is summed up to a longer time in steps
-/// of a microsecond would come to a stop (src/fencing/stick.md).
+/// of a microsecond would come to a stop (src/control/stick.md).
 inline constexpr std::int32_t kLongestSilenceUs = std::int32_t{1} << 24;
 
 struct StickSettings {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "batuta/fencing/stick.hpp"
+#include "batuta/control/stick.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // The map from the stick's two coordinates to the hand's six [Kavan §5, Fig. 5]: key poses on a
 // grid over the square
 // [-1, 1]^2, and a continuously differentiable surface through them. Frames: W, or any other in
-// which the keys are given; H the hand. Mathematics: src/fencing/keyframes.md.
+// which the keys are given; H the hand. Mathematics: src/control/keyframes.md.
 
 #include <array>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "batuta/fencing/keyframes.hpp"
+#include "batuta/control/keyframes.hpp"
 
 #include <gtest/gtest.h>
 
