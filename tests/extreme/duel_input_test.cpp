@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "batuta/fencing/archive.hpp"
+#include "batuta/record/duel.hpp"
 #include "draws.hpp"
 
 namespace batuta {

@@ -3,7 +3,7 @@
 // runs as it was, or a bout that goes on with numbers. Sides, parts and kinds that there are not.
 #include <memory>
 
-#include "batuta/fencing/archive.hpp"
+#include "batuta/record/duel.hpp"
 #include "hostile.hpp"
 
 namespace batuta {

@@ -8,10 +8,10 @@
 #include <memory>
 #include <vector>
 
-#include "batuta/fencing/archive.hpp"
-#include "batuta/port/memory_stream.hpp"
-#include "batuta/port/player.hpp"
-#include "batuta/port/recorder.hpp"
+#include "batuta/record/duel.hpp"
+#include "batuta/record/memory_stream.hpp"
+#include "batuta/record/player.hpp"
+#include "batuta/record/recorder.hpp"
 #include "batuta/port/sample_builder.hpp"
 #include "draws.hpp"
 

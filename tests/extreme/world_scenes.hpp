@@ -2,7 +2,7 @@
 #pragma once
 // Scenes of every kind of world, and bodies for them.
 
-#include "batuta/world/archive.hpp"
+#include "batuta/record/world.hpp"
 #include "batuta/world/scenes.hpp"
 #include "batuta/world/world.hpp"
 #include "hostile.hpp"

@@ -11,11 +11,11 @@
 #include <memory>
 #include <vector>
 
-#include "batuta/core/snapshot.hpp"
-#include "batuta/port/memory_stream.hpp"
-#include "batuta/port/player.hpp"
-#include "batuta/port/recorder.hpp"
-#include "batuta/world/archive.hpp"
+#include "batuta/record/snapshot.hpp"
+#include "batuta/record/memory_stream.hpp"
+#include "batuta/record/player.hpp"
+#include "batuta/record/recorder.hpp"
+#include "batuta/record/world.hpp"
 #include "batuta/world/scenes.hpp"
 
 namespace batuta {

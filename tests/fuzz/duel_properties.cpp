@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "batuta/core/snapshot.hpp"
-#include "batuta/fencing/archive.hpp"
+#include "batuta/record/snapshot.hpp"
+#include "batuta/record/duel.hpp"
 #include "batuta/fencing/duel_definitions.hpp"
 #include "batuta/haptics/hand_force.hpp"
 #include "bytes.hpp"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "batuta/core/snapshot.hpp"
-#include "batuta/world/archive.hpp"
+#include "batuta/record/snapshot.hpp"
+#include "batuta/record/world.hpp"
 #include "world_draws.hpp"
 
 namespace batuta::fuzz {

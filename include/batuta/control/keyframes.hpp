@@ -93,7 +93,7 @@ class KeyframeGrid {
     return pose_on(KeyGridView<Scalar>{points_.data(), M, N, q_ref_}, stick);
   }
 
-  /// Its state, for core/archive.hpp.
+  /// Its state, for record/archive.hpp.
   template <class ArchiveT>
   void archive(ArchiveT& ar) {
     auto& [points, q_ref] = *this;

@@ -77,7 +77,7 @@ class StickTracker {
   std::uint32_t buttons() const { return last_.buttons; }
   const StickReport& report() const { return report_; }
 
-  /// Its state, for core/archive.hpp.
+  /// Its state, for record/archive.hpp.
   template <class ArchiveT>
   void archive(ArchiveT& ar) {
     auto& [settings, report, last, position, goal, velocity, remaining, silence, stale, started] =

@@ -91,8 +91,8 @@ class Duel {
     return scoring_.body_W(side);
   }
 
-  /// Everything that the next step depends on, for save() and restore() (core/snapshot.hpp), a
-  /// Recorder, or hash_of(); include fencing/archive.hpp. What is read must be settings that
+  /// Everything that the next step depends on, for save() and restore() (record/snapshot.hpp), a
+  /// Recorder, or hash_of(); include record/duel.hpp. What is read must be settings that
   /// configure() takes, two blades, sticks within their square, and numbers that are sane; else
   /// the duel is one that was not configured. Bound: its members.
   template <class ArchiveT>

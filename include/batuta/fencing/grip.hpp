@@ -74,7 +74,7 @@ class Grip {
   /// The hand at the end of the last commanded step.
   const Pose<Scalar>& hand() const { return target_; }
 
-  /// Its state, for core/archive.hpp.
+  /// Its state, for record/archive.hpp.
   template <class ArchiveT>
   void archive(ArchiveT& ar) {
     auto& [settings, hand, target, step, flight, flight_start, regain, phase] = *this;

@@ -43,7 +43,7 @@ class Referee {
   /// What was read is a state that steps of length dt can go on from.
   bool is_sound(Scalar dt) const;
 
-  /// Its state, for core/archive.hpp.
+  /// Its state, for record/archive.hpp.
   template <class ArchiveT>
   void archive(ArchiveT& ar) {
     auto& [places, bout] = *this;

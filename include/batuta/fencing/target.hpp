@@ -94,7 +94,7 @@ class Target {
     return hulls_[static_cast<std::size_t>(part)];
   }
 
-  /// Its state, for core/archive.hpp.
+  /// Its state, for record/archive.hpp.
   template <class ArchiveT>
   void archive(ArchiveT& ar) {
     auto& [start_W, shape_W, dt, hulls] = *this;

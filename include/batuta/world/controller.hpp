@@ -93,7 +93,7 @@ class AnyController {
     for_current([&](auto& controller) { controller.on_step_end(body, dt); });
   }
 
-  /// Which controller it is, and that controller's state, for core/archive.hpp.
+  /// Which controller it is, and that controller's state, for record/archive.hpp.
   /// Bound: one comparison for each type.
   template <class ArchiveT>
   void archive(ArchiveT& ar) {

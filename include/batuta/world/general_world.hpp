@@ -108,7 +108,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
     return slot != PoolBase::kNoIndex && this->sleeps(static_cast<std::size_t>(slot));
   }
 
-  /// Lists what is saved of a world (core/archive.hpp).
+  /// Lists what is saved of a world (record/archive.hpp).
   template <class Archive>
   void archive(Archive& ar);
 

@@ -74,7 +74,7 @@ class LeanWorld {
   /// Nobody does.
   bool is_asleep(BodyId /*id*/) const { return false; }
 
-  /// Lists what is saved of a world (core/archive.hpp).
+  /// Lists what is saved of a world (record/archive.hpp).
   template <class Archive>
   void archive(Archive& ar) {
     ar(settings_, actors_, report_);

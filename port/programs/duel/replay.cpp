@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "batuta/fencing/archive.hpp"
+#include "batuta/record/duel.hpp"
 #include "programs/duel/options.hpp"
 #include "programs/recording/file_stream.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "batuta/port/player.hpp"
+#include "batuta/record/player.hpp"
 
 namespace batuta::host {
 

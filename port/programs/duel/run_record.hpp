@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "batuta/fencing/archive.hpp"
-#include "batuta/port/recorder.hpp"
+#include "batuta/record/duel.hpp"
+#include "batuta/record/recorder.hpp"
 #include "programs/duel/observer.hpp"
 #include "programs/recording/file_stream.hpp"
 

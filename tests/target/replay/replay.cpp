@@ -3,8 +3,8 @@
 // parted, or is no whole recording of this duel; 2 wrong use.
 #include <new>
 
-#include "batuta/fencing/archive.hpp"
-#include "batuta/port/player.hpp"
+#include "batuta/record/duel.hpp"
+#include "batuta/record/player.hpp"
 #include "io.hpp"
 #include "text.hpp"
 

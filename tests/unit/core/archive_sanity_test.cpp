@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Archive::all_sane(): what it lets pass, to the last bit, in both scalars (src/core/archive.md).
+// Archive::all_sane(): what it lets pass, to the last bit, in both scalars (src/record/archive.md).
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "batuta/core/archive.hpp"
+#include "batuta/record/archive.hpp"
 
 namespace batuta {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "batuta/core/snapshot.hpp"
+#include "batuta/record/snapshot.hpp"
 
 namespace batuta {
 namespace {

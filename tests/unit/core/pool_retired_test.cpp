@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "batuta/core/archive.hpp"
+#include "batuta/record/archive.hpp"
 #include "batuta/core/pool.hpp"
 
 namespace batuta {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "batuta/core/snapshot.hpp"
+#include "batuta/record/snapshot.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "batuta/core/snapshot.hpp"
-#include "batuta/fencing/archive.hpp"
+#include "batuta/record/snapshot.hpp"
+#include "batuta/record/duel.hpp"
 #include "batuta/fencing/duel_definitions.hpp"
 
 namespace batuta {

@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "batuta/core/snapshot.hpp"
-#include "batuta/port/memory_stream.hpp"
-#include "batuta/port/player.hpp"
-#include "batuta/port/recorder.hpp"
+#include "batuta/record/snapshot.hpp"
+#include "batuta/record/memory_stream.hpp"
+#include "batuta/record/player.hpp"
+#include "batuta/record/recorder.hpp"
 
 namespace batuta {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "batuta/port/recorder.hpp"
+#include "batuta/record/recorder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "batuta/port/memory_stream.hpp"
-#include "batuta/port/player.hpp"
+#include "batuta/record/memory_stream.hpp"
+#include "batuta/record/player.hpp"
 
 namespace batuta {
 namespace {
@@ -297,7 +297,7 @@ TEST(Player, OfAnotherKind_SaysWhich) {
   EXPECT_EQ(begun(Bytes(100, 'x'), Numbers{}, 256), Playback::kForeign);
 }
 
-/// Python's zlib and struct over the document (src/port/recorder.md): a recording of no step.
+/// Python's zlib and struct over the document (src/record/recorder.md): a recording of no step.
 TEST(Recording, RunRecord_BytesOfTheDocument) {
   const Bytes bytes = recorded(0);
   ASSERT_EQ(bytes.size(), 36U + 21U + 23U);

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "batuta/world/archive.hpp"
+#include "batuta/record/world.hpp"
 #include "batuta/world/scene_cost.hpp"
 #include "batuta/world/scenes.hpp"
 #include "batuta/world/world.hpp"

@@ -5,8 +5,8 @@
 #include <array>
 #include <memory>
 
-#include "batuta/core/snapshot.hpp"
-#include "batuta/world/archive.hpp"
+#include "batuta/record/snapshot.hpp"
+#include "batuta/record/world.hpp"
 #include "scenes.hpp"
 
 namespace batuta {

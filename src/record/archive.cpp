@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "batuta/core/archive.hpp"
+#include "batuta/record/archive.hpp"
 
 namespace batuta {
 namespace {

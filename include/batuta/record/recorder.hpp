@@ -2,15 +2,15 @@
 #pragma once
 // Records a run: the state at its start, what each step was given, and now and then a hash of what
 // came of it, so that it can be gone through again, here or on another machine, and seen to be the
-// same. The state is anything that core/archive.hpp can save: a World, a Duel, the user's own; so
-// is the input of a step. Format: src/port/recorder.md.
+// same. The state is anything that record/archive.hpp can save: a World, a Duel, the user's own; so
+// is the input of a step. Format: src/record/recorder.md.
 //   recorder.begin<DuelInput>(duel, 100);
 //   for each step { duel.step(...); recorder.step(input, duel); }
 //   recorder.end(duel); then flush() until it is done
 
-#include "batuta/core/snapshot.hpp"
+#include "batuta/record/snapshot.hpp"
 #include "batuta/port/byte_stream.hpp"
-#include "batuta/port/record.hpp"
+#include "batuta/record/record.hpp"
 
 namespace batuta {
 

@@ -5,7 +5,7 @@
 //   template <class ArchiveT> void archive(ArchiveT& ar) { ar(first_, second_); }
 // as a member, or as a free function archive(ar, x) beside the type. A structured binding in front
 // of the list makes a member that was forgotten an error. One class for all ways, so that a list
-// is compiled once. Bytes: src/core/archive.md.
+// is compiled once. Bytes: src/record/archive.md.
 
 #include <array>
 #include <cstring>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "batuta/port/player.hpp"
+#include "batuta/record/player.hpp"
 
 namespace batuta {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The members of this room's state, for core/archive.hpp. In a header of their own, so that who
+// The members of this room's state, for record/archive.hpp. In a header of their own, so that who
 // saves nothing compiles nothing of it.
 
-#include "batuta/core/archive.hpp"
+#include "batuta/record/archive.hpp"
 #include "batuta/geometry/capsule.hpp"
 #include "batuta/geometry/kdop.hpp"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The members of a world's state, for core/archive.hpp: include it to save, restore, record or hash
+// The members of a world's state, for record/archive.hpp: include it to save, restore, record or hash
 // a World.
 
-#include "batuta/response/archive.hpp"
+#include "batuta/record/detail/response.hpp"
 #include "batuta/world/world.hpp"
 
 namespace batuta {

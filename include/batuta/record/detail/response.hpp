@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The members of a contact, for core/archive.hpp.
+// The members of a contact, for record/archive.hpp.
 
-#include "batuta/detection/archive.hpp"
+#include "batuta/record/detail/detection.hpp"
 #include "batuta/response/contact.hpp"
 
 namespace batuta {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // A state saved in a buffer of the caller's, and restored on this machine or another, to go on with
-// the same bits. Format, byte by byte: src/core/archive.md.
+// the same bits. Format, byte by byte: src/record/archive.md.
 
-#include "batuta/core/archive.hpp"
+#include "batuta/record/archive.hpp"
 
 namespace batuta {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The records of a recording, as Recorder writes and Player reads them. Format, byte by byte:
-// src/port/recorder.md.
+// src/record/recorder.md.
 
-#include "batuta/core/archive.hpp"
+#include "batuta/record/archive.hpp"
 
 namespace batuta {
 

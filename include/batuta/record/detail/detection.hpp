@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The members of this room's options, for core/archive.hpp.
+// The members of this room's options, for record/archive.hpp.
 
 #include "batuta/detection/advancement.hpp"
 #include "batuta/detection/stepping.hpp"
-#include "batuta/mechanics/archive.hpp"
+#include "batuta/record/detail/mechanics.hpp"
 
 namespace batuta {
 

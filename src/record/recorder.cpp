@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "batuta/port/recorder.hpp"
+#include "batuta/record/recorder.hpp"
 
 namespace batuta {
 

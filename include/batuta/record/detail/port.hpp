@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The members of an input, for core/archive.hpp.
+// The members of an input, for record/archive.hpp.
 
-#include "batuta/core/archive.hpp"
+#include "batuta/record/archive.hpp"
 #include "batuta/port/input.hpp"
 
 namespace batuta {

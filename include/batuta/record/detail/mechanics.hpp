@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The members of this room's state, for core/archive.hpp.
+// The members of this room's state, for record/archive.hpp.
 
-#include "batuta/geometry/archive.hpp"
+#include "batuta/record/detail/geometry.hpp"
 #include "batuta/mechanics/motion.hpp"
 
 namespace batuta {

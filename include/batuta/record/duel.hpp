@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The members of a duel's parts, for core/archive.hpp: include it to save, restore, record or hash
+// The members of a duel's parts, for record/archive.hpp: include it to save, restore, record or hash
 // a Duel.
 
 #include "batuta/fencing/duel.hpp"
-#include "batuta/port/archive.hpp"
-#include "batuta/world/archive.hpp"
+#include "batuta/record/detail/port.hpp"
+#include "batuta/record/world.hpp"
 
 namespace batuta {
 
