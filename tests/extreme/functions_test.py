@@ -13,7 +13,7 @@ ROOMS = ["core", "geometry", "mechanics", "detection", "response", "world", "fen
 INNER = {"world/" + name + ".hpp" for name in (
     "bound", "event_book", "general_contact", "general_events", "general_plan", "general_step", "scene_check", "scene_cost",
     "seed_memory", "sleep_book", "straight_matter", "sweep", "turning", "watch")} | {
-        "fencing/duel_definitions.hpp", "fencing/referee_definitions.hpp", "fencing/referee.hpp", "fencing/duel_scene.hpp"}
+        "fencing/duel_definitions.hpp", "fencing/detail/referee_definitions.hpp", "fencing/detail/referee.hpp", "fencing/duel_scene.hpp"}
 # A list of members, which tests/unit/core/archive_test.cpp and every archive test go through.
 LISTS = {"archive", "last_of", "archive_scene"}
 DECLARATION = re.compile(r"^(?P<indent> {0,2})(?! |return|using|static_assert|typedef|friend|if|for|while|else|explicit)"

@@ -4,7 +4,7 @@
 // world; then each blade against the other fencer's body, until somebody is touched. Frame W
 // (salle), SI units.
 
-#include "batuta/fencing/referee.hpp"
+#include "batuta/fencing/detail/referee.hpp"
 
 namespace batuta {
 

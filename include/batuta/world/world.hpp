@@ -2,8 +2,8 @@
 #pragma once
 // The world of a scene.
 
-#include "batuta/world/general_world.hpp"
-#include "batuta/world/lean_world.hpp"
+#include "batuta/world/detail/general_world.hpp"
+#include "batuta/world/detail/lean_world.hpp"
 
 namespace batuta {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "batuta/world/seed_memory.hpp"
+#include "batuta/world/detail/seed_memory.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "batuta/world/sweep.hpp"
+#include "batuta/world/detail/sweep.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 // needs no other evaluation. Part of a world's saved state, because what a search costs and the
 // last bits of what it answers depend on it; what it proves does not.
 
-#include "batuta/world/proxy_pair.hpp"
+#include "batuta/world/detail/proxy_pair.hpp"
 #include "batuta/world/scene.hpp"
 
 namespace batuta {

@@ -11,15 +11,15 @@
 #include "batuta/response/friction.hpp"
 #include "batuta/response/line_contact.hpp"
 #include "batuta/response/straight_impulse.hpp"
-#include "batuta/world/candidate_pair.hpp"
-#include "batuta/world/event_book.hpp"
-#include "batuta/world/resolution.hpp"
-#include "batuta/world/scene_check.hpp"
-#include "batuta/world/seed_memory.hpp"
-#include "batuta/world/sleep_book.hpp"
-#include "batuta/world/straight_kinematics.hpp"
-#include "batuta/world/sweep.hpp"
-#include "batuta/world/turning_kinematics.hpp"
+#include "batuta/world/detail/candidate_pair.hpp"
+#include "batuta/world/detail/event_book.hpp"
+#include "batuta/world/detail/resolution.hpp"
+#include "batuta/world/detail/scene_check.hpp"
+#include "batuta/world/detail/seed_memory.hpp"
+#include "batuta/world/detail/sleep_book.hpp"
+#include "batuta/world/detail/straight_kinematics.hpp"
+#include "batuta/world/detail/sweep.hpp"
+#include "batuta/world/detail/turning_kinematics.hpp"
 
 namespace batuta {
 
@@ -265,7 +265,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
 
 }  // namespace batuta
 
-#include "batuta/world/general_contact.hpp"
-#include "batuta/world/general_events.hpp"
-#include "batuta/world/general_plan.hpp"
-#include "batuta/world/general_step.hpp"
+#include "batuta/world/detail/general_contact.hpp"
+#include "batuta/world/detail/general_events.hpp"
+#include "batuta/world/detail/general_plan.hpp"
+#include "batuta/world/detail/general_step.hpp"

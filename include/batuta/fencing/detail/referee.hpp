@@ -8,7 +8,7 @@
 
 namespace batuta {
 
-/// Both fencers as targets, and the bout. Defined in fencing/referee_definitions.hpp.
+/// Both fencers as targets, and the bout. Defined in fencing/detail/referee_definitions.hpp.
 /// Allocates: never. RAM in float: 2 (1 kB + FencerBuild).
 template <class SceneT>
 class Referee {

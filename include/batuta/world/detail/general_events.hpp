@@ -3,7 +3,7 @@
 // GeneralWorld, fourth part: begin, persist and end of contacts, and who sleeps. Included by
 // general_world.hpp.
 
-#include "batuta/world/general_world.hpp"
+#include "batuta/world/detail/general_world.hpp"
 
 namespace batuta {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "batuta/world/resolution.hpp"
+#include "batuta/world/detail/resolution.hpp"
 
 namespace batuta {
 namespace {

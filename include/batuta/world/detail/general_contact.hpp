@@ -3,7 +3,7 @@
 // GeneralWorld, third part: what happens at a contact. Included by general_world.hpp.
 
 #include "batuta/geometry/direction.hpp"
-#include "batuta/world/general_world.hpp"
+#include "batuta/world/detail/general_world.hpp"
 
 namespace batuta {
 
@@ -174,7 +174,7 @@ ResolutionOptions<Scalar_of<SceneT>> GeneralWorld<SceneT>::options_for(Scalar ma
   return options;
 }
 
-/// The gap from which the next search lets parting bodies go (src/world/resolution.md).
+/// The gap from which the next search lets parting bodies go (src/world/detail/resolution.md).
 template <class SceneT>
 typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::margin_of(const PairQuery& query,
                                                                       ProxyPair pair) const {

@@ -2,7 +2,7 @@
 #pragma once
 // What a referee does, whatever the scene; see duel_definitions.hpp.
 
-#include "batuta/fencing/referee.hpp"
+#include "batuta/fencing/detail/referee.hpp"
 
 namespace batuta {
 

@@ -5,7 +5,7 @@
 
 #include "batuta/detection/sphere_flight.hpp"
 #include "batuta/detection/straight_pair.hpp"
-#include "batuta/world/turning_kinematics.hpp"
+#include "batuta/world/detail/turning_kinematics.hpp"
 
 namespace batuta {
 

@@ -27,7 +27,7 @@ struct ResolutionOptions {
   Scalar separation = 0;           ///< D, m, > 0
   Scalar min_separation_time = 0;  ///< least f(D), s, > 0
   /// Gap below which the next search might call parting bodies touching, m, > 0: by its contact
-  /// tolerance or by rounding (src/world/resolution.md).
+  /// tolerance or by rounding (src/world/detail/resolution.md).
   Scalar margin = 0;
   bool settles = false;  ///< resting contacts that approach get the impulse as well
 };

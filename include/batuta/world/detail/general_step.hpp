@@ -3,7 +3,7 @@
 // GeneralWorld, second part: the rounds of a step, in the order in which they happen. Included by
 // general_world.hpp.
 
-#include "batuta/world/general_world.hpp"
+#include "batuta/world/detail/general_world.hpp"
 
 namespace batuta {
 

@@ -3,10 +3,10 @@
 // Which boxes overlap: sweep and prune over fixed arrays. Boxes are kept in ascending order along
 // one axis from step to step (insertion sort: cheap where little changes), and in blocks of
 // neighbours that know what they span, so that long boxes and boxes at rest cost the others next to
-// nothing. Few boxes are tested each with each. What was measured: src/world/sweep.md.
+// nothing. Few boxes are tested each with each. What was measured: src/world/detail/sweep.md.
 
 #include "batuta/geometry/kdop.hpp"
-#include "batuta/world/proxy_pair.hpp"
+#include "batuta/world/detail/proxy_pair.hpp"
 
 namespace batuta {
 

@@ -4,9 +4,9 @@
 // Scene::kMaxEvents is 0.
 
 #include "batuta/core/fixed_list.hpp"
-#include "batuta/world/candidate_pair.hpp"
+#include "batuta/world/detail/candidate_pair.hpp"
 #include "batuta/world/event.hpp"
-#include "batuta/world/proxy_pair.hpp"
+#include "batuta/world/detail/proxy_pair.hpp"
 
 namespace batuta {
 

@@ -3,7 +3,7 @@
 // A pair of capsules that may meet in the rest of a step, and what its search answered.
 
 #include "batuta/core/fixed_list.hpp"
-#include "batuta/world/proxy_pair.hpp"
+#include "batuta/world/detail/proxy_pair.hpp"
 #include "batuta/world/scene.hpp"
 
 namespace batuta {

@@ -3,7 +3,7 @@
 // GeneralWorld, first part: who takes part in a step, where everybody goes, what volume that takes,
 // and which pairs may meet and when. Included by general_world.hpp.
 
-#include "batuta/world/general_world.hpp"
+#include "batuta/world/detail/general_world.hpp"
 
 namespace batuta {
 
@@ -291,7 +291,7 @@ SearchResult<typename GeneralWorld<SceneT>::Scalar> GeneralWorld<SceneT>::search
 }
 
 /// What cannot be opened to the margin is searched as if it were thinner by what is missing to what
-/// the search calls contact (src/world/resolution.md).
+/// the search calls contact (src/world/detail/resolution.md).
 template <class SceneT>
 SearchResult<typename GeneralWorld<SceneT>::Scalar> GeneralWorld<SceneT>::search_thinner(
     const MovingPair<Scalar>& moving_pair, const PairQuery& query, ProxyPair pair) const {
