@@ -112,7 +112,7 @@ double margin_of(const BodyT& A, const BodyT& B, double reaches, double energy, 
   };
   const double places = flight_of(A, 0).X_WB.p_W.template cast<double>().norm() +
                         flight_of(B, 0).X_WB.p_W.template cast<double>().norm();
-  const double L = places + bounding radii + (speed(A) + speed(B)) * dt;
+  const double L = places + reaches + (speed(A) + speed(B)) * dt;
   const double contact =
       std::max(contact_tolerance, static_cast<double>(kLeastContactTolerance<float>)) * L +
       static_cast<double>(kInflation<float>) * L;
