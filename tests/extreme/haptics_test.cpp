@@ -4,7 +4,7 @@
 // its limit, or refused; in which unit a length or a time is told changes nothing.
 
 #include "batuta/haptics/gain_advisor.hpp"
-#include "batuta/haptics/hand_force.hpp"
+#include "batuta/haptics/duel_hand.hpp"
 #include "batuta/haptics/passivity.hpp"
 #include "hostile.hpp"
 

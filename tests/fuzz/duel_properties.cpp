@@ -11,7 +11,7 @@
 #include "batuta/record/snapshot.hpp"
 #include "batuta/record/duel.hpp"
 #include "batuta/fencing/duel_definitions.hpp"
-#include "batuta/haptics/hand_force.hpp"
+#include "batuta/haptics/duel_hand.hpp"
 #include "bytes.hpp"
 
 namespace batuta::fuzz {

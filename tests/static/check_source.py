@@ -7,7 +7,8 @@ import pathlib
 import re
 import sys
 
-ROOMS = ["core", "port", "geometry", "mechanics", "detection", "response", "world", "fencing", "haptics"]
+ROOMS = ["core", "port", "geometry", "mechanics", "detection", "response", "world", "control", "fencing", "haptics",
+         "record"]
 MAX_LINES = 400
 PREPROCESSOR_FILES = {"core/config.hpp", "core/assert.hpp", "core/types.hpp"}
 
@@ -54,7 +55,7 @@ def room_of(path, base):
 
 
 def is_private(path, target):
-    """Whether a file of src/ includes a header of src/: of its own room, or "../room/noun.hpp"."""
+    """Whether a file of src/ includes a header of src/: of its own folder, or "../room/noun.hpp"."""
     shape = re.fullmatch(r"(\.\./[a-z_]+/)?[a-z_]+\.hpp", target)
     return "include" not in path.parts and bool(shape) and (path.parent / target).is_file()
 
@@ -92,24 +93,48 @@ def check_arrows(root):
     return findings + check_port_arrows(root)
 
 
-# What stands in port/ for every port to use, and which of its like each may read itself.
-SHARED_PARTS = {"link": set(), "cortex_m": {"link"}, "firmware": {"link"}, "pid": {"link"},
-                "simulated": set()}
+# The places of port/, and what each part may read of the others: "platforms/x" is a platform, "shared/x" what they share,
+# "programs" those of the host; "template" is what a porter copies.
+SHARED_BY_PLATFORMS = "platforms/cortex_m"
+SHARED_READS = {"shared/link": set(), "shared/firmware": {"shared/link"}, "shared/hid_pid": {"shared/link"},
+                "shared/simulated": set()}
+
+
+def place_of(path):
+    """The part of port/ that a path leads into: its first folder, of platforms and shared parts the second as well."""
+    words = path.split("/")
+    return "/".join(words[:2]) if words[0] in ("platforms", "shared") else words[0]
+
+
+def may_read(own, other):
+    """Whether a file of one part of port/ may include a header of another."""
+    if own == other:
+        return True
+    if own.startswith("shared/"):
+        return other in SHARED_READS.get(own, set())
+    if other.startswith("shared/"):
+        return True
+    if own == "programs":
+        return other == "platforms/host"
+    return own.startswith("platforms/") and other == SHARED_BY_PLATFORMS
 
 
 def check_port_arrows(root):
-    """No port reads another port, or the library's insides; the shared parts read no port."""
+    """No port reads another port, or the library's insides; what they share reads no port."""
     include = re.compile(r'^\s*#\s*include\s*["<]([^">]+)[">]')
+    places = {"template", "platforms", "shared", "programs"}
     findings = []
-    ports = [p.name for p in (root / "port").iterdir() if p.is_dir()] if (root / "port").is_dir() else []
     for path in sources(root / "port"):
-        own = room_of(path, root / "port")
-        allowed = {own} | SHARED_PARTS.get(own, set(SHARED_PARTS))
+        inside = path.relative_to(root / "port").as_posix()
+        own = place_of(inside)
+        if own.split("/")[0] not in places:
+            findings.append(f"{path.relative_to(root)}: port/ has no place {own}")
         for number, line in enumerate(path.read_text().splitlines(), 1):
             match = include.match(line)
-            first = match.group(1).split("/")[0] if match else ""
-            if first in ("src", "..") or (first in ports and first not in allowed):
-                findings.append(f"{path.relative_to(root)}:{number}: port {own} includes \"{match.group(1)}\"")
+            target = match.group(1) if match else ""
+            first = target.split("/")[0]
+            if first in ("src", "..") or (first in places and not may_read(own, place_of(target))):
+                findings.append(f"{path.relative_to(root)}:{number}: port {own} includes \"{target}\"")
     return findings
 
 

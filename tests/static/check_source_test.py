@@ -67,7 +67,7 @@ class Arrows(Tree):
     def test_port_of_another_port_is_found(self):
         self.put("port/platforms/host/h.cpp", '#include "platforms/mps2/m.hpp"\n#include "../src/core/a.hpp"\n')
         self.put("port/platforms/mps2/m.hpp", "")
-        self.assert_found(self.check(), "port host", "port host")
+        self.assert_found(self.check(), "port platforms/host", "port platforms/host")
 
 
 class Words(Tree):

@@ -4,7 +4,7 @@ file(READ ${INPUT} bytes HEX)
 string(REGEX REPLACE "([0-9a-f][0-9a-f])" "'\\\\x\\1'," bytes "${bytes}")
 string(REPLACE "'\\x0a'," "'\\n',\n" bytes "${bytes}")
 file(WRITE ${OUTPUT} "// Generated from a file of port/programs/recordings; do not edit.
-#include \"host/devices/default_recording.hpp\"
+#include \"programs/devices/default_recording.hpp\"
 
 namespace batuta::host {
 namespace {

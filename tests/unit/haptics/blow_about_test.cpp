@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "batuta/haptics/hand_force.hpp"
+#include "batuta/haptics/duel_hand.hpp"
 
 #include <gtest/gtest.h>
 

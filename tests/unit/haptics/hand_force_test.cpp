@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a stick feels: of states made by hand, and of a duel in which one blade beats the other.
 
-#include "batuta/haptics/hand_force.hpp"
+#include "batuta/haptics/duel_hand.hpp"
 
 #include <gtest/gtest.h>
 

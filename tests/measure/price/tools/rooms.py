@@ -35,8 +35,8 @@ def by_library(obj):
     """Room of an object file by its place."""
     for pattern, room in ((r"libgcc\.a|crt\w*\.o", "libgcc"), (r"lib(c|c_nano|m|g|nosys|rdimon)\w*\.a", "libc"),
                           (r"libstdc\+\+|libsupc\+\+", "libstdc++"), (r"libbatuta_semihosting", "semihosting"),
-                          (r"libbatuta_link\b|\bport/link/", "link"),
-                          (r"libbatuta_firmware|\bport/firmware/", "firmware"),
+                          (r"libbatuta_link\b|\bport/shared/link/", "link"),
+                          (r"libbatuta_firmware|\bport/shared/firmware/", "firmware"),
                           (r"libbatuta_(?:port_\w+|cortex_m\w*)|\bport/", "platform")):
         if re.search(pattern, obj):
             return room
