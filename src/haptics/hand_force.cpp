@@ -2,6 +2,8 @@
 
 #include "batuta/haptics/hand_force.hpp"
 
+#include "batuta/mechanics/motion.hpp"
+
 namespace batuta {
 namespace {
 

@@ -3,8 +3,8 @@
 // settings that make no sense are refused and change nothing; what is answered is finite and within
 // its limit, or refused; in which unit a length or a time is told changes nothing.
 
-#include "batuta/haptics/gain_advisor.hpp"
 #include "batuta/haptics/duel_hand.hpp"
+#include "batuta/haptics/gain_advisor.hpp"
 #include "batuta/haptics/passivity.hpp"
 #include "hostile.hpp"
 

@@ -8,11 +8,11 @@
 #include <memory>
 #include <vector>
 
+#include "batuta/port/sample_builder.hpp"
 #include "batuta/record/duel.hpp"
 #include "batuta/record/memory_stream.hpp"
 #include "batuta/record/player.hpp"
 #include "batuta/record/recorder.hpp"
-#include "batuta/port/sample_builder.hpp"
 #include "draws.hpp"
 
 namespace batuta {

@@ -11,10 +11,10 @@
 #include <memory>
 #include <vector>
 
-#include "batuta/record/snapshot.hpp"
 #include "batuta/record/memory_stream.hpp"
 #include "batuta/record/player.hpp"
 #include "batuta/record/recorder.hpp"
+#include "batuta/record/snapshot.hpp"
 #include "batuta/record/world.hpp"
 #include "batuta/world/scenes.hpp"
 

@@ -8,10 +8,10 @@
 #include <optional>
 #include <vector>
 
-#include "batuta/record/snapshot.hpp"
-#include "batuta/record/duel.hpp"
 #include "batuta/fencing/duel_definitions.hpp"
 #include "batuta/haptics/duel_hand.hpp"
+#include "batuta/record/duel.hpp"
+#include "batuta/record/snapshot.hpp"
 #include "bytes.hpp"
 
 namespace batuta::fuzz {

@@ -9,8 +9,8 @@
 #include <cstdio>
 
 #include "batuta/response/impulse.hpp"
-#include "programs/answer/fields.hpp"
 #include "judge_file.hpp"
+#include "programs/answer/fields.hpp"
 
 namespace batuta {
 namespace {

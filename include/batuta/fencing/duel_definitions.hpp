@@ -7,8 +7,8 @@
 //   template class batuta::Duel<S, Search, Drill>;
 // or include it wherever such a duel is used.
 
-#include "batuta/fencing/duel.hpp"
 #include "batuta/fencing/detail/referee_definitions.hpp"
+#include "batuta/fencing/duel.hpp"
 
 namespace batuta {
 

@@ -3,9 +3,9 @@
 // The scene of a duel, and what its features bring: who drives the blades, and which settings there
 // are. What a scene leaves out is an empty base (world/actor.hpp).
 
+#include "batuta/control/stick.hpp"
 #include "batuta/fencing/bout.hpp"
 #include "batuta/fencing/grip.hpp"
-#include "batuta/control/stick.hpp"
 #include "batuta/fencing/target.hpp"
 #include "batuta/world/world.hpp"
 

@@ -11,8 +11,8 @@
 //   (+1, -1 ... 0)  parry right: the same; the guard is not on that side
 //   ( 0, -1)  back guard: out of the opponent's reach, blade high
 
-#include "batuta/fencing/grip.hpp"
 #include "batuta/control/keyframes.hpp"
+#include "batuta/fencing/grip.hpp"
 #include "batuta/fencing/skeleton.hpp"
 #include "batuta/fencing/weapon.hpp"
 

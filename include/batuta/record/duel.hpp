@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The members of a duel's parts, for record/archive.hpp: include it to save, restore, record or hash
-// a Duel.
+// The members of a duel's parts, for record/archive.hpp: include it to save, restore, record or
+// hash a Duel.
 
 #include "batuta/fencing/duel.hpp"
 #include "batuta/record/detail/port.hpp"

@@ -4,9 +4,9 @@
 //   if (player.begin<DuelInput>(duel) != Playback::kReady) ...
 //   while ((answer = player.next(input, duel)) == Playback::kStep) duel.step(...)
 
-#include "batuta/record/snapshot.hpp"
 #include "batuta/port/byte_stream.hpp"
 #include "batuta/record/record.hpp"
+#include "batuta/record/snapshot.hpp"
 
 namespace batuta {
 

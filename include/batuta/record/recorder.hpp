@@ -8,9 +8,9 @@
 //   for each step { duel.step(...); recorder.step(input, duel); }
 //   recorder.end(duel); then flush() until it is done
 
-#include "batuta/record/snapshot.hpp"
 #include "batuta/port/byte_stream.hpp"
 #include "batuta/record/record.hpp"
+#include "batuta/record/snapshot.hpp"
 
 namespace batuta {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The members of a world's state, for record/archive.hpp: include it to save, restore, record or hash
-// a World.
+// The members of a world's state, for record/archive.hpp: include it to save, restore, record or
+// hash a World.
 
 #include "batuta/record/detail/response.hpp"
 #include "batuta/world/world.hpp"

@@ -41,9 +41,9 @@ struct StepReport {
   std::uint32_t blocked =
       0;  ///< contacts of two bodies that nothing can push: both held for the rest of the step
   /// Pairs that overlapped when a search began: by rounding; because the caller put them there, or
-  /// moved what cannot be pushed (src/world/detail/resolution.md); and with Stepping also by a touch
-  /// shallower than epsilon / 2 that it passed over (src/detection/stepping.md). The other searches
-  /// pass over none.
+  /// moved what cannot be pushed (src/world/detail/resolution.md); and with Stepping also by a
+  /// touch shallower than epsilon / 2 that it passed over (src/detection/stepping.md). The other
+  /// searches pass over none.
   std::uint32_t overlaps_at_start = 0;
   Scalar deepest_overlap = 0;  ///< of these, m
   std::uint32_t asleep = 0;    ///< bodies that slept through the step

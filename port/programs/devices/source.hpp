@@ -35,7 +35,8 @@ class Source : public InputDevice {
   virtual LiveForce* force(const ForceOptions& /*options*/) { return nullptr; }
 };
 
-/// Rate of a device's line, where the words name none: the STM32 port's (port/platforms/stm32f405/board.hpp).
+/// Rate of a device's line, where the words name none: the STM32 port's
+/// (port/platforms/stm32f405/board.hpp).
 inline constexpr int kDeviceBaud = 3000000;
 
 struct OpenedSource {

@@ -7,8 +7,8 @@
 #include <chrono>
 #include <limits>
 
-#include "shared/firmware/stepped_bout.hpp"
 #include "programs/devices/source.hpp"
+#include "shared/firmware/stepped_bout.hpp"
 
 namespace batuta::host {
 

@@ -2,9 +2,9 @@
 
 #include "programs/duel/stick_feedback.hpp"
 
-#include "shared/firmware/stage_settings.hpp"
 #include "programs/duel/bout_words.hpp"
 #include "programs/duel/json_line.hpp"
+#include "shared/firmware/stage_settings.hpp"
 
 namespace batuta::host {
 namespace {

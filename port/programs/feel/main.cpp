@@ -7,8 +7,8 @@
 #include <cstdlib>
 
 #include "batuta/fencing/fencer.hpp"
-#include "batuta/haptics/gain_advisor.hpp"
 #include "batuta/haptics/duel_hand.hpp"
+#include "batuta/haptics/gain_advisor.hpp"
 #include "batuta/haptics/output_stage.hpp"
 #include "shared/simulated/stick.hpp"
 

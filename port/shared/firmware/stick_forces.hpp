@@ -6,8 +6,8 @@
 
 #include <array>
 
+#include "batuta/haptics/duel_hand.hpp"
 #include "batuta/haptics/force_ramp.hpp"
-#include "batuta/haptics/hand_force.hpp"
 #include "batuta/haptics/speed_limiter.hpp"
 
 namespace batuta::firmware {

@@ -7,9 +7,9 @@
 
 #include <cstdint>
 
-#include "shared/link/fields.hpp"
 #include "shared/hid_pid/limits.hpp"
 #include "shared/hid_pid/report_ids.hpp"
+#include "shared/link/fields.hpp"
 
 namespace batuta::pid {
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Instructions of a step against the number of bodies: growth OUT writes the crowds of the report's
-// section (tests/support/crowd.hpp) as rows of a CSV that tests/measure/report/render.py draws. Counted by
-// SysTick under QEMU's -icount; exit status 0, or 1 where a sparse crowd grows faster than it may.
+// section (tests/support/crowd.hpp) as rows of a CSV that tests/measure/report/render.py draws.
+// Counted by SysTick under QEMU's -icount; exit status 0, or 1 where a sparse crowd grows faster
+// than it may.
 
-#include "platforms/cortex_m/semihosting.hpp"
 #include "crowd.hpp"
+#include "platforms/cortex_m/semihosting.hpp"
 #include "price/bench/ticks.hpp"
 
 namespace batuta::growth {

@@ -4,8 +4,8 @@
 #include "batuta/fencing/duel.hpp"
 
 #ifdef BATUTA_PRICE_FIRMWARE
-#include "shared/firmware/application.hpp"
 #include "platforms/mps2/uart.hpp"
+#include "shared/firmware/application.hpp"
 #endif
 
 namespace {

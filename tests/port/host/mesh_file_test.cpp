@@ -7,8 +7,8 @@
 #include <fstream>
 #include <random>
 
-#include "programs/mass/words.hpp"
 #include "meshes.hpp"
+#include "programs/mass/words.hpp"
 
 namespace batuta::mesh {
 namespace {

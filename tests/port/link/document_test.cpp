@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// port/shared/link/link.md against the code: its tables, its examples and its times. What the document
-// says is read from it, so that the two cannot part.
+// port/shared/link/link.md against the code: its tables, its examples and its times. What the
+// document says is read from it, so that the two cannot part.
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "platforms/cortex_m/semihosting.hpp"
 #include "io.hpp"
+#include "platforms/cortex_m/semihosting.hpp"
 
 namespace batuta::digest {
 namespace {

@@ -2,9 +2,9 @@
 #pragma once
 // Every one of these programs leaves a force on the stick, and says so, before it goes wrong.
 
+#include "plain_force.hpp"
 #include "platforms/cortex_m/semihosting.hpp"
 #include "platforms/mps2/force.hpp"
-#include "plain_force.hpp"
 
 inline void push() {
   batuta::mps2::Force device;

@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "batuta/record/archive.hpp"
 #include "batuta/core/pool.hpp"
+#include "batuta/record/archive.hpp"
 
 namespace batuta {
 

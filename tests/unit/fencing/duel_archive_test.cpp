@@ -2,8 +2,8 @@
 // A duel saved in the middle of a bout and restored into another one goes on with the same bits.
 #include <vector>
 
-#include "batuta/record/snapshot.hpp"
 #include "batuta/record/duel.hpp"
+#include "batuta/record/snapshot.hpp"
 #include "configured_duel.hpp"
 
 namespace batuta {

@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "batuta/record/snapshot.hpp"
-#include "batuta/record/duel.hpp"
 #include "batuta/fencing/duel_definitions.hpp"
+#include "batuta/record/duel.hpp"
+#include "batuta/record/snapshot.hpp"
 
 namespace batuta {
 

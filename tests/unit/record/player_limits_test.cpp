@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "batuta/record/snapshot.hpp"
 #include "batuta/record/memory_stream.hpp"
 #include "batuta/record/player.hpp"
 #include "batuta/record/recorder.hpp"
+#include "batuta/record/snapshot.hpp"
 
 namespace batuta {
 namespace {

@@ -6,10 +6,10 @@
 #include <memory>
 #include <vector>
 
-#include "batuta/record/snapshot.hpp"
 #include "batuta/record/memory_stream.hpp"
 #include "batuta/record/player.hpp"
 #include "batuta/record/recorder.hpp"
+#include "batuta/record/snapshot.hpp"
 #include "batuta/record/world.hpp"
 #include "scenes.hpp"
 

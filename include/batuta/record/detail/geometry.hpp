@@ -3,9 +3,9 @@
 // The members of this room's state, for record/archive.hpp. In a header of their own, so that who
 // saves nothing compiles nothing of it.
 
-#include "batuta/record/archive.hpp"
 #include "batuta/geometry/capsule.hpp"
 #include "batuta/geometry/kdop.hpp"
+#include "batuta/record/archive.hpp"
 
 namespace batuta {
 

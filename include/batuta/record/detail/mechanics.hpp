@@ -2,8 +2,8 @@
 #pragma once
 // The members of this room's state, for record/archive.hpp.
 
-#include "batuta/record/detail/geometry.hpp"
 #include "batuta/mechanics/motion.hpp"
+#include "batuta/record/detail/geometry.hpp"
 
 namespace batuta {
 

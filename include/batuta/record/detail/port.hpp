@@ -2,8 +2,8 @@
 #pragma once
 // The members of an input, for record/archive.hpp.
 
-#include "batuta/record/archive.hpp"
 #include "batuta/port/input.hpp"
+#include "batuta/record/archive.hpp"
 
 namespace batuta {
 

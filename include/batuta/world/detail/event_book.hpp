@@ -5,8 +5,8 @@
 
 #include "batuta/core/fixed_list.hpp"
 #include "batuta/world/detail/candidate_pair.hpp"
-#include "batuta/world/event.hpp"
 #include "batuta/world/detail/proxy_pair.hpp"
+#include "batuta/world/event.hpp"
 
 namespace batuta {
 

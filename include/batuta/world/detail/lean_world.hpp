@@ -2,15 +2,15 @@
 #pragma once
 // The world of a few bodies that fly straight: what GeneralWorld promises, in a fraction of its
 // flash. With so few, nothing is kept from one contact to the next: every round searches all pairs
-// again, from now over the rest of the step, and moves everybody (src/world/detail/lean_world.md). Frame
-// W, SI units.
+// again, from now over the rest of the step, and moves everybody (src/world/detail/lean_world.md).
+// Frame W, SI units.
 
 #include "batuta/core/arithmetic.hpp"
 #include "batuta/core/pool.hpp"
 #include "batuta/response/straight_impulse.hpp"
-#include "batuta/world/event.hpp"
 #include "batuta/world/detail/scene_check.hpp"
 #include "batuta/world/detail/straight_kinematics.hpp"
+#include "batuta/world/event.hpp"
 
 namespace batuta {
 

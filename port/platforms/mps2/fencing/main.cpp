@@ -5,10 +5,10 @@
 #include "batuta/core/arithmetic.hpp"
 #include "platforms/cortex_m/fault.hpp"
 #include "platforms/cortex_m/systick.hpp"
-#include "shared/firmware/application.hpp"
 #include "platforms/mps2/board.hpp"
 #include "platforms/mps2/force.hpp"
 #include "platforms/mps2/uart.hpp"
+#include "shared/firmware/application.hpp"
 
 namespace {
 

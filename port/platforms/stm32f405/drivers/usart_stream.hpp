@@ -3,8 +3,8 @@
 // The link's serial line: a ring each way, emptied and filled by the interrupt of USART1.
 
 #include "platforms/cortex_m/byte_ring.hpp"
-#include "shared/link/byte_stream.hpp"
 #include "platforms/stm32f405/registers/usart.hpp"
+#include "shared/link/byte_stream.hpp"
 
 namespace batuta::stm32f405 {
 

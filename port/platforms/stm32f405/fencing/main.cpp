@@ -5,7 +5,6 @@
 #include "platforms/cortex_m/fault.hpp"
 #include "platforms/cortex_m/registers.hpp"
 #include "platforms/cortex_m/systick.hpp"
-#include "shared/firmware/application.hpp"
 #include "platforms/stm32f405/board.hpp"
 #include "platforms/stm32f405/drivers/adc_stick.hpp"
 #include "platforms/stm32f405/drivers/bridge_force.hpp"
@@ -14,6 +13,7 @@
 #include "platforms/stm32f405/drivers/watchdog.hpp"
 #include "platforms/stm32f405/interrupts.hpp"
 #include "platforms/stm32f405/memory_map.hpp"
+#include "shared/firmware/application.hpp"
 
 namespace batuta::stm32f405 {
 namespace {

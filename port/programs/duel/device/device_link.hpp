@@ -6,8 +6,8 @@
 #include <functional>
 #include <string>
 
-#include "shared/firmware/frame_reader.hpp"
 #include "programs/duel/device/step_answer.hpp"
+#include "shared/firmware/frame_reader.hpp"
 #include "shared/link/sender.hpp"
 
 namespace batuta::host {

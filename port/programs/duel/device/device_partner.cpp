@@ -2,8 +2,8 @@
 
 #include "programs/duel/device/device_partner.hpp"
 
-#include "shared/firmware/step_messages.hpp"
 #include "programs/duel/device/step_difference.hpp"
+#include "shared/firmware/step_messages.hpp"
 
 namespace batuta::host {
 

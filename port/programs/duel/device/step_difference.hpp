@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "shared/firmware/stepped_bout.hpp"
 #include "programs/duel/device/step_answer.hpp"
+#include "shared/firmware/stepped_bout.hpp"
 
 namespace batuta::host {
 

@@ -3,9 +3,9 @@
 // (tests/target/digest), OUT gets the figures (samples.hpp), of the queries each EVERY-th is taken,
 // of a bout the first STEPS steps.
 
+#include "measure.hpp"
 #include "platforms/cortex_m/semihosting.hpp"
 #include "platforms/cortex_m/stack.hpp"
-#include "measure.hpp"
 #include "ticks.hpp"
 
 namespace batuta::price {

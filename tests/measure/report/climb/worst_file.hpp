@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Queries that cost much, with what is true of them, as a query file (port/programs/query_file.hpp):
-// T, A..., B... by the bits of their floats; then, in decimal, what they cost and the truth:
+// Queries that cost much, with what is true of them, as a query file
+// (port/programs/query_file.hpp): T, A..., B... by the bits of their floats; then, in decimal, what
+// they cost and the truth:
 //   degrees          no body turns further
 //   contact tolerance             tau, m
 //   evaluations      that the search took in double when the file was last written
