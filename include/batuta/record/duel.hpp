@@ -4,6 +4,7 @@
 // hash a Duel.
 
 #include "batuta/fencing/duel.hpp"
+#include "batuta/record/detail/control.hpp"
 #include "batuta/record/detail/port.hpp"
 #include "batuta/record/world.hpp"
 
@@ -22,26 +23,10 @@ constexpr BoutState last_of(BoutState) {
   return BoutState::kDouble;
 }
 
-inline void archive(Archive& ar, StickSettings& settings) {
-  auto& [min_interval_us, max_interval_us, stale_after_us, max_speed] = settings;
-  ar(min_interval_us, max_interval_us, stale_after_us, max_speed);
-}
-
-inline void archive(Archive& ar, StickReport& report) {
-  auto& [used, restarts, repeated, backward, invalid, lost, clamped, slowed, stale_steps] = report;
-  ar(used, restarts, repeated, backward, invalid, lost, clamped, slowed, stale_steps);
-}
-
 template <class Scalar>
 void archive(Archive& ar, GripSettings<Scalar>& settings) {
   auto& [strength, min_regain, max_regain, recover_time, lever] = settings;
   ar(strength, min_regain, max_regain, recover_time, lever);
-}
-
-template <class Scalar>
-void archive(Archive& ar, KeyedPose<Scalar>& pose) {
-  auto& [X_WH, jacobian] = pose;
-  ar(X_WH, jacobian);
 }
 
 template <class Scalar>
