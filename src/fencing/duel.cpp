@@ -2,7 +2,7 @@
 // The duel as it is meant: no touch is missed.
 #include "batuta/fencing/duel_definitions.hpp"
 
-namespace batuta {
+namespace batuta::fencing {
 
 #define BATUTA_INSTANTIATE(S)                               \
   template DuelSettings<S, Advancement<S>> duel_settings(); \
@@ -10,4 +10,4 @@ namespace batuta {
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
-}  // namespace batuta
+}  // namespace batuta::fencing

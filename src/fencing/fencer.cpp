@@ -5,7 +5,7 @@
 // up). The tests check what the numbers are chosen for: the guards stand clear of the opponent, the
 // blades overlap, a lunge arrives.
 
-namespace batuta {
+namespace batuta::fencing {
 namespace {
 
 /// A hand and where its blade points.
@@ -159,4 +159,4 @@ Pose<Scalar> Salle<Scalar>::X_WF(Side side) const {
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
-}  // namespace batuta
+}  // namespace batuta::fencing

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "batuta/fencing/grip.hpp"
 
-namespace batuta {
+namespace batuta::fencing {
 namespace {
 
 /// How far a blade is from where it should be: a shift and a turn, both in W.
@@ -142,4 +142,4 @@ Scalar Grip<Scalar>::control() const {
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
-}  // namespace batuta
+}  // namespace batuta::fencing

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "batuta/fencing/skeleton.hpp"
 
-namespace batuta {
+namespace batuta::fencing {
 namespace {
 
 constexpr std::size_t slot(BodyPart part) {
@@ -192,4 +192,4 @@ BodyShape<Scalar> pose_body(const FencerBuild<Scalar>& build, const Pose<Scalar>
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
-}  // namespace batuta
+}  // namespace batuta::fencing

@@ -3,7 +3,7 @@
 
 #include "batuta/detection/swept_volume.hpp"
 
-namespace batuta {
+namespace batuta::fencing {
 namespace {
 
 /// Where the walk goes on when it leaves out a bone and all that it carries: behind the last of
@@ -183,4 +183,4 @@ void Target<Scalar>::take(const PartSearch& search, BodyPart part, Scalar from,
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
-}  // namespace batuta
+}  // namespace batuta::fencing

@@ -3,7 +3,7 @@
 
 #include "batuta/mechanics/mass.hpp"
 
-namespace batuta {
+namespace batuta::fencing {
 namespace {
 
 template <class Scalar>
@@ -63,4 +63,4 @@ Pose<Scalar> inverse(const Pose<Scalar>& X_AB) {
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
-}  // namespace batuta
+}  // namespace batuta::fencing

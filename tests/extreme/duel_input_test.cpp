@@ -13,6 +13,7 @@
 #include "draws.hpp"
 
 namespace batuta {
+using namespace fencing;
 namespace {
 
 /// What comes at step k, one step a millisecond; nothing where there is no sample.

@@ -7,6 +7,7 @@
 #include "hostile.hpp"
 
 namespace batuta {
+using namespace fencing;
 namespace {
 
 template <class S>

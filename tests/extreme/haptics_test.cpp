@@ -9,6 +9,7 @@
 #include "hostile.hpp"
 
 namespace batuta {
+using namespace fencing;
 namespace {
 
 template <class S>

@@ -16,6 +16,7 @@
 #include "draws.hpp"
 
 namespace batuta {
+using namespace fencing;
 namespace {
 
 constexpr std::int32_t kLow = std::numeric_limits<std::int32_t>::min();

@@ -15,6 +15,7 @@
 #include "bytes.hpp"
 
 namespace batuta::fuzz {
+using namespace fencing;
 namespace {
 
 constexpr int kMostSteps = 400;

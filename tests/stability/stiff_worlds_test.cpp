@@ -11,6 +11,7 @@
 #include "resting.hpp"
 
 namespace batuta {
+using namespace fencing;
 namespace {
 
 template <class S>

@@ -8,7 +8,7 @@
 #include "batuta/port/clock.hpp"
 #include "batuta/response/contact.hpp"
 
-namespace batuta {
+namespace batuta::fencing {
 
 /// An instant of a bout.
 template <class Scalar>
@@ -73,4 +73,4 @@ struct DuelReport {
   std::uint32_t searches_invalid = 0;  ///< searches that could not be asked, blade or touch
 };
 
-}  // namespace batuta
+}  // namespace batuta::fencing

@@ -6,7 +6,7 @@
 
 #include "batuta/fencing/detail/referee.hpp"
 
-namespace batuta {
+namespace batuta::fencing {
 
 /// What a duel asks of its scene.
 template <class Scalar, class SearchT, class SceneT>
@@ -57,7 +57,7 @@ class Duel {
   std::uint32_t steps() const { return steps_; }
   /// us since the start of the bout: exact to the step, the rest rounded.
   std::uint64_t time_us(const Moment<Scalar>& moment) const {
-    return batuta::time_us(moment, settings_.step_us);
+    return fencing::time_us(moment, settings_.step_us);
   }
 
   /// Length of a step, s; 0: not configured.
@@ -159,4 +159,4 @@ class Duel {
   Scalar dt_ = 0;  ///< s; 0: not configured
 };
 
-}  // namespace batuta
+}  // namespace batuta::fencing

@@ -10,7 +10,7 @@
 #include "batuta/fencing/detail/referee_definitions.hpp"
 #include "batuta/fencing/duel.hpp"
 
-namespace batuta {
+namespace batuta::fencing {
 
 namespace detail {
 
@@ -198,4 +198,4 @@ Capsule<Scalar> Duel<Scalar, SearchT, SceneT>::blade_W(Side side) const {
   return to_world(blade.body.X_WB, blade.capsule_B);
 }
 
-}  // namespace batuta
+}  // namespace batuta::fencing

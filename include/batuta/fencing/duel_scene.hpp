@@ -9,7 +9,7 @@
 #include "batuta/fencing/target.hpp"
 #include "batuta/world/world.hpp"
 
-namespace batuta {
+namespace batuta::fencing {
 
 /// Two blades. Derive, and hide what is different:
 ///   struct Drill : DuelScene<float, Advancement<float>> { static constexpr bool kTargets = false;
@@ -124,4 +124,4 @@ template <class Scalar, class SearchT = Advancement<Scalar>,
           class SceneT = DuelScene<Scalar, SearchT>>
 DuelSettings<Scalar, SearchT, SceneT> duel_settings();
 
-}  // namespace batuta
+}  // namespace batuta::fencing

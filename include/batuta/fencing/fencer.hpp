@@ -16,7 +16,7 @@
 #include "batuta/fencing/skeleton.hpp"
 #include "batuta/fencing/weapon.hpp"
 
-namespace batuta {
+namespace batuta::fencing {
 
 template <class Scalar>
 using FencerGrid = KeyframeGrid<Scalar, 3, 3>;
@@ -59,4 +59,4 @@ struct Salle {
   Pose<Scalar> X_WF(Side side) const;
 };
 
-}  // namespace batuta
+}  // namespace batuta::fencing

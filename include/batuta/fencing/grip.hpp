@@ -6,7 +6,7 @@
 
 #include "batuta/world/controller.hpp"
 
-namespace batuta {
+namespace batuta::fencing {
 
 /// How firmly a hand holds.
 template <class Scalar>
@@ -96,4 +96,4 @@ class Grip {
   GripPhase phase_ = GripPhase::kHeld;
 };
 
-}  // namespace batuta
+}  // namespace batuta::fencing

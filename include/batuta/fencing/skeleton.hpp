@@ -9,7 +9,7 @@
 
 #include "batuta/mechanics/body.hpp"
 
-namespace batuta {
+namespace batuta::fencing {
 
 enum class BodyPart : std::uint8_t {
   kPelvis,
@@ -107,4 +107,4 @@ template <class Scalar>
 BodyShape<Scalar> pose_body(const FencerBuild<Scalar>& build, const Pose<Scalar>& X_WF,
                             const Pose<Scalar>& X_WH);
 
-}  // namespace batuta
+}  // namespace batuta::fencing

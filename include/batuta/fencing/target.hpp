@@ -9,7 +9,7 @@
 #include "batuta/geometry/kdop.hpp"
 #include "batuta/response/contact.hpp"
 
-namespace batuta {
+namespace batuta::fencing {
 
 /// k of the target's hierarchy: boxes. More directions cost every step more than they save in the
 /// few steps in which a blade is near.
@@ -124,4 +124,4 @@ class Target {
   std::array<Hull, kParts> hulls_{};  ///< with all that it carries
 };
 
-}  // namespace batuta
+}  // namespace batuta::fencing

@@ -7,7 +7,7 @@
 
 #include "batuta/mechanics/body.hpp"
 
-namespace batuta {
+namespace batuta::fencing {
 
 template <class Scalar>
 struct WeaponPart {
@@ -46,4 +46,4 @@ Pose<Scalar> chained(const Pose<Scalar>& X_AB, const Pose<Scalar>& X_BC);
 template <class Scalar>
 Pose<Scalar> inverse(const Pose<Scalar>& X_AB);
 
-}  // namespace batuta
+}  // namespace batuta::fencing

@@ -12,9 +12,9 @@ namespace batuta {
 /// over the contact events. The normal of a contact points out of body B (the right blade) towards
 /// body A (the left one). Of friction, which events do not tell, nothing. Bound: the events.
 template <class Scalar, class Events>
-Momentum<Scalar> blow_about(const Vec3<Scalar>& p_W, Side side, const Events& events) {
+Momentum<Scalar> blow_about(const Vec3<Scalar>& p_W, fencing::Side side, const Events& events) {
   Momentum<Scalar> blow;
-  const Scalar sign = side == Side::kLeft ? Scalar(1) : Scalar(-1);
+  const Scalar sign = side == fencing::Side::kLeft ? Scalar(1) : Scalar(-1);
   for (const auto& event : events) {  // Bound: the capacity of the list
     const Vec3<Scalar> impulse_W = (sign * event.impulse) * event.contact.normal_BA_W;
     blow.linear_W += impulse_W;
@@ -25,7 +25,7 @@ Momentum<Scalar> blow_about(const Vec3<Scalar>& p_W, Side side, const Events& ev
 
 /// What a duel's last step was to one of the hands. @pre configured; the scene keeps events
 template <class DuelT>
-auto hand_state(const DuelT& duel, Side side) {
+auto hand_state(const DuelT& duel, fencing::Side side) {
   using Scalar = typename DuelT::WorldType::Scalar;
   HandState<Scalar> state;
   state.commanded = duel.hand(side);

@@ -8,7 +8,7 @@
 #include "batuta/record/detail/port.hpp"
 #include "batuta/record/world.hpp"
 
-namespace batuta {
+namespace batuta::fencing {
 
 constexpr Side last_of(Side) {
   return Side::kRight;
@@ -148,4 +148,4 @@ inline void archive(Archive& ar, DuelInput& input) {
   }
 }
 
-}  // namespace batuta
+}  // namespace batuta::fencing

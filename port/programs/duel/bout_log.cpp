@@ -3,6 +3,7 @@
 #include "programs/duel/bout_log.hpp"
 
 namespace batuta::host {
+using namespace fencing;
 
 void BoutLog::on_start(const DuelRunner& runner) {
   std::fprintf(out_, "left   %s\n", runner.source(Side::kLeft).description().c_str());
@@ -16,7 +17,7 @@ void BoutLog::on_step(const DuelRunner& runner) {
   }
   touches_.for_each_new(runner, [&](const Touch<float>& touch) {
     std::fprintf(out_, "%9.3f s  touch   %s touches the %s at %.2f m height%s\n",
-                 time_of(runner, touch), name_of(touch.by), batuta::name_of(touch.part),
+                 time_of(runner, touch), name_of(touch.by), fencing::name_of(touch.part),
                  static_cast<double>(touch.contact.point_W.z()),
                  touch.certain ? "" : " (perhaps not the first)");
   });

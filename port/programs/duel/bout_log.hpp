@@ -20,7 +20,7 @@ class BoutLog final : public Observer {
  private:
   void print_contact(double time, const ContactEvent<float>& event);
   void print_parting(double time);
-  void print_device(const DuelRunner& runner, Side side);
+  void print_device(const DuelRunner& runner, fencing::Side side);
   void print_holds(const DuelRunner& runner);
 
   /// From the moment when the blades meet until they part.

@@ -6,8 +6,8 @@
 
 namespace batuta::host {
 
-inline const char* name_of(Side side) {
-  return side == Side::kLeft ? "left" : "right";
+inline const char* name_of(fencing::Side side) {
+  return side == fencing::Side::kLeft ? "left" : "right";
 }
 
 /// "left", "right", "double" or "draw"; "open" while it goes on.
@@ -30,7 +30,7 @@ inline double time_of(const DuelRunner& runner, const ContactEvent<float>& event
   return 1e-6 * static_cast<double>(runner.duel().time_us({runner.duel().steps() - 1, event.time}));
 }
 
-inline double time_of(const DuelRunner& runner, const Touch<float>& touch) {
+inline double time_of(const DuelRunner& runner, const fencing::Touch<float>& touch) {
   return 1e-6 * static_cast<double>(runner.duel().time_us(touch.when));
 }
 
@@ -41,7 +41,7 @@ inline bool is_beat(const ContactEvent<float>& event) {
 }
 
 /// Samples that did not move the fencer's stick, of all that its device delivered.
-inline std::uint32_t rejected(const DuelRunner& runner, Side side) {
+inline std::uint32_t rejected(const DuelRunner& runner, fencing::Side side) {
   const StickReport& stick = runner.duel().stick(side).report();
   return stick.repeated + stick.backward + stick.invalid +
          runner.tally().devices[index_of(side)].refused;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 namespace batuta::host {
+using namespace fencing;
 namespace {
 
 double bout_length(const Source& left, const Source& right, double limit) {

@@ -69,14 +69,14 @@ class DuelRunner {
   /// The duel with the forces on the sticks and the samples of the last step.
   const firmware::SteppedBout& bout() const { return bout_; }
   const Tally& tally() const { return tally_; }
-  const Source& source(Side side) const { return *sources_[index_of(side)]; }
+  const Source& source(fencing::Side side) const { return *sources_[index_of(side)]; }
   /// When the bout ends without a touch, s.
   double limit() const { return limit_; }
   /// Simulated time since the start, s.
   double now() const { return bout_.steps() * 1e-6 * kStep_us; }
 
  private:
-  const InputSample* read(Side side, InputSample& sample);
+  const InputSample* read(fencing::Side side, InputSample& sample);
   void add_up(std::chrono::nanoseconds spent);
   Ending judge() const;
 

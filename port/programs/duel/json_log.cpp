@@ -5,6 +5,7 @@
 #include <string>
 
 namespace batuta::host {
+using namespace fencing;
 namespace {
 
 const char* name_of(EventKind kind) {
@@ -38,7 +39,7 @@ void add_result(JsonLine& line, const DuelRunner& runner) {
   const auto& touches = runner.duel().bout().touches;
   if (touches.empty()) return;
   line.text("touch_by", batuta::host::name_of(touches[0].by))
-      .text("touch_part", batuta::name_of(touches[0].part))
+      .text("touch_part", fencing::name_of(touches[0].part))
       .number("touch_time", time_of(runner, touches[0]))
       .flag("touch_certain", touches[0].certain);
 }
@@ -95,7 +96,7 @@ void JsonLog::on_step(const DuelRunner& runner) {
     JsonLine(out_, "touch")
         .number("time", time_of(runner, touch))
         .text("by", batuta::host::name_of(touch.by))
-        .text("part", batuta::name_of(touch.part))
+        .text("part", fencing::name_of(touch.part))
         .number("place", static_cast<double>(touch.place))
         .vector("point", touch.contact.point_W)
         .flag("certain", touch.certain);

@@ -27,6 +27,7 @@
 #include "programs/duel/svg_picture.hpp"
 
 namespace batuta::host {
+using namespace fencing;
 namespace {
 
 using Observers = std::vector<std::unique_ptr<Observer>>;

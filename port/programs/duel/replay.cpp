@@ -10,6 +10,7 @@
 #include "programs/recording/file_stream.hpp"
 
 namespace batuta::host {
+using namespace fencing;
 namespace {
 
 using DuelType = Duel<float>;

@@ -3,6 +3,7 @@
 #include "programs/duel/run_record.hpp"
 
 namespace batuta::host {
+using namespace fencing;
 namespace {
 
 constexpr int kBuffer = Recorder::kRoom<DuelRunner::DuelType>;

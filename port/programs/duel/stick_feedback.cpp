@@ -7,6 +7,7 @@
 #include "shared/firmware/stage_settings.hpp"
 
 namespace batuta::host {
+using namespace fencing;
 namespace {
 
 Microseconds end_of_step(const DuelRunner& runner) {

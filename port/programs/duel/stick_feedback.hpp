@@ -26,9 +26,9 @@ class StickFeedback final : public Observer {
   void on_end(const DuelRunner& runner) override;
 
   /// Null: the fencer's device has none.
-  LiveForce* force(Side side) const { return forces_[index_of(side)]; }
+  LiveForce* force(fencing::Side side) const { return forces_[index_of(side)]; }
   /// @pre force(side) is not null
-  const OutputStage& stage(Side side) const { return *stages_[index_of(side)]; }
+  const OutputStage& stage(fencing::Side side) const { return *stages_[index_of(side)]; }
 
  private:
   std::array<LiveForce*, 2> forces_;
@@ -48,8 +48,8 @@ class ForceLog final : public Observer {
   void on_end(const DuelRunner& runner) override;
 
  private:
-  void print(Side side, LiveForce& force) const;
-  void write_json(Side side, LiveForce& force) const;
+  void print(fencing::Side side, LiveForce& force) const;
+  void write_json(fencing::Side side, LiveForce& force) const;
 
   std::FILE* out_;
   bool json_;

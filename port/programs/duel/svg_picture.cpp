@@ -10,6 +10,7 @@
 #include "programs/duel/bout_words.hpp"
 
 namespace batuta::host {
+using namespace fencing;
 namespace {
 
 constexpr double kWidth = 1060;
@@ -61,7 +62,7 @@ std::string title_of(const DuelRunner& runner) {
   if (result == "draw") return "No touch in " + seconds(runner.now());
   if (result == "open") return "Broken off after " + seconds(runner.now());
   const Touch<float>& touch = runner.duel().bout().touches[0];
-  const std::string where = batuta::name_of(touch.part);
+  const std::string where = fencing::name_of(touch.part);
   if (result == "double") return "Double touch after " + seconds(time_of(runner, touch));
   return "Touch by " + result + ": " + where + ", after " + seconds(time_of(runner, touch));
 }
@@ -188,7 +189,7 @@ void SvgPicture::draw_touches(SvgCanvas& canvas, const DuelRunner& runner, const
   for (const Touch<float>& touch : runner.duel().bout().touches) {
     const Pixel at = view.at(touch.contact.point_W);
     canvas.star(at, 15, kTouch);
-    canvas.text({at.x, at.y - 18}, batuta::name_of(touch.part), 14, "middle");
+    canvas.text({at.x, at.y - 18}, fencing::name_of(touch.part), 14, "middle");
   }
 }
 

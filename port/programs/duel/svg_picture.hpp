@@ -38,8 +38,9 @@ class SvgPicture final : public Observer {
   void add_beat(const Beat& beat);
   void draw_title(SvgCanvas& canvas, const DuelRunner& runner) const;
   void draw_view(SvgCanvas& canvas, const DuelRunner& runner, const View& view) const;
-  void draw_fencer(SvgCanvas& canvas, const DuelRunner& runner, const View& view, Side side) const;
-  void draw_trace(SvgCanvas& canvas, const View& view, Side side, double end) const;
+  void draw_fencer(SvgCanvas& canvas, const DuelRunner& runner, const View& view,
+                   fencing::Side side) const;
+  void draw_trace(SvgCanvas& canvas, const View& view, fencing::Side side, double end) const;
   void draw_beats(SvgCanvas& canvas, const View& view) const;
   void draw_touches(SvgCanvas& canvas, const DuelRunner& runner, const View& view) const;
   void draw_timeline(SvgCanvas& canvas, const DuelRunner& runner) const;

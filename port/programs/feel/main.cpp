@@ -13,6 +13,7 @@
 #include "shared/simulated/stick.hpp"
 
 namespace batuta {
+using namespace fencing;
 namespace {
 
 constexpr float kForceLimit = 10;    // N m for each unit of the stick

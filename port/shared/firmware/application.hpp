@@ -32,7 +32,7 @@ struct LastFault {
 
 struct ApplicationSettings {
   BoutSettings bout;
-  Side own_side = Side::kLeft;  ///< whose stick and force the board has
+  fencing::Side own_side = fencing::Side::kLeft;  ///< whose stick and force the board has
   /// Alone: ticks from the end of a bout to the next one, > 0.
   std::int32_t pause = 2000;
 };
@@ -101,7 +101,7 @@ class Application {
     std::array<bool, 2> has{};
     std::array<InputSample, 2> samples{};
 
-    const InputSample* sample(Side side) const {
+    const InputSample* sample(fencing::Side side) const {
       return has[index_of(side)] ? &samples[index_of(side)] : nullptr;
     }
   };
@@ -124,7 +124,7 @@ class Application {
   void refuse(link::Refusal why, link::MessageType what, std::uint32_t step);
   Status restart();
   void read_stick();
-  void keep(Side side, const InputSample& sample);
+  void keep(fencing::Side side, const InputSample& sample);
   bool step_is_due() const;
   bool make_step();
   void wait_after_bout();

@@ -3,6 +3,7 @@
 #include "shared/firmware/step_messages.hpp"
 
 namespace batuta::firmware {
+using namespace fencing;
 namespace {
 
 using Scene = DuelType::SceneType;

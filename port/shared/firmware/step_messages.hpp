@@ -8,19 +8,19 @@
 
 namespace batuta::firmware {
 
-constexpr link::LinkSide link_side(Side side) {
-  return side == Side::kLeft ? link::LinkSide::kLeft : link::LinkSide::kRight;
+constexpr link::LinkSide link_side(fencing::Side side) {
+  return side == fencing::Side::kLeft ? link::LinkSide::kLeft : link::LinkSide::kRight;
 }
 
 /// Of the last step made. @pre started
-link::Pose pose_message(const DuelType& duel, Side side);
+link::Pose pose_message(const DuelType& duel, fencing::Side side);
 /// @pre 0 <= index < duel.world().events().size()
 link::Event event_message(const DuelType& duel, int index);
 /// @pre 0 <= index < duel.bout().touches.size()
 link::Touch touch_message(const DuelType& duel, int index);
-link::Force force_message(const SteppedBout& bout, Side side);
+link::Force force_message(const SteppedBout& bout, fencing::Side side);
 /// @pre bout.used(side) is not null
-link::StickUsed used_message(const SteppedBout& bout, Side side);
+link::StickUsed used_message(const SteppedBout& bout, fencing::Side side);
 /// What the bout itself says of its last step; what the device adds stays at its default.
 link::StepReport report_message(const SteppedBout& bout);
 

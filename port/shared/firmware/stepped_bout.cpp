@@ -3,6 +3,7 @@
 #include "shared/firmware/stepped_bout.hpp"
 
 namespace batuta::firmware {
+using namespace fencing;
 
 Status SteppedBout::start(const BoutSettings& settings) {
   DuelSettings<float> duel = duel_settings<float>();

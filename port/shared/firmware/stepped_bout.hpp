@@ -30,15 +30,15 @@ class SteppedBout {
   std::uint32_t steps() const { return duel_.steps(); }
   bool is_over() const { return duel_.bout().is_over(); }
   /// The sample that the last step was made with, or null.
-  const InputSample* used(Side side) const {
+  const InputSample* used(fencing::Side side) const {
     return fresh_[index_of(side)] ? &samples_[index_of(side)] : nullptr;
   }
   /// The last step had a sample that the stick took for a sign of life: SampleUse::kUsed or
   /// kRestart. One with an old time stamp is none, however often it comes.
-  bool is_alive(Side side) const { return alive_[index_of(side)]; }
+  bool is_alive(fencing::Side side) const { return alive_[index_of(side)]; }
 
  private:
-  void take(Side side, const InputSample* sample);
+  void take(fencing::Side side, const InputSample* sample);
 
   DuelType duel_;
   StickForces forces_;

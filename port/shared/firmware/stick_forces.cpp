@@ -5,6 +5,7 @@
 #include "batuta/haptics/force_share.hpp"
 
 namespace batuta::firmware {
+using namespace fencing;
 namespace {
 
 HandForceSettings<float> feel_of(const ForceSettings& settings) {

@@ -12,7 +12,7 @@
 
 namespace batuta::firmware {
 
-using DuelType = Duel<float>;
+using DuelType = fencing::Duel<float>;
 
 /// A demand that takes less of the range than this is none: a motor driver of 12 bits would not
 /// show it, and the rounding of poses in hand and blade comes to a tenth of it.
@@ -70,7 +70,7 @@ class StickForces {
   /// Bound: the contact events of the step, twice.
   void advance(const DuelType& duel, const std::array<bool, 2>& fresh);
 
-  const StickForce& of(Side side) const { return forces_[index_of(side)]; }
+  const StickForce& of(fencing::Side side) const { return forces_[index_of(side)]; }
   /// Silences that began on either side since the start.
   std::uint32_t silences() const { return ramps_[0].silences() + ramps_[1].silences(); }
   /// Steps since the start with a side that was silent.

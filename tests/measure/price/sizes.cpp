@@ -11,6 +11,7 @@
 namespace {
 
 using namespace batuta;
+using namespace batuta::fencing;
 struct TwoCapsules : Scene {};
 
 }  // namespace

@@ -9,6 +9,7 @@
 namespace {
 
 using namespace batuta;
+using namespace batuta::fencing;
 
 struct TwoBlades : Scene {};
 struct Rack : Scene {

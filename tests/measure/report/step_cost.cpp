@@ -7,6 +7,7 @@
 #include "batuta/fencing/duel.hpp"
 
 namespace batuta {
+using namespace fencing;
 namespace {
 
 template <class S>

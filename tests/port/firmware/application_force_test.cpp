@@ -9,6 +9,7 @@
 #include "heap_trap.hpp"
 
 namespace batuta::test {
+using namespace fencing;
 namespace {
 
 using link::Mode;

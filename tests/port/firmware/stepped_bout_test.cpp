@@ -8,6 +8,7 @@
 #include "shared/firmware/step_messages.hpp"
 
 namespace batuta::firmware {
+using namespace fencing;
 namespace {
 
 /// A stick that sweeps to and fro: blades meet.

@@ -8,6 +8,7 @@
 #include <memory>
 
 namespace batuta::firmware {
+using namespace fencing;
 namespace {
 
 /// A duel in which the left blade sweeps to its left into the right one: the right fencer waits.

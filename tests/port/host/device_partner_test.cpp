@@ -8,6 +8,7 @@
 #include "device_rig.hpp"
 
 namespace batuta::host {
+using namespace fencing;
 namespace {
 
 using test::Damage;

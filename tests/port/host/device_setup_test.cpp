@@ -9,6 +9,7 @@
 #include <cstdlib>
 
 namespace batuta::host {
+using namespace fencing;
 namespace {
 
 TEST(DeviceSetup, TheRateOfTheWords_ReachesTheLine) {

@@ -9,6 +9,7 @@
 #include "programs/duel/bout_words.hpp"
 
 namespace batuta::host {
+using namespace fencing;
 namespace {
 
 /// A recording of a stick that stays at its centre, for so long; the last sample may be nonsense.

@@ -10,6 +10,7 @@
 #include <string>
 
 namespace batuta::host {
+using namespace fencing;
 namespace {
 
 DeviceEvent event_of(std::string_view line) {

@@ -18,6 +18,7 @@
 #include <utility>
 
 namespace batuta::test {
+using namespace fencing;
 namespace {
 
 struct Registry {

@@ -16,6 +16,7 @@
 #include "soon.hpp"
 
 namespace batuta::host {
+using namespace fencing;
 namespace {
 
 using test::kPath;

@@ -9,6 +9,7 @@
 #include "shared/firmware/step_messages.hpp"
 
 namespace batuta::host {
+using namespace fencing;
 namespace {
 
 using firmware::SteppedBout;

@@ -12,6 +12,7 @@
 #include "heap_trap.hpp"
 
 namespace batuta::host {
+using namespace fencing;
 namespace {
 
 using testing::HasSubstr;

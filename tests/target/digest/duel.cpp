@@ -7,6 +7,7 @@
 #include "sections.hpp"
 
 namespace batuta::digest {
+using namespace fencing;
 namespace {
 
 using DuelType = Duel<float>;

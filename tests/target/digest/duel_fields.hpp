@@ -19,7 +19,7 @@ inline void add(Answer& answer, const StickReport& report) {
   answer.add("stick_stale_steps", report.stale_steps);
 }
 
-inline void add(Answer& answer, const Touch<float>& touch) {
+inline void add(Answer& answer, const fencing::Touch<float>& touch) {
   answer.add("touch_by", touch.by);
   answer.add("touch_part", touch.part);
   answer.add("touch_step", touch.when.step);
@@ -29,7 +29,7 @@ inline void add(Answer& answer, const Touch<float>& touch) {
   answer.add("touch_certain", touch.certain);
 }
 
-inline void add(Answer& answer, const DuelReport& report) {
+inline void add(Answer& answer, const fencing::DuelReport& report) {
   answer.add("blows", report.blows);
   answer.add("rests", report.rests);
   answer.add("evaluations", static_cast<std::uint32_t>(report.evaluations));
@@ -40,7 +40,7 @@ inline void add(Answer& answer, const DuelReport& report) {
 }
 
 /// One fencer: stick, hand, blade, body.
-inline void add(Answer& answer, const Duel<float>& duel, Side side) {
+inline void add(Answer& answer, const fencing::Duel<float>& duel, fencing::Side side) {
   answer.add("stick", duel.stick(side).position());
   answer.add("stick_velocity", duel.stick(side).velocity());
   answer.add("stick_stale", duel.stick(side).is_stale());
@@ -60,10 +60,10 @@ inline void add(Answer& answer, const Duel<float>& duel, Side side) {
   for (const Capsule<float>& part : duel.body_W(side)) add(answer, part);  // Bound: kBodyParts
 }
 
-inline void add(Answer& answer, const Duel<float>& duel) {
+inline void add(Answer& answer, const fencing::Duel<float>& duel) {
   answer.add("step", duel.steps());
-  add(answer, duel, Side::kLeft);
-  add(answer, duel, Side::kRight);
+  add(answer, duel, fencing::Side::kLeft);
+  add(answer, duel, fencing::Side::kRight);
   add(answer, duel.world().report());
   for (const auto& event : duel.world().events()) add(answer, event);  // Bound: kMaxEvents
   answer.add("bout", duel.bout().state);

@@ -11,6 +11,7 @@
 namespace {
 
 using namespace batuta;
+using namespace batuta::fencing;
 using DuelType = Duel<float>;
 
 class DebuggerFile final : public ByteSource {

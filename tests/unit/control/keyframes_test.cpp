@@ -10,6 +10,7 @@
 #include "batuta/fencing/fencer.hpp"
 
 namespace batuta {
+using namespace fencing;
 namespace {
 
 template <class S>

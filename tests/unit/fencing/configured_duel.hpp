@@ -18,10 +18,11 @@ class ConfiguredDuel : public ::testing::Test {
   typename DuelT::Settings settings = fresh_settings();
 
   static typename DuelT::Settings fresh_settings() {
-    return duel_settings<ScalarT, typename DuelT::SceneType::Search>();
+    return fencing::duel_settings<ScalarT, typename DuelT::SceneType::Search>();
   }
   Status configure() {
-    return duel->configure(settings, first_fencer<ScalarT>(), second_fencer<ScalarT>());
+    return duel->configure(settings, fencing::first_fencer<ScalarT>(),
+                           fencing::second_fencer<ScalarT>());
   }
   void SetUp() override { ASSERT_EQ(configure(), Status::kOk); }
 
@@ -34,9 +35,11 @@ class ConfiguredDuel : public ::testing::Test {
   }
 };
 
-using PaperDuels = ::testing::Types<Duel<float, Stepping<float>>, Duel<double, Stepping<double>>>;
-using CertifiedDuels = ::testing::Types<Duel<float>, Duel<double>>;
-using Duels = ::testing::Types<Duel<float>, Duel<double>, Duel<float, Stepping<float>>,
-                               Duel<double, Stepping<double>>>;
+using PaperDuels = ::testing::Types<fencing::Duel<float, Stepping<float>>,
+                                    fencing::Duel<double, Stepping<double>>>;
+using CertifiedDuels = ::testing::Types<fencing::Duel<float>, fencing::Duel<double>>;
+using Duels = ::testing::Types<fencing::Duel<float>, fencing::Duel<double>,
+                               fencing::Duel<float, Stepping<float>>,
+                               fencing::Duel<double, Stepping<double>>>;
 
 }  // namespace batuta::test

@@ -7,6 +7,7 @@
 #include "configured_duel.hpp"
 
 namespace batuta {
+using namespace fencing;
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;

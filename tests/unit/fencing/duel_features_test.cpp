@@ -10,6 +10,7 @@
 #include "batuta/record/snapshot.hpp"
 
 namespace batuta {
+using namespace fencing;
 
 template <class S, class SearchT>
 struct DrillOf : DuelScene<S, SearchT> {

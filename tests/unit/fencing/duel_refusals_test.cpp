@@ -3,6 +3,7 @@
 #include "configured_duel.hpp"
 
 namespace batuta {
+using namespace fencing;
 namespace {
 
 template <class DuelT>

@@ -5,6 +5,7 @@
 #include <vector>
 
 namespace batuta {
+using namespace fencing;
 namespace {
 
 /// Where a stick is, by the number of the step.

@@ -5,6 +5,7 @@
 #include "batuta/fencing/fencer.hpp"
 
 namespace batuta {
+using namespace fencing;
 namespace {
 
 constexpr double kRounding = 1e-6;  // the figures are single precision numbers of metres

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace batuta {
+using namespace fencing;
 namespace {
 
 /// Both fencers of the library, each on either side, and what the numbers of fencer.cpp are chosen

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace batuta {
+using namespace fencing;
 namespace {
 
 constexpr double kStep = 1e-3;

@@ -7,6 +7,7 @@
 #include "batuta/world/world.hpp"
 
 namespace batuta {
+using namespace fencing;
 namespace {
 
 template <class S>

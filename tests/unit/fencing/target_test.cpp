@@ -8,6 +8,7 @@
 #include "batuta/fencing/fencer.hpp"
 
 namespace batuta {
+using namespace fencing;
 namespace {
 
 using V = Vec3<double>;

@@ -6,6 +6,7 @@
 #include "batuta/fencing/fencer.hpp"
 
 namespace batuta {
+using namespace fencing;
 namespace {
 
 /// Mass, centre and transverse moment of the epee by sums over thin slices in long double, for the

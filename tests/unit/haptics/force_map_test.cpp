@@ -8,6 +8,7 @@
 #include "batuta/fencing/fencer.hpp"
 
 namespace batuta {
+using namespace fencing;
 namespace {
 
 const Wrench<double> kWrench{{3, -7, 2}, {0.4, 0.9, -0.6}};

@@ -6,7 +6,7 @@
 
 #include "batuta/fencing/duel_scene.hpp"
 
-namespace batuta {
+namespace batuta::fencing {
 
 /// Both fencers as targets, and the bout. Defined in fencing/detail/referee_definitions.hpp.
 /// Allocates: never. RAM in float: 2 (1 kB + FencerBuild).
@@ -90,4 +90,4 @@ struct NoReferee {
 template <class SceneT>
 using RefereeOf = std::conditional_t<SceneT::kTargets, Referee<SceneT>, NoReferee>;
 
-}  // namespace batuta
+}  // namespace batuta::fencing

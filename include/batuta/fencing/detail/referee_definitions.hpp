@@ -4,7 +4,7 @@
 
 #include "batuta/fencing/detail/referee.hpp"
 
-namespace batuta {
+namespace batuta::fencing {
 
 namespace detail {
 
@@ -137,4 +137,4 @@ bool Referee<SceneT>::is_sound(Scalar dt) const {
   return good;
 }
 
-}  // namespace batuta
+}  // namespace batuta::fencing

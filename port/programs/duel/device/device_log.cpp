@@ -5,6 +5,7 @@
 #include "programs/duel/json_line.hpp"
 
 namespace batuta::host {
+using namespace fencing;
 namespace {
 
 /// By link::Rejection.

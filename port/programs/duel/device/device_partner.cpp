@@ -6,6 +6,7 @@
 #include "shared/firmware/step_messages.hpp"
 
 namespace batuta::host {
+using namespace fencing;
 
 bool DevicePartner::open() {
   session_ = Session::kGoingOn;

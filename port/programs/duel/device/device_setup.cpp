@@ -5,6 +5,7 @@
 #include <utility>
 
 namespace batuta::host {
+using namespace fencing;
 
 std::string DeviceSetup::open(const OpenedSource& left, const OpenedSource& right) {
   sources_ = {left.source.get(), right.source.get()};

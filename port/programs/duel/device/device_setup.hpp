@@ -17,12 +17,12 @@ class DeviceSetup {
   std::string open(const OpenedSource& left, const OpenedSource& right);
 
   /// What the runner is to read.
-  Source& source(Side side) { return *sources_[index_of(side)]; }
+  Source& source(fencing::Side side) { return *sources_[index_of(side)]; }
   /// Null: no device.
   DevicePartner* partner() { return partner_.get(); }
 
  private:
-  void follow_device(Side device_side);
+  void follow_device(fencing::Side device_side);
 
   HostClock clock_;
   std::unique_ptr<SerialPort> port_;

@@ -8,6 +8,7 @@
 #include "shared/firmware/step_messages.hpp"
 
 namespace batuta::host {
+using namespace fencing;
 namespace {
 
 std::uint32_t bits_of(float value) {

@@ -4,6 +4,7 @@
 #include "ticks.hpp"
 
 namespace batuta::price {
+using namespace fencing;
 namespace {
 
 Duel<float> duel;

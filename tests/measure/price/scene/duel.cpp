@@ -5,7 +5,7 @@
 
 namespace {
 
-batuta::Duel<float> duel;
+batuta::fencing::Duel<float> duel;
 batuta::InputSample samples[2];
 float volatile impulse;
 

@@ -11,6 +11,7 @@
 #include "parts.hpp"
 
 namespace batuta::report {
+using namespace fencing;
 namespace {
 
 constexpr std::uint64_t kSeed = 514;

@@ -11,6 +11,7 @@
 #include "parts.hpp"
 
 namespace batuta::report {
+using namespace fencing;
 namespace {
 
 struct Case {

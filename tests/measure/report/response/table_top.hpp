@@ -35,11 +35,12 @@ inline bool lies(Play play) {
 
 /// A hand that can be open: then its body flies by its momenta.
 template <class S>
-struct OpenHand : Grip<S> {
+struct OpenHand : fencing::Grip<S> {
   bool open = true;
 
   PlannedMotion<S> plan(const Body<S>& body, S t, S duration) const {
-    return open ? FreeFlight<S>{}.plan(body, t, duration) : Grip<S>::plan(body, t, duration);
+    return open ? FreeFlight<S>{}.plan(body, t, duration)
+                : fencing::Grip<S>::plan(body, t, duration);
   }
 };
 

@@ -13,6 +13,7 @@
 #include "section.hpp"
 
 namespace batuta::worlds {
+using namespace fencing;
 namespace {
 
 constexpr int kLooks = 20;  ///< a second

@@ -18,6 +18,7 @@
 #include "programs/query_file.hpp"
 
 namespace batuta::digest {
+using namespace fencing;
 namespace {
 
 constexpr std::uint32_t kStep_us = 1000;
