@@ -4,7 +4,7 @@
 
 #include "batuta/geometry/direction.hpp"
 
-namespace batuta {
+namespace batuta::haptics {
 namespace {
 
 /// Enough for axes that differ by twelve powers of ten: src/haptics/coupling.md.
@@ -138,4 +138,4 @@ Result<Wrench<Scalar>> couple(const CouplingSettings<Scalar>& settings,
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
-}  // namespace batuta
+}  // namespace batuta::haptics

@@ -4,7 +4,7 @@
 
 #include "batuta/core/types.hpp"
 
-namespace batuta {
+namespace batuta::haptics {
 
 Status validate(const EndStopSettings& settings) {
   const bool good = is_positive(settings.start) && is_finite(settings.stiffness) &&
@@ -28,4 +28,4 @@ float with_end_stop(float share, float push, float position) {
   return side * max_of(left - push, -1.0F);
 }
 
-}  // namespace batuta
+}  // namespace batuta::haptics

@@ -2,7 +2,7 @@
 
 #include "batuta/haptics/force_map.hpp"
 
-namespace batuta {
+namespace batuta::haptics {
 
 template <class Scalar>
 Wrench<Scalar> moved(const Wrench<Scalar>& about_from, const Vec3<Scalar>& p_from_W,
@@ -27,4 +27,4 @@ Vec2<Scalar> stick_force(const StickJacobian<Scalar>& jacobian, const Wrench<Sca
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
-}  // namespace batuta
+}  // namespace batuta::haptics

@@ -2,7 +2,7 @@
 
 #include "batuta/haptics/force_ramp.hpp"
 
-namespace batuta {
+namespace batuta::haptics {
 namespace {
 
 constexpr std::int32_t kLongest = 1000000;  // steps; exact in float
@@ -38,4 +38,4 @@ float ForceRamp::share() const {
   return static_cast<float>(level_) / static_cast<float>(settings_.length);
 }
 
-}  // namespace batuta
+}  // namespace batuta::haptics

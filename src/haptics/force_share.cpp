@@ -2,7 +2,7 @@
 
 #include "batuta/haptics/force_share.hpp"
 
-namespace batuta {
+namespace batuta::haptics {
 
 ForceShare clipped(const Vec2<float>& share) {
   const float largest = max_of(std::abs(share.x()), std::abs(share.y()));
@@ -10,4 +10,4 @@ ForceShare clipped(const Vec2<float>& share) {
   return {share / largest, largest - 1.0F};
 }
 
-}  // namespace batuta
+}  // namespace batuta::haptics

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "batuta/haptics/gain_advisor.hpp"
 
-namespace batuta {
+namespace batuta::haptics {
 namespace {
 
 /// What rounding here and in the caller's sums may add to a bound: src/haptics/gain_advisor.md.
@@ -105,4 +105,4 @@ Result<Scalar> unsaturated_stiffness(const DeviceProfile<Scalar>& profile) {
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
-}  // namespace batuta
+}  // namespace batuta::haptics

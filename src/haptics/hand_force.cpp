@@ -4,7 +4,7 @@
 
 #include "batuta/mechanics/motion.hpp"
 
-namespace batuta {
+namespace batuta::haptics {
 namespace {
 
 template <class Scalar>
@@ -77,4 +77,4 @@ Vec2<Scalar> HandForce<Scalar>::advance(const HandState<Scalar>& state, Scalar d
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
-}  // namespace batuta
+}  // namespace batuta::haptics

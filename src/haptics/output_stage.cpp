@@ -2,7 +2,7 @@
 
 #include "batuta/haptics/output_stage.hpp"
 
-namespace batuta {
+namespace batuta::haptics {
 namespace {
 
 /// The fade is a ramp whose life is being enabled: it goes the same way back.
@@ -155,4 +155,4 @@ void OutputStage::drop_force() {
   for (Axis& axis : axes_) axis.slew.drop();  // Bound: 2
 }
 
-}  // namespace batuta
+}  // namespace batuta::haptics

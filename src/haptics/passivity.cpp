@@ -3,7 +3,7 @@
 
 #include "batuta/geometry/direction.hpp"
 
-namespace batuta {
+namespace batuta::haptics {
 namespace {
 
 template <class Scalar>
@@ -122,4 +122,4 @@ Result<Vec2<Scalar>> passive_force(const PassivityObserver<Scalar>& observer,
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
-}  // namespace batuta
+}  // namespace batuta::haptics

@@ -4,7 +4,7 @@
 
 #include "batuta/core/types.hpp"
 
-namespace batuta {
+namespace batuta::haptics {
 
 Status SlewLimiter::configure(float most) {
   if (!is_positive(most)) return Status::kInvalidArgument;
@@ -20,4 +20,4 @@ float SlewLimiter::towards(float share) {
   return last_;
 }
 
-}  // namespace batuta
+}  // namespace batuta::haptics

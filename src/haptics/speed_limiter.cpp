@@ -4,7 +4,7 @@
 
 #include "batuta/core/types.hpp"
 
-namespace batuta {
+namespace batuta::haptics {
 
 Status validate(const SpeedLimitSettings& settings) {
   const bool good = is_positive(settings.limit) && is_finite(settings.proportional) &&
@@ -33,4 +33,4 @@ float SpeedLimiter::limited(float share, float velocity) {
   return share > 0.0F ? left : -left;
 }
 
-}  // namespace batuta
+}  // namespace batuta::haptics

@@ -2,7 +2,7 @@
 
 #include "batuta/haptics/transient.hpp"
 
-namespace batuta {
+namespace batuta::haptics {
 namespace {
 
 /// The largest s in [0, 1] with |blow + s rest| <= limit.
@@ -79,4 +79,4 @@ Vec2<Scalar> mixed(const Vec2<Scalar>& blow, const Vec2<Scalar>& rest, Scalar li
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
-}  // namespace batuta
+}  // namespace batuta::haptics

@@ -9,6 +9,7 @@
 #include "hostile.hpp"
 
 namespace batuta {
+using namespace haptics;
 namespace {
 
 constexpr int kDraws = 20000;

@@ -9,6 +9,7 @@
 #include "hostile.hpp"
 
 namespace batuta {
+using namespace haptics;
 using namespace fencing;
 namespace {
 

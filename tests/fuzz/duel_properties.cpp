@@ -15,6 +15,7 @@
 #include "bytes.hpp"
 
 namespace batuta::fuzz {
+using namespace haptics;
 using namespace fencing;
 namespace {
 

@@ -9,6 +9,7 @@
 #include "shared/simulated/axis.hpp"
 
 namespace batuta {
+using namespace haptics;
 namespace {
 
 struct Bench : test::RestScene<double> {

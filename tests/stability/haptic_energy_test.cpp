@@ -9,6 +9,7 @@
 #include "sampled_loop.hpp"
 
 namespace batuta {
+using namespace haptics;
 namespace {
 
 constexpr double kPeriods[] = {0.25e-3, 0.5e-3, 1e-3, 2e-3, 5e-3};

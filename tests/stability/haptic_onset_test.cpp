@@ -6,6 +6,7 @@
 #include "worst_hand.hpp"
 
 namespace batuta {
+using namespace haptics;
 namespace {
 
 constexpr double kWithin = 0.05;    // of the bound: what the issue asks for

@@ -8,6 +8,7 @@
 #include "worst_hand.hpp"
 
 namespace batuta {
+using namespace haptics;
 namespace {
 
 using test::Way;

@@ -64,7 +64,8 @@ inline Held held_period(const Mass& plant, double T) {
 }
 
 /// (q, q', q before, ...) around a mass.
-inline LoopMatrix loop_around(const Mass& plant, const Gains<double>& gains, double T, int delay) {
+inline LoopMatrix loop_around(const Mass& plant, const haptics::Gains<double>& gains, double T,
+                              int delay) {
   const Held held = held_period(plant, T);
   const int last = delay + 2;  // of the positions before: states 2 ...
   const auto place = [](int age) { return age == 0 ? 0 : age + 1; };
@@ -84,7 +85,7 @@ inline LoopMatrix loop_around(const Mass& plant, const Gains<double>& gains, dou
 /// waves).
 /// @param impedance  of the line, J s/u^2
 inline LoopMatrix loop_around_line(double impedance, double device_damping,
-                                   const Gains<double>& gains, double T, int delay) {
+                                   const haptics::Gains<double>& gains, double T, int delay) {
   using Row = Eigen::Matrix<double, 1, kMostStates>;
   const int crossing = delay + 1;
   const double rate = gains.damping / T;

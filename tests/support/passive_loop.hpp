@@ -25,7 +25,7 @@ class PassiveLoop {
   PassiveLoop(const LoopSettings& settings, const Way& way) : loop_(settings), way_(way) {
     loop_.place(0, 1);
     first_ = loop_.axis().energy();
-    PassivitySettings<S> passive;
+    haptics::PassivitySettings<S> passive;
     passive.period = static_cast<S>(settings.axis.period);
     passive.device_damping = static_cast<S>(settings.axis.damping);
     passive.most_credit = static_cast<S>(way.is_told ? kRounding * first_ : first_);
@@ -46,7 +46,7 @@ class PassiveLoop {
                                             {static_cast<S>(bent), S(0)}, static_cast<S>(stored));
     BATUTA_ASSERT(status == Status::kOk);
     const Vec2<S> demanded(static_cast<S>(loop_.demanded()), S(0));
-    const Vec2<S> sent = way_.is_on ? passive_force(observer_, demanded).value : demanded;
+    const Vec2<S> sent = way_.is_on ? haptics::passive_force(observer_, demanded).value : demanded;
     std::rotate(sent_.rbegin(), sent_.rbegin() + 1, sent_.rend());
     sent_[0] = static_cast<double>(sent.x());
   }
@@ -56,12 +56,12 @@ class PassiveLoop {
 
   /// Of stick and hand, over the first: the plant's own book, which knows nothing of the observer.
   double energy() const { return loop_.axis().energy() / first_; }
-  const PassivityObserver<S>& observer() const { return observer_; }
+  const haptics::PassivityObserver<S>& observer() const { return observer_; }
 
  private:
   SampledLoop loop_;
   Way way_;
-  PassivityObserver<S> observer_;
+  haptics::PassivityObserver<S> observer_;
   std::array<double, SampledLoop::kMostLag> sent_{};  ///< [0]: the latest
   double first_ = 1;
 };

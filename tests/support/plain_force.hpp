@@ -9,8 +9,8 @@ namespace batuta::test {
 
 /// Settings with which step() tells the demand itself: from the first step on, whatever the stick
 /// does, as soon as both kinds of freshness are there.
-inline StageSettings plain_stage_settings() {
-  StageSettings settings;
+inline haptics::StageSettings plain_stage_settings() {
+  haptics::StageSettings settings;
   settings.dt = 1;
   settings.gain = {1.0F, 1.0F};
   settings.end_stop.stiffness = 0;
@@ -32,7 +32,7 @@ class PlainForce {
 
   /// @returns as OutputStage::step()
   Status write(const ForceCommand& command) {
-    StageInput input;
+    haptics::StageInput input;
     input.time = command.time;
     input.demanded = {command.x, command.y};
     input.fresh_sample = true;
@@ -41,7 +41,7 @@ class PlainForce {
   }
 
  private:
-  OutputStage stage_;
+  haptics::OutputStage stage_;
 };
 
 }  // namespace batuta::test

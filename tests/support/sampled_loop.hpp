@@ -19,7 +19,7 @@ using port_simulated::SimulatedAxis;
 /// What is closed around the axis.
 struct LoopSettings {
   AxisSettings axis;
-  Gains<double> gains;
+  haptics::Gains<double> gains;
   int delay = 0;            ///< whole periods, < kMostLag
   double encoder_step = 0;  ///< u
   double centre = 0;        ///< where the spring is at rest, u
@@ -65,7 +65,7 @@ class SampledLoop {
   /// What the proof of src/haptics/gain_advisor.md shows to fall: energy of stick and hand, of the
   /// spring, and what the samples on their way can still hand out, J.
   double stored() const {
-    const Gains<double>& gains = settings_.gains;
+    const haptics::Gains<double>& gains = settings_.gains;
     double sum = 0;
     for (int j = 0; j < settings_.delay; ++j) {  // Bound: kMostLag
       sum += gains.stiffness * (settings_.delay - j) * way_squared(j);

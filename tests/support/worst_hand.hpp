@@ -9,8 +9,8 @@
 namespace batuta::test {
 
 /// A device whose encoder and force do not matter.
-inline DeviceProfile<double> plain_device(double period, double damping, int delay = 0) {
-  DeviceProfile<double> profile;
+inline haptics::DeviceProfile<double> plain_device(double period, double damping, int delay = 0) {
+  haptics::DeviceProfile<double> profile;
   profile.period = period;
   profile.delay = delay;
   profile.damping = damping;
@@ -20,15 +20,16 @@ inline DeviceProfile<double> plain_device(double period, double damping, int del
 }
 
 /// The advisor's. @pre the profile is valid
-inline double stiffness_bound(const DeviceProfile<double>& profile, double damping) {
-  const auto limit = largest_stiffness(profile, damping);
+inline double stiffness_bound(const haptics::DeviceProfile<double>& profile, double damping) {
+  const auto limit = haptics::largest_stiffness(profile, damping);
   BATUTA_ASSERT(limit.status == Status::kOk);
   return limit.value.largest;
 }
 
 /// Where a mass without a hand shakes, in simulated time: a push, and whether what is stored grows.
 /// @param slow  periods in which growth 1 % above the onset is seen, in units of mass / (b T)
-inline double mass_onset_in_time(const DeviceProfile<double>& profile, double mass, double slow) {
+inline double mass_onset_in_time(const haptics::DeviceProfile<double>& profile, double mass,
+                                 double slow) {
   LoopSettings loop;
   loop.axis.period = profile.period;
   loop.axis.mass = mass;
@@ -43,7 +44,7 @@ inline double mass_onset_in_time(const DeviceProfile<double>& profile, double ma
 }
 
 /// The same by the spectral radius of the exact discrete system.
-inline double mass_onset_by_radius(const DeviceProfile<double>& profile, double mass) {
+inline double mass_onset_by_radius(const haptics::DeviceProfile<double>& profile, double mass) {
   const double bound = stiffness_bound(profile, 0);
   return onset(0.8, 1.2, [&](double share) {
     const auto A =
@@ -57,7 +58,7 @@ inline constexpr double kWellBelow = 0.9;  ///< times the bound
 
 /// The lowest onset of masses from 10 g to 10 kg, free or on springs with which they swing by up to
 /// half a turn in a period; 0 if one shakes well below the bound.
-inline double lowest_mass_onset(const DeviceProfile<double>& profile, double damping) {
+inline double lowest_mass_onset(const haptics::DeviceProfile<double>& profile, double damping) {
   constexpr double kPi = 3.14159265358979323846;
   constexpr int kTurns = 20;
   const double bound = stiffness_bound(profile, damping);
@@ -68,7 +69,7 @@ inline double lowest_mass_onset(const DeviceProfile<double>& profile, double dam
       if (i > 0 && profile.damping >= mass * turn) continue;  // beyond critical damping
       const Mass hand{mass, profile.damping, mass * turn * turn};
       const auto shakes = [&](double share) {
-        const Gains<double> gains{share * bound, damping};
+        const haptics::Gains<double> gains{share * bound, damping};
         return spectral_radius(loop_around(hand, gains, profile.period, profile.delay)) > 1;
       };
       if (!shakes(lowest)) continue;
@@ -81,7 +82,8 @@ inline double lowest_mass_onset(const DeviceProfile<double>& profile, double dam
 /// The share of some gains at which a hand like an elastic line shakes.
 /// @param gains_at  the gains of a share
 template <class GainsAt>
-double line_onset(const DeviceProfile<double>& profile, double impedance, const GainsAt& gains_at) {
+double line_onset(const haptics::DeviceProfile<double>& profile, double impedance,
+                  const GainsAt& gains_at) {
   return onset(kWellBelow / 2, kNoOnset, [&](double share) {
     const auto A = loop_around_line(impedance, profile.damping, gains_at(share), profile.period,
                                     profile.delay);

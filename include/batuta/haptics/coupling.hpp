@@ -9,7 +9,7 @@
 
 #include "batuta/haptics/force_map.hpp"
 
-namespace batuta {
+namespace batuta::haptics {
 
 template <class Scalar>
 struct CouplingSettings {
@@ -66,4 +66,4 @@ Result<Wrench<Scalar>> couple(const CouplingSettings<Scalar>& settings,
                               const MovingFrame<Scalar>& commanded_W, Body<Scalar>& body,
                               Scalar dt);
 
-}  // namespace batuta
+}  // namespace batuta::haptics

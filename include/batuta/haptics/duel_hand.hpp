@@ -6,7 +6,7 @@
 #include "batuta/fencing/duel.hpp"
 #include "batuta/haptics/hand_force.hpp"
 
-namespace batuta {
+namespace batuta::haptics {
 
 /// The impulse that `side`'s blade took in a step, and its moment about the point `p_W`: the sum
 /// over the contact events. The normal of a contact points out of body B (the right blade) towards
@@ -35,4 +35,4 @@ auto hand_state(const DuelT& duel, fencing::Side side) {
   return state;
 }
 
-}  // namespace batuta
+}  // namespace batuta::haptics

@@ -5,7 +5,7 @@
 
 #include "batuta/core/status.hpp"
 
-namespace batuta {
+namespace batuta::haptics {
 
 /// Shares are of the actuator's range, the unit is the stick's: its square is [-1, 1]^2.
 struct EndStopSettings {
@@ -29,4 +29,4 @@ float end_stop_push(const EndStopSettings& settings, float position, float veloc
 /// @returns -1 ... 1, never further outward than `share`
 float with_end_stop(float share, float push, float position);
 
-}  // namespace batuta
+}  // namespace batuta::haptics

@@ -7,7 +7,7 @@
 
 #include "batuta/control/keyframes.hpp"
 
-namespace batuta {
+namespace batuta::haptics {
 
 /// A force and its moment about a point that the function names, axes of W.
 template <class Scalar>
@@ -29,4 +29,4 @@ Wrench<Scalar> moved(const Wrench<Scalar>& about_from, const Vec3<Scalar>& p_fro
 template <class Scalar>
 Vec2<Scalar> stick_force(const StickJacobian<Scalar>& jacobian, const Wrench<Scalar>& wrench);
 
-}  // namespace batuta
+}  // namespace batuta::haptics

@@ -7,7 +7,7 @@
 
 #include "batuta/core/status.hpp"
 
-namespace batuta {
+namespace batuta::haptics {
 
 struct RampSettings {
   std::int32_t silent_after = 100;  ///< steps without life that are still no silence, >= 0
@@ -46,4 +46,4 @@ class ForceRamp {
   bool silent_ = true;
 };
 
-}  // namespace batuta
+}  // namespace batuta::haptics

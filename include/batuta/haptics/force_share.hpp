@@ -5,7 +5,7 @@
 
 #include "batuta/core/types.hpp"
 
-namespace batuta {
+namespace batuta::haptics {
 
 /// Within the range, and how far it was outside.
 struct ForceShare {
@@ -25,4 +25,4 @@ inline Vec2<float> scaled(const Vec2<float>& force, const Vec2<float>& gain) {
 /// 1 or -1, exactly. @pre finite
 ForceShare clipped(const Vec2<float>& share);
 
-}  // namespace batuta
+}  // namespace batuta::haptics

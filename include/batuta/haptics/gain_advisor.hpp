@@ -11,7 +11,7 @@
 #include "batuta/core/status.hpp"
 #include "batuta/core/types.hpp"
 
-namespace batuta {
+namespace batuta::haptics {
 
 /// One axis of a device whose force is held from sample to sample.
 template <class Scalar>
@@ -81,4 +81,4 @@ GainVerdict check(const DeviceProfile<Scalar>& profile, const Gains<Scalar>& gai
 template <class Scalar>
 Result<Scalar> unsaturated_stiffness(const DeviceProfile<Scalar>& profile);
 
-}  // namespace batuta
+}  // namespace batuta::haptics

@@ -9,7 +9,7 @@
 #include "batuta/haptics/coupling.hpp"
 #include "batuta/haptics/transient.hpp"
 
-namespace batuta {
+namespace batuta::haptics {
 
 template <class Scalar>
 struct HandForceSettings {
@@ -64,4 +64,4 @@ class HandForce {
   bool started_ = false;  ///< there was a last step
 };
 
-}  // namespace batuta
+}  // namespace batuta::haptics

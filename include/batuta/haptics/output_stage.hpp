@@ -17,7 +17,7 @@
 #include "batuta/haptics/speed_limiter.hpp"
 #include "batuta/port/force.hpp"
 
-namespace batuta {
+namespace batuta::haptics {
 
 struct StageSettings {
   float dt = 0.001F;  ///< length of a step, s, > 0, finite
@@ -140,4 +140,4 @@ class OutputStage final {
   bool configured_ = false;
 };
 
-}  // namespace batuta
+}  // namespace batuta::haptics

@@ -8,7 +8,7 @@
 #include "batuta/core/status.hpp"
 #include "batuta/core/types.hpp"
 
-namespace batuta {
+namespace batuta::haptics {
 
 template <class Scalar>
 struct PassivitySettings {
@@ -104,4 +104,4 @@ template <class Scalar>
 Result<Vec2<Scalar>> passive_force(const PassivityObserver<Scalar>& observer,
                                    const Vec2<Scalar>& demanded);
 
-}  // namespace batuta
+}  // namespace batuta::haptics

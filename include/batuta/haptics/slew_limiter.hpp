@@ -4,7 +4,7 @@
 
 #include "batuta/core/status.hpp"
 
-namespace batuta {
+namespace batuta::haptics {
 
 /// Of one axis. Starts at force zero. Allocates: never.
 class SlewLimiter {
@@ -25,4 +25,4 @@ class SlewLimiter {
   float last_ = 0;
 };
 
-}  // namespace batuta
+}  // namespace batuta::haptics

@@ -5,7 +5,7 @@
 
 #include "batuta/core/status.hpp"
 
-namespace batuta {
+namespace batuta::haptics {
 
 struct SpeedLimitSettings {
   float limit = 12;           ///< speed from which on the force gives way, 1/s, > 0, finite
@@ -35,4 +35,4 @@ class SpeedLimiter {
   float memory_ = 0;         ///< of the integral, 0 ... 1
 };
 
-}  // namespace batuta
+}  // namespace batuta::haptics

@@ -9,7 +9,7 @@
 #include "batuta/core/status.hpp"
 #include "batuta/core/types.hpp"
 
-namespace batuta {
+namespace batuta::haptics {
 
 /// No push is felt as a blow that lasts longer, s.
 template <class Scalar>
@@ -65,4 +65,4 @@ class ImpactTransient {
 template <class Scalar>
 Vec2<Scalar> mixed(const Vec2<Scalar>& blow, const Vec2<Scalar>& rest, Scalar limit);
 
-}  // namespace batuta
+}  // namespace batuta::haptics

@@ -7,6 +7,10 @@
 #include "batuta/core/status.hpp"
 #include "batuta/port/clock.hpp"
 
+namespace batuta::haptics {
+class OutputStage;
+}  // namespace batuta::haptics
+
 namespace batuta {
 
 struct ForceCommand {
@@ -20,8 +24,8 @@ struct ForceCommand {
 
 /// What ForceDevice::write() asks for. Only the output stage can make one.
 class ForcePermit {
-  friend class OutputStage;          // of a later room, known here by its name alone
-  explicit ForcePermit() = default;  // explicit: no aggregate, whose ForcePermit{} all could write
+  friend class haptics::OutputStage;  // of a later room, known here by its name alone
+  explicit ForcePermit() = default;   // explicit: no aggregate, whose ForcePermit{} all could write
 };
 
 /// A force actuator. A port implements do_write(), and keeps it private.

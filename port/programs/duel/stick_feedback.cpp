@@ -7,6 +7,7 @@
 #include "shared/firmware/stage_settings.hpp"
 
 namespace batuta::host {
+using namespace haptics;
 using namespace fencing;
 namespace {
 

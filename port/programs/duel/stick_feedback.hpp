@@ -28,11 +28,11 @@ class StickFeedback final : public Observer {
   /// Null: the fencer's device has none.
   LiveForce* force(fencing::Side side) const { return forces_[index_of(side)]; }
   /// @pre force(side) is not null
-  const OutputStage& stage(fencing::Side side) const { return *stages_[index_of(side)]; }
+  const haptics::OutputStage& stage(fencing::Side side) const { return *stages_[index_of(side)]; }
 
  private:
   std::array<LiveForce*, 2> forces_;
-  std::array<std::optional<OutputStage>, 2> stages_;
+  std::array<std::optional<haptics::OutputStage>, 2> stages_;
 };
 
 /// At the end, how well the forces came through: some lines for people, or for each force an object

@@ -13,6 +13,7 @@
 #include "shared/simulated/stick.hpp"
 
 namespace batuta {
+using namespace haptics;
 using namespace fencing;
 namespace {
 

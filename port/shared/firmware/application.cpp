@@ -5,6 +5,7 @@
 #include "shared/firmware/step_messages.hpp"
 
 namespace batuta::firmware {
+using namespace haptics;
 using namespace fencing;
 
 using link::MessageType;

@@ -80,7 +80,7 @@ class Application {
   /// What the force device was told last.
   const ForceCommand& force() const { return stage_.last_command(); }
   /// The own side's way to the motor: counts since the bout began, and what held the force back.
-  const OutputStage& stage() const { return stage_; }
+  const haptics::OutputStage& stage() const { return stage_; }
   /// Emergency stop: no force from now on, whatever a host does. May interrupt tick() where the
   /// motor's driver allows it, see OutputStage::stop().
   void stop_force(Microseconds now) { stage_.stop(now); }
@@ -135,7 +135,7 @@ class Application {
   NoMotor no_motor_;
   Board board_;
   LastFault last_fault_;
-  OutputStage stage_;  ///< by ticks
+  haptics::OutputStage stage_;  ///< by ticks
   ApplicationSettings settings_;
   ApplicationReport report_;
   SteppedBout bout_;

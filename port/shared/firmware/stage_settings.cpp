@@ -3,6 +3,7 @@
 #include "shared/firmware/stage_settings.hpp"
 
 namespace batuta::firmware {
+using namespace haptics;
 
 StageSettings stage_settings(const ForceSettings& settings, float dt) {
   constexpr float kFromEndToEnd = 2;  // shares

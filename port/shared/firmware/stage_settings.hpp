@@ -9,6 +9,6 @@ namespace batuta::firmware {
 
 /// What `settings` mean to an output stage that makes a step every `dt` s. No end stop: the duel
 /// uses the stick's whole square, up to its rim. No slew limit below a step: a pulse begins in one.
-StageSettings stage_settings(const ForceSettings& settings, float dt);
+haptics::StageSettings stage_settings(const ForceSettings& settings, float dt);
 
 }  // namespace batuta::firmware

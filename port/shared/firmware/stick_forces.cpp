@@ -5,6 +5,7 @@
 #include "batuta/haptics/force_share.hpp"
 
 namespace batuta::firmware {
+using namespace haptics;
 using namespace fencing;
 namespace {
 

@@ -20,8 +20,8 @@ inline constexpr float kLeastShare = 1.0F / 4096;
 
 /// What a hand with the grip of the library's fencers (GripSettings::strength, 4 N) can feel of its
 /// blade: a coupling that pulls no harder than twice that.
-inline HandForceSettings<float> soft_feel() {
-  HandForceSettings<float> feel;
+inline haptics::HandForceSettings<float> soft_feel() {
+  haptics::HandForceSettings<float> feel;
   feel.coupling.max_force = 8;
   feel.coupling.max_moment = 0.8F;
   return feel;
@@ -37,12 +37,12 @@ struct ForceSettings {
   /// the stick, > 0 and finite. The hardest blows of the recordings come to half of it.
   float full_scale = 40;
   /// What silence of a fencer's samples, or of the host, does.
-  RampSettings ramp{};
+  haptics::RampSettings ramp{};
   /// Of the motor alone: the forces told to a host are without it.
-  SpeedLimitSettings speed_limit{};
+  haptics::SpeedLimitSettings speed_limit{};
   /// Coupling and pulses; the pulses' limit is full_scale, whatever it says. What is stable is the
   /// device's: check() of haptics/gain_advisor.hpp.
-  HandForceSettings<float> feel = soft_feel();
+  haptics::HandForceSettings<float> feel = soft_feel();
 
   Vec2<float> gain() const { return gain_of(full_scale); }
 };
@@ -77,11 +77,11 @@ class StickForces {
   std::uint32_t stale_steps() const { return stale_steps_; }
 
  private:
-  StickForce told(const Vec2<float>& demanded, const ForceRamp& ramp) const;
+  StickForce told(const Vec2<float>& demanded, const haptics::ForceRamp& ramp) const;
 
   float full_scale_ = ForceSettings().full_scale;
-  std::array<HandForce<float>, 2> hands_;
-  std::array<ForceRamp, 2> ramps_;
+  std::array<haptics::HandForce<float>, 2> hands_;
+  std::array<haptics::ForceRamp, 2> ramps_;
   std::array<StickForce, 2> forces_;
   std::uint32_t stale_steps_ = 0;
 };

@@ -6,6 +6,7 @@
 #include <limits>
 
 namespace batuta::firmware {
+using namespace haptics;
 namespace {
 
 TEST(StageSettings, OfForceSettings_AreTakenByAStage) {

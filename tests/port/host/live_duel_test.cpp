@@ -16,6 +16,7 @@
 #include "soon.hpp"
 
 namespace batuta::host {
+using namespace haptics;
 using namespace fencing;
 namespace {
 

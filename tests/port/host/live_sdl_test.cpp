@@ -11,6 +11,7 @@
 #include "virtual_stick.hpp"
 
 namespace batuta::host {
+using namespace haptics;
 namespace {
 
 using test::Opened;

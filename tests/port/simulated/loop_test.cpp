@@ -10,6 +10,7 @@
 #include "shared/simulated/stick.hpp"
 
 namespace batuta {
+using namespace haptics;
 namespace {
 
 constexpr float kForceLimit = 40;  // N m per unit of the stick

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace batuta {
+using namespace haptics;
 using namespace fencing;
 namespace {
 

@@ -8,6 +8,7 @@
 #include "batuta/mechanics/motion.hpp"
 
 namespace batuta {
+using namespace haptics;
 namespace {
 
 using Frame = MovingFrame<double>;

@@ -8,6 +8,7 @@
 #include <limits>
 
 namespace batuta {
+using namespace haptics;
 namespace {
 
 constexpr EndStopSettings kStop{0.5F, 4, 0.25F};

@@ -8,6 +8,7 @@
 #include "batuta/fencing/fencer.hpp"
 
 namespace batuta {
+using namespace haptics;
 using namespace fencing;
 namespace {
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace batuta {
+using namespace haptics;
 namespace {
 
 ForceRamp configured(std::int32_t silent_after, std::int32_t length) {

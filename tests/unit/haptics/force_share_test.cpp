@@ -8,6 +8,7 @@
 #include <limits>
 
 namespace batuta {
+using namespace haptics;
 namespace {
 
 TEST(ForceShare, Scaled_HasAGainForEachAxis) {

@@ -8,6 +8,7 @@
 #include "draws.hpp"
 
 namespace batuta {
+using namespace haptics;
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;

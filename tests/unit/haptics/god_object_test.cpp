@@ -8,6 +8,7 @@
 #include "batuta/world/world.hpp"
 
 namespace batuta {
+using namespace haptics;
 namespace {
 
 template <class S>

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace batuta {
+using namespace haptics;
 using namespace fencing;
 namespace {
 

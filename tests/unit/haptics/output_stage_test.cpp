@@ -9,6 +9,7 @@
 #include "stage_rig.hpp"
 
 namespace batuta {
+using namespace haptics;
 namespace {
 
 using test::alive;

@@ -6,6 +6,7 @@
 #include "draws.hpp"
 
 namespace batuta {
+using namespace haptics;
 namespace {
 
 template <class S>

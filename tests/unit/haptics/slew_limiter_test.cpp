@@ -9,6 +9,7 @@
 #include <limits>
 
 namespace batuta {
+using namespace haptics;
 namespace {
 
 SlewLimiter configured(float most) {

@@ -8,6 +8,7 @@
 #include <limits>
 
 namespace batuta {
+using namespace haptics;
 namespace {
 
 constexpr float kDt = 1.0F / 1024;

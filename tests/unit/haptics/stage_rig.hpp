@@ -27,8 +27,8 @@ class MemoryMotor final : public ForceDevice {
 };
 
 /// A sign of life, and a demand in shares of the range where the gain is 1.
-inline StageInput alive(const Vec2<float>& demanded) {
-  StageInput input;
+inline haptics::StageInput alive(const Vec2<float>& demanded) {
+  haptics::StageInput input;
   input.demanded = demanded;
   input.fresh_sample = true;
   input.fresh_command = true;
@@ -36,8 +36,8 @@ inline StageInput alive(const Vec2<float>& demanded) {
 }
 
 /// Nothing but the ramps and the slew limit act on a demand within the range.
-inline StageSettings open_settings() {
-  StageSettings settings;
+inline haptics::StageSettings open_settings() {
+  haptics::StageSettings settings;
   settings.gain = {1, 1};
   settings.end_stop.stiffness = 0;
   settings.slew_rate = 2000;
@@ -49,15 +49,15 @@ inline StageSettings open_settings() {
 
 struct StageRig {
   MemoryMotor motor;
-  OutputStage stage{motor};
+  haptics::OutputStage stage{motor};
 
-  explicit StageRig(const StageSettings& settings = open_settings()) {
+  explicit StageRig(const haptics::StageSettings& settings = open_settings()) {
     EXPECT_EQ(stage.configure(settings), Status::kOk);
     EXPECT_EQ(stage.enable(), Status::kOk);
   }
   Vec2<float> last() const { return {motor.told.back().x, motor.told.back().y}; }
   /// So many steps with this input. @returns what the motor was told last
-  Vec2<float> run(int steps, const StageInput& input) {
+  Vec2<float> run(int steps, const haptics::StageInput& input) {
     for (int i = 0; i < steps; ++i) EXPECT_EQ(stage.step(input), Status::kOk);
     return last();
   }

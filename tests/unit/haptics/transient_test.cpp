@@ -6,6 +6,7 @@
 #include <rapidcheck/gtest.h>
 
 namespace batuta {
+using namespace haptics;
 namespace {
 
 using Transient = ImpactTransient<double>;

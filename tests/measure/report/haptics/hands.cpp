@@ -5,6 +5,7 @@
 #include "worst_hand.hpp"
 
 namespace batuta::report {
+using namespace haptics;
 namespace {
 
 constexpr double kPeriod = 1e-3;
