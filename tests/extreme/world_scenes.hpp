@@ -54,7 +54,7 @@ struct Straight : Scene {
   static constexpr bool kGravity = true;
   static constexpr RestingContact kResting = RestingContact::kNone;
 };
-static_assert(kIsLean<Balls<float>> && !kIsLean<Straight<float>>);
+static_assert(detail::kIsLean<Balls<float>> && !detail::kIsLean<Straight<float>>);
 
 using Worlds = testing::Types<Rich<float>, Paper<double>, Balls<float>, Straight<float>>;
 

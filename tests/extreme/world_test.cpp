@@ -7,6 +7,7 @@
 #include "world_scenes.hpp"
 
 namespace batuta {
+using namespace detail;
 namespace {
 
 template <class SceneT>

@@ -10,6 +10,7 @@
 #include "bytes.hpp"
 
 namespace batuta::fuzz {
+using namespace detail;
 namespace {
 
 struct Blow {

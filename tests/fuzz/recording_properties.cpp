@@ -12,6 +12,7 @@
 #include "programs/devices/recording.hpp"
 
 namespace batuta::fuzz {
+using namespace detail;
 namespace {
 
 using host::DeviceEvent;

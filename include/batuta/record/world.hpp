@@ -51,7 +51,7 @@ void archive(Archive& ar, StraightBody<Scalar>& body) {
   ar(p_W, momentum_W, inverse_mass);
 }
 
-inline void archive(Archive& ar, ProxyPair& pair) {
+inline void archive(Archive& ar, detail::ProxyPair& pair) {
   auto& [first, second] = pair;
   ar(first, second);
 }

@@ -29,10 +29,10 @@ struct Enlarged : SceneT {
 /// Bytes that the enlarged scene takes more, in a world of the same kind.
 template <class SceneT, class Larger>
 constexpr std::size_t more() {
-  if constexpr (kIsLean<SceneT>) {
-    return sizeof(LeanWorld<Larger>) - sizeof(LeanWorld<SceneT>);
+  if constexpr (detail::kIsLean<SceneT>) {
+    return sizeof(detail::LeanWorld<Larger>) - sizeof(detail::LeanWorld<SceneT>);
   } else {
-    return sizeof(GeneralWorld<Larger>) - sizeof(GeneralWorld<SceneT>);
+    return sizeof(detail::GeneralWorld<Larger>) - sizeof(detail::GeneralWorld<SceneT>);
   }
 }
 

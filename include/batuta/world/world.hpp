@@ -8,7 +8,8 @@
 namespace batuta {
 
 template <class SceneT>
-using WorldOf = std::conditional_t<kIsLean<SceneT>, LeanWorld<SceneT>, GeneralWorld<SceneT>>;
+using WorldOf = std::conditional_t<detail::kIsLean<SceneT>, detail::LeanWorld<SceneT>,
+                                   detail::GeneralWorld<SceneT>>;
 
 /// A LeanWorld where the scene is so small that all pairs can be searched in every round, else a
 /// GeneralWorld. Their members are the same, and described in general_world.hpp.

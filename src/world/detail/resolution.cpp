@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "batuta/world/detail/resolution.hpp"
 
-namespace batuta {
+namespace batuta::detail {
 namespace {
 
 template <class Scalar>
@@ -73,4 +73,4 @@ Result<Resolution<Scalar>> resolve_contact(const ContactSide<Scalar>& A,
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 
-}  // namespace batuta
+}  // namespace batuta::detail

@@ -33,10 +33,10 @@ struct Told : SceneT {
   static constexpr int kMaxEvents = 64;
 };
 
-static_assert(kIsLean<StraightSpheres>);
-static_assert(kIsLean<LeanScene<Translation, double>>);
-static_assert(!kIsLean<Told<StraightSpheres>> && !kIsLean<TwoBlades>);
-static_assert(std::is_base_of_v<LeanWorld<StraightSpheres>, World<StraightSpheres>>);
+static_assert(detail::kIsLean<StraightSpheres>);
+static_assert(detail::kIsLean<LeanScene<Translation, double>>);
+static_assert(!detail::kIsLean<Told<StraightSpheres>> && !detail::kIsLean<TwoBlades>);
+static_assert(std::is_base_of_v<detail::LeanWorld<StraightSpheres>, World<StraightSpheres>>);
 static_assert(scene_cost<StraightSpheres>.rounds == 8 + 8 + 1);
 static_assert(scene_cost<StraightSpheres>.evaluations == 17 * 28);
 

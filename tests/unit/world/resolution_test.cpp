@@ -6,6 +6,7 @@
 #include <limits>
 
 namespace batuta {
+using namespace detail;
 namespace {
 
 struct Pair {

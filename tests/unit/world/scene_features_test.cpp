@@ -7,6 +7,7 @@
 #include "batuta/world/scenes.hpp"
 
 namespace batuta {
+using namespace detail;
 namespace {
 
 struct NoRestitution : TwoBlades {

@@ -6,6 +6,7 @@
 #include "scenes.hpp"
 
 namespace batuta {
+using namespace detail;
 namespace {
 
 Vec3<float> normal_of(ProxyPair pair) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 namespace batuta {
+using namespace detail;
 namespace {
 
 using Box = Aabb<float>;

@@ -6,7 +6,7 @@
 #include "batuta/world/detail/proxy_pair.hpp"
 #include "batuta/world/scene.hpp"
 
-namespace batuta {
+namespace batuta::detail {
 
 template <class Scalar>
 struct CandidatePair {
@@ -134,4 +134,4 @@ template <class SceneT>
 using RepeatsOf =
     std::conditional_t<kCountsRepeats<SceneT>, RepeatBook<SceneT::kMaxContacts>, NoRepeats>;
 
-}  // namespace batuta
+}  // namespace batuta::detail

@@ -8,7 +8,7 @@
 #include "batuta/world/detail/proxy_pair.hpp"
 #include "batuta/world/event.hpp"
 
-namespace batuta {
+namespace batuta::detail {
 
 template <class Scalar, int kMaxEvents, int kMaxPairs>
 class EventBook {
@@ -58,4 +58,4 @@ using EventsOf = std::conditional_t<
     (SceneT::kMaxEvents > 0),
     EventBook<typename SceneT::Scalar, max_of(SceneT::kMaxEvents, 1), SceneT::kMaxPairs>, NoEvents>;
 
-}  // namespace batuta
+}  // namespace batuta::detail

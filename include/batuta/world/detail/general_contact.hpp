@@ -5,7 +5,7 @@
 #include "batuta/geometry/direction.hpp"
 #include "batuta/world/detail/general_world.hpp"
 
-namespace batuta {
+namespace batuta::detail {
 
 /// A pair as it is now, without a search: for a contact whose search was not kept.
 template <class SceneT>
@@ -309,4 +309,4 @@ void GeneralWorld<SceneT>::report_only(const CandidateType& candidate) {
   }
 }
 
-}  // namespace batuta
+}  // namespace batuta::detail

@@ -5,7 +5,7 @@
 
 #include "batuta/world/detail/general_world.hpp"
 
-namespace batuta {
+namespace batuta::detail {
 
 template <class SceneT>
 Status GeneralWorld<SceneT>::remove(BodyId id) {
@@ -220,4 +220,4 @@ void GeneralWorld<SceneT>::check_touches(Archive& ar) {
   }
 }
 
-}  // namespace batuta
+}  // namespace batuta::detail

@@ -5,7 +5,7 @@
 
 #include "batuta/world/detail/general_world.hpp"
 
-namespace batuta {
+namespace batuta::detail {
 
 template <class SceneT>
 void GeneralWorld<SceneT>::begin_step(Scalar dt) {
@@ -308,4 +308,4 @@ SearchResult<typename GeneralWorld<SceneT>::Scalar> GeneralWorld<SceneT>::search
   return result;
 }
 
-}  // namespace batuta
+}  // namespace batuta::detail

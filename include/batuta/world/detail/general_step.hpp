@@ -5,7 +5,7 @@
 
 #include "batuta/world/detail/general_world.hpp"
 
-namespace batuta {
+namespace batuta::detail {
 
 template <class SceneT>
 Result<typename GeneralWorld<SceneT>::BodyId> GeneralWorld<SceneT>::add(const ActorType& actor) {
@@ -194,4 +194,4 @@ void GeneralWorld<SceneT>::end_step() {
   if constexpr (SceneT::kSleep) put_to_sleep();
 }
 
-}  // namespace batuta
+}  // namespace batuta::detail

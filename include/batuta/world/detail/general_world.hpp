@@ -21,7 +21,7 @@
 #include "batuta/world/detail/sweep.hpp"
 #include "batuta/world/detail/turning_kinematics.hpp"
 
-namespace batuta {
+namespace batuta::detail {
 
 template <class SceneT>
 using Scalar_of = typename SceneT::Scalar;
@@ -263,7 +263,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
   bool is_changed_ = false;  ///< somebody's plan has to be planned
 };
 
-}  // namespace batuta
+}  // namespace batuta::detail
 
 #include "batuta/world/detail/general_contact.hpp"
 #include "batuta/world/detail/general_events.hpp"

@@ -12,7 +12,7 @@
 #include "batuta/world/detail/straight_kinematics.hpp"
 #include "batuta/world/event.hpp"
 
-namespace batuta {
+namespace batuta::detail {
 
 /// Scenes whose World is a LeanWorld.
 template <class SceneT>
@@ -288,4 +288,4 @@ void LeanWorld<SceneT>::hit(ActorType& A, ActorType& B, Outcome outcome) {
   }
 }
 
-}  // namespace batuta
+}  // namespace batuta::detail

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace batuta {
+namespace batuta::detail {
 
 /// Two slots, first < second; first == second: no pair.
 struct ProxyPair {
@@ -12,4 +12,4 @@ struct ProxyPair {
   std::uint16_t second = 0;
 };
 
-}  // namespace batuta
+}  // namespace batuta::detail

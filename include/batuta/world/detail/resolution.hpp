@@ -6,7 +6,7 @@
 #include "batuta/response/impulse.hpp"
 #include "batuta/response/separation.hpp"
 
-namespace batuta {
+namespace batuta::detail {
 
 /// One side of a contact.
 template <class Scalar>
@@ -56,4 +56,4 @@ Result<Resolution<Scalar>> resolve_contact(const ContactSide<Scalar>& A,
                                            const Result<Impulse<Scalar>>& impulse,
                                            const ResolutionOptions<Scalar>& options);
 
-}  // namespace batuta
+}  // namespace batuta::detail

@@ -4,7 +4,7 @@
 
 #include "batuta/world/scene.hpp"
 
-namespace batuta {
+namespace batuta::detail {
 
 template <class SceneT>
 struct SceneCheck {
@@ -67,4 +67,4 @@ struct SceneCheck {
   static constexpr bool kIsPossible = true;
 };
 
-}  // namespace batuta
+}  // namespace batuta::detail

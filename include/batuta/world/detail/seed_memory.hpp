@@ -7,7 +7,7 @@
 #include "batuta/world/detail/proxy_pair.hpp"
 #include "batuta/world/scene.hpp"
 
-namespace batuta {
+namespace batuta::detail {
 
 /// One place for each pair that may meet at the same time. Two pairs that share a place push each
 /// other out, which costs evaluations and nothing else; none do where N is all pairs of the bodies.
@@ -63,4 +63,4 @@ template <class SceneT>
 using SeedsOf = std::conditional_t<SceneT::Search::kUsesSeed,
                                    SeedMemory<typename SceneT::Scalar, SceneT::kMaxPairs>, NoSeeds>;
 
-}  // namespace batuta
+}  // namespace batuta::detail

@@ -9,7 +9,7 @@
 #include "batuta/mechanics/body.hpp"
 #include "batuta/world/scene.hpp"
 
-namespace batuta {
+namespace batuta::detail {
 
 template <class SceneT>
 class SleepBook {
@@ -73,4 +73,4 @@ struct NoSleep {
 template <class SceneT>
 using SleepOf = std::conditional_t<SceneT::kSleep, SleepBook<SceneT>, NoSleep<SceneT>>;
 
-}  // namespace batuta
+}  // namespace batuta::detail

@@ -7,7 +7,7 @@
 #include "batuta/detection/straight_pair.hpp"
 #include "batuta/world/detail/turning_kinematics.hpp"
 
-namespace batuta {
+namespace batuta::detail {
 
 template <class SceneT>
 struct StraightKinematics {
@@ -157,4 +157,4 @@ struct StraightKinematics {
   }
 };
 
-}  // namespace batuta
+}  // namespace batuta::detail

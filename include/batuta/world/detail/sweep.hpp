@@ -8,7 +8,7 @@
 #include "batuta/geometry/kdop.hpp"
 #include "batuta/world/detail/proxy_pair.hpp"
 
-namespace batuta {
+namespace batuta::detail {
 
 /// Most boxes for which testing each with each is as fast as an order, and a quarter of its code.
 inline constexpr int kFewBoxes = 16;
@@ -261,4 +261,4 @@ void ManyBoxes<Scalar, N, kAxis>::for_each_partner(Slot slot, const Found& found
   }
 }
 
-}  // namespace batuta
+}  // namespace batuta::detail

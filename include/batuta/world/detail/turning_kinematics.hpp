@@ -6,7 +6,7 @@
 #include "batuta/response/contact.hpp"
 #include "batuta/world/actor.hpp"
 
-namespace batuta {
+namespace batuta::detail {
 
 /// Where two parts are nearest to each other.
 template <class Scalar>
@@ -111,4 +111,4 @@ struct TurningKinematics {
   }
 };
 
-}  // namespace batuta
+}  // namespace batuta::detail

@@ -32,7 +32,7 @@ struct Gravity : TwoBlades {
 struct Sleep : RestingSettling {
   static constexpr bool kSleep = true;
 };
-struct NoEvents : TwoBlades {
+struct detail::NoEvents : TwoBlades {
   static constexpr int kMaxEvents = 0;
 };
 struct NoOwners : TwoBlades {
