@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Rules of the source text that no compiler checks: arrows between rooms, words that the core does
-without, bounds of loops, and the list of deviations. Usage: check_source.py arrows|words|bounds|deviations FOLDER; prints one line a finding."""
+without, bounds of loops, the list of deviations, tags of test cases, and names of classes. Usage: check_source.py
+arrows|words|bounds|deviations|tags|names FOLDER; prints one line a finding."""
 
 import pathlib
 import re
@@ -257,7 +258,73 @@ def check_deviations(root):
     return findings
 
 
-CHECKS = {"arrows": check_arrows, "words": check_words, "bounds": check_bounds, "deviations": check_deviations}
+TAG = re.compile(r"\b[TBIRSH]\d\d[a-z]?\b")
+TAG_PAGE = "docs/test_cases.md"
+THESE = {"check_source.py", "check_source_test.py"}  # they speak of tags of their own
+
+
+def tags_in_tests(root):
+    """Tag -> names of the files below tests/ in which it stands."""
+    used = {}
+    for path in sorted((root / "tests").rglob("*")):
+        if path.suffix not in (".hpp", ".cpp", ".py", ".txt", ".cmake") or path.name in THESE:
+            continue
+        for tag in TAG.findall(path.read_text(encoding="utf-8")):
+            used.setdefault(tag, set()).add(path.name)
+    return used
+
+
+def tags_on_page(root):
+    """Tag -> names of files in the last column of its row."""
+    page = root / TAG_PAGE
+    text = page.read_text(encoding="utf-8") if page.is_file() else ""
+    rows = re.findall(r"^\| (\w+) \|.*\| ([^|]*) \|$", text, re.M)
+    return {tag: set(re.findall(r"`([^`]+)`", where)) for tag, where in rows if TAG.fullmatch(tag)}
+
+
+def check_tags(root):
+    """Every tag of a test case is on the page, with the files that use it; what is on the page is used."""
+    used, defined = tags_in_tests(root), tags_on_page(root)
+    findings = [f"{TAG_PAGE}: {tag} ({', '.join(sorted(used[tag]))}) is not defined"
+                for tag in sorted(set(used) - set(defined))]
+    findings += [f"{TAG_PAGE}: {tag} is in no test" for tag in sorted(set(defined) - set(used))]
+    for tag in sorted(set(used) & set(defined)):
+        findings += [f"{TAG_PAGE}: {tag} is not in {name}" for name in sorted(defined[tag] - used[tag])]
+        findings += [f"{TAG_PAGE}: {tag} is also in {name}" for name in sorted(used[tag] - defined[tag])]
+    return findings
+
+
+CLASS = re.compile(r"(?<!enum )\b(?:class|struct|union)\s+(?:\[\[[^\]]*\]\]\s*)?(\w+)\s*(?:final\s*)?"
+                   r"(?::(?!:)[^;{}()]*)?\{")
+
+# Names that stand for several classes today. Empty it: each class a name of its own.
+TWICE = {"Extent": 2, "Place": 3, "Sight": 2, "Touch": 2, "Walk": 3}
+
+
+def classes_in(root):
+    """Name of a class or struct, nested ones too -> where it is defined. Specialisations are not counted."""
+    found = {}
+    for path in sources(root / "include") + sources(root / "src"):
+        code = code_only(path.read_text())
+        for match in CLASS.finditer(code):
+            line = code.count("\n", 0, match.start()) + 1
+            found.setdefault(match.group(1), []).append(f"{path.relative_to(root)}:{line}")
+    return found
+
+
+def check_names(root, twice=None):
+    """No two classes of the library have one name. What is excused has to be needed."""
+    excused = TWICE if twice is None else twice
+    double = {name: places for name, places in classes_in(root).items() if len(places) > 1}
+    findings = [f"{', '.join(places)}: class {name} is defined {len(places)} times"
+                for name, places in sorted(double.items()) if len(places) > excused.get(name, 1)]
+    times = {name: len(double.get(name, [0])) for name in excused}
+    return findings + [f"check_source.py: {name} is excused {count} times and defined {times[name]} times"
+                       for name, count in sorted(excused.items()) if times[name] < count]
+
+
+CHECKS = {"arrows": check_arrows, "words": check_words, "bounds": check_bounds, "deviations": check_deviations,
+          "tags": check_tags, "names": check_names}
 
 
 def main(arguments):

@@ -153,5 +153,60 @@ class Deviations(Tree):
         self.assert_found(self.check(), "a.cpp:2", "a.cpp:3")
 
 
+
+class Tags(Tree):
+    def page(self, *rows):
+        self.put("docs/test_cases.md", "\n".join(["| tag | what it is | where |", "| --- | --- | --- |", *rows, ""]))
+
+    def check(self):
+        return check_source.check_tags(self.root)
+
+    def test_defined_and_used_is_good(self):
+        self.put("tests/unit/a_test.cpp", 'TEST(A, Meets) {  // T01\n  run("T02, fast");\n}\n')
+        self.page("| T01 | a thing | `a_test.cpp` |", "| T02 | another | `a_test.cpp` |")
+        self.assert_found(self.check())
+
+    def test_undefined_and_unused_are_found(self):
+        self.put("tests/unit/a_test.cpp", "// T01, B07\n")
+        self.page("| T01 | a thing | `a_test.cpp` |", "| R02 | another | `a_test.cpp` |")
+        self.assert_found(self.check(), "B07 (a_test.cpp) is not defined", "R02 is in no test")
+
+    def test_wrong_files_are_found(self):
+        self.put("tests/unit/a_test.cpp", "// T01\n")
+        self.put("tests/CMakeLists.txt", "# T01\n")
+        self.page("| T01 | a thing | `a_test.cpp`, `b_test.cpp` |")
+        self.assert_found(self.check(), "T01 is not in b_test.cpp", "T01 is also in CMakeLists.txt")
+
+    def test_no_page_defines_nothing(self):
+        self.put("tests/unit/a_test.cpp", "// T19b\n")
+        self.assert_found(self.check(), "T19b (a_test.cpp) is not defined")
+
+
+class Names(Tree):
+    def check(self, **twice):
+        return check_source.check_names(self.root, twice)
+
+    def test_one_class_of_a_name_is_good(self):
+        self.put("include/batuta/core/a.hpp", "class Walk;\nstruct Walk : Step<int> {};\nenum class Way { kOn };\n"
+                 "template <class Step>\nstruct Walk<Step> {};\n"
+                 "template <class Way, class T = std::void_t<>>\nstruct B {};\n")
+        self.put("src/core/a.cpp", "// struct Walk {\nstd::string text = \"struct Walk {\";\n")
+        self.assert_found(self.check())
+
+    def test_a_second_one_is_found_wherever_it_is_nested(self):
+        self.put("include/batuta/core/a.hpp", "class Pool {\n  struct Walk final {\n  };\n};\n")
+        self.put("src/core/a.cpp", "namespace {\ntemplate <class S>\nclass [[nodiscard]] Walk\n"
+                 "    : public Pool {\n};\n}\n")
+        self.assert_found(self.check(), "a.hpp:3, src/core/a.cpp:4: class Walk is defined 2 times")
+
+    def test_what_is_excused_is_needed(self):
+        self.put("src/core/a.cpp", "struct Walk {};\nstruct B { struct Walk {}; };\n")
+        self.assert_found(self.check(Walk=2))
+        self.assert_found(self.check(Walk=3, Place=2), "Place is excused 2 times and defined 1 times",
+                          "Walk is excused 3 times and defined 2 times")
+        self.put("src/core/b.cpp", "union Walk {};\n")
+        self.assert_found(self.check(Walk=2), "class Walk is defined 3 times")
+
+
 if __name__ == "__main__":
     unittest.main()
