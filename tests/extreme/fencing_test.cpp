@@ -162,13 +162,14 @@ TYPED_TEST(Fencing, HostileDuelSettings_AreRefusedAndTheBoutGoesOn) {
   ASSERT_EQ(ready->configure(), Status::kOk);
   fence(ready->duel, 5);
   const auto before = hash_of(ready->duel);
-  constexpr auto kMost = std::numeric_limits<std::int32_t>::max();
-  for (const std::int32_t bad : {-kMost - 1, -1, 0, 99, 20001, kMost}) {
+  constexpr auto kLeast = test::kLowest<std::int32_t>[0];
+  constexpr auto kMost = test::kHighest<std::int32_t>[0];
+  for (const std::int32_t bad : {kLeast, -1, 0, 99, 20001, kMost}) {
     auto settings = duel_settings<S>();
     settings.step_us = bad;
     EXPECT_EQ(ready->configure(settings), Status::kInvalidArgument) << bad;
   }
-  for (const std::int32_t bad : {-kMost - 1, -1, 10000001, kMost}) {
+  for (const std::int32_t bad : {kLeast, -1, 10000001, kMost}) {
     auto settings = duel_settings<S>();
     settings.double_window_us = bad;
     EXPECT_EQ(ready->configure(settings), Status::kInvalidArgument) << bad;

@@ -18,8 +18,8 @@ TEST(HapticsStage, HostileStageSettings_AreRefused) {
   const auto by_validate = [](const auto& settings) { return validate(settings); };
   test::expect_taken<float>(EndStopSettings{}, {false, true, true}, by_validate);
   test::expect_taken<float>(SpeedLimitSettings{}, {false, true, true}, by_validate);
-  constexpr auto kLow = std::numeric_limits<std::int32_t>::min();
-  constexpr auto kHigh = std::numeric_limits<std::int32_t>::max();
+  constexpr auto kLow = test::kLowest<std::int32_t>[0];
+  constexpr auto kHigh = test::kHighest<std::int32_t>[0];
   for (const std::int32_t steps : {kLow, -1, 0, 1, 1000000, 1000001, kHigh}) {
     const bool counts = steps >= 0 && steps <= 1000000;
     EXPECT_EQ(validate(RampSettings{steps, 1}) == Status::kOk, counts) << steps;

@@ -258,7 +258,10 @@ void judge_advice(const Advice<S>& a, int delay) {
     EXPECT_EQ(check<S>(profile, {K.value.largest, a.damper}), GainVerdict::kInside);
     EXPECT_NE(check<S>(profile, {2 * K.value.largest, 2 * a.damper}), GainVerdict::kInside);
   }
-  if (B.ok() && is_plain(B.value.largest / profile.period) && is_plain(profile.damping)) {
+  const bool terms_are_plain = is_plain(B.value.largest) &&
+                               is_plain(B.value.largest / profile.period) &&
+                               is_plain(profile.damping);
+  if (B.ok() && terms_are_plain) {
     EXPECT_EQ(check<S>(profile, {a.stiffness, B.value.largest}), GainVerdict::kInside);
   }
 }

@@ -1,41 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Numbers that no careful caller hands over, put into every place of an argument in turn. An
-// argument is a struct of nothing but scalars, so that every one of its numbers is reached without
-// a list that could be forgotten.
+// The numbers of hostile_numbers.hpp, put into every place of an argument in turn. An argument is a
+// struct of nothing but scalars, so that every one of its numbers is reached without a list that
+// could be forgotten.
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cstring>
-#include <limits>
 #include <vector>
 
 #include "batuta/core/status.hpp"
 #include "batuta/core/types.hpp"
 #include "draws.hpp"
+#include "hostile_numbers.hpp"
 
 namespace batuta::test {
-
-/// Not finite first.
-template <class S>
-constexpr std::array<S, 15> kHostile = {
-    std::numeric_limits<S>::quiet_NaN(),
-    std::numeric_limits<S>::infinity(),
-    -std::numeric_limits<S>::infinity(),
-    std::numeric_limits<S>::max(),
-    std::numeric_limits<S>::lowest(),
-    std::numeric_limits<S>::max() / 4,  // beyond kLargestCoordinate
-    std::numeric_limits<S>::max() / 8,  // at it
-    S(1e30),
-    S(-1e20),
-    std::numeric_limits<S>::min(),
-    std::numeric_limits<S>::denorm_min(),
-    -std::numeric_limits<S>::denorm_min(),
-    S(-1),
-    S(0),
-    S(-0.0),
-};
 
 template <class S, class T>
 constexpr std::size_t count_of() {

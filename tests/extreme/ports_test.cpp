@@ -14,13 +14,14 @@
 #include "batuta/record/player.hpp"
 #include "batuta/record/recorder.hpp"
 #include "draws.hpp"
+#include "hostile_numbers.hpp"
 
 namespace batuta {
 using namespace fencing;
 namespace {
 
-constexpr std::int32_t kLow = std::numeric_limits<std::int32_t>::min();
-constexpr std::int32_t kHigh = std::numeric_limits<std::int32_t>::max();
+constexpr std::int32_t kLow = test::kLowest<std::int32_t>[0];
+constexpr std::int32_t kHigh = test::kHighest<std::int32_t>[0];
 
 TEST(HostilePort, CalibrationThatMakesNoSense_IsRefusedAndTheOldStays) {
   SampleBuilder builder;

@@ -17,6 +17,7 @@
 #include "batuta/record/snapshot.hpp"
 #include "batuta/record/world.hpp"
 #include "batuta/world/scenes.hpp"
+#include "hostile_numbers.hpp"
 
 namespace batuta {
 namespace {
@@ -227,16 +228,13 @@ Playback check_recording(const Bytes& forged) {
 constexpr std::size_t kForgery = 4;
 
 void forge(Bytes& bytes, std::size_t from, const std::uint8_t* how) {
-  constexpr std::array<std::uint32_t, 10> kNumbers = {
-      0x7FC00000U, 0x7F800000U, 0xFF800000U, 0x7F7FFFFFU, 0x00000001U,
-      0x80000000U, 0x5F000000U, 0x3F800000U, 0xFFFFFFFFU, 0x00800000U};
   const std::size_t at = from + (how[0] | std::size_t{how[1]} << 8) % (bytes.size() - from);
   if (how[2] % 4 == 3) return bytes.resize(at);  // torn off
   if (how[2] % 4 != 2) {
     bytes[at] = how[3];
     return;
   }
-  const std::uint32_t number = kNumbers[how[3] % kNumbers.size()];
+  const std::uint32_t number = test::kHostileWords[how[3] % test::kHostileWords.size()];
   for (std::size_t i = 0; i < 4 && at + i < bytes.size(); ++i) {
     bytes[at + i] = static_cast<std::uint8_t>(number >> (8 * i));
   }

@@ -12,6 +12,7 @@
 
 #include "batuta/geometry/capsule.hpp"
 #include "batuta/mechanics/motion.hpp"
+#include "hostile_numbers.hpp"
 
 namespace batuta::fuzz {
 
@@ -30,7 +31,7 @@ enum class Numbers : std::uint8_t {
   kGrid,    ///< multiples of kGridStep below kGridEnd: exact differences, ties, parallels, touches
   kNudged,  ///< those, some a few neighbouring numbers off: what rounding makes of ties
   kScaled,  ///< those times powers of two between 2^-24 and 2^23, each its own
-  kAny,     ///< all bit patterns: infinite, subnormal, not a number
+  kAny,     ///< all bit patterns: infinite, subnormal, not a number; and each hostile number
 };
 
 inline constexpr float kGridStep = 0x1p-12F;
@@ -59,9 +60,12 @@ class Bytes {
   float grid() { return static_cast<float>(static_cast<std::int16_t>(word())) * kGridStep; }
   /// In [0, 1], a multiple of 1/255.
   float share() { return static_cast<float>(byte()) / 255.0F; }
+  /// Any number. Not-a-number with a small payload stands for the hostile number of that index.
   float bits() {
     const std::uint32_t low = word();
     const std::uint32_t pattern = low | std::uint32_t{word()} << 16;
+    const std::uint32_t payload = pattern - kQuietNaN;  // large for any other number
+    if (payload < test::kHostile<float>.size()) return test::kHostile<float>[payload];
     float x = 0;
     std::memcpy(&x, &pattern, sizeof x);
     return x;
@@ -103,6 +107,8 @@ class Bytes {
   }
 
  private:
+  static constexpr std::uint32_t kQuietNaN = 0x7FC00000;
+
   static float neighbour(float x, int steps) {
     if (x == 0) return x;  // next to it are subnormal numbers, which are kAny's
     const float end = steps < 0 ? -2 * kGridEnd : 2 * kGridEnd;

@@ -11,7 +11,9 @@ import struct
 import sys
 
 GRID = b"\x00"  # numbers: multiples of 1/4096 in [-8, 8)
+ANY = b"\x03"  # numbers: 32 bits
 STEP = 4096
+HOSTILE = 17  # numbers of tests/support/hostile_numbers.hpp
 
 
 def number(x):
@@ -24,6 +26,18 @@ def vector(v):
 
 def share(x):
     return bytes([round(x * 255)])
+
+
+def hostile(index):
+    """As Bytes::bits() reads it: not a number, with the index as its payload."""
+    return struct.pack("<I", 0x7FC00000 + index)
+
+
+def with_hostile(numbers, index):
+    """Ordinary numbers in 32 bits, but one of them hostile; which one, differs from index to index."""
+    packed = [struct.pack("<f", x) for x in numbers]
+    packed[5 * index % len(packed)] = hostile(index)
+    return packed
 
 
 def segment(a, b):
@@ -70,6 +84,11 @@ def distance_seeds():
         files[f"crossing_by_1e-{k}"] = distance(both_ways(X, 4), both_ways(other))
         lifted = tuple(tuple(p[i] + (0, 0, 0.001)[i] for i in range(3)) for p in both_ways(other))
         files[f"skew_by_1e-{k}"] = distance(both_ways(X, 4), lifted)
+    for index in range(HOSTILE):
+        n = with_hostile((-1, 0, 0, 1, 0, 0, 0, -1, 0.5, 0, 1, 0.5, 0.1, 0.1), index)
+        ends = [b"".join(n[k:k + 3]) for k in (0, 3, 6, 9)]
+        files[f"hostile_{index}"] = (ANY + ends[0] + b"\x02" + ends[1] + ends[2] + b"\x02" + ends[3] + n[12] + n[13]
+                                     + share(0.5))
     return files
 
 
@@ -208,6 +227,9 @@ def keyframes_seeds():
         size = f"{columns}x{rows}"
         for name, keys in (("flat", flat), ("bent", bent), ("turned", turned)):
             files[f"{name}_{size}"] = GRID + bytes([index]) + keys + b"\x01" + number(1.5)
+    square = [x for place in ((0, 0), (1, 0), (0, 1), (1, 1)) for x in (*place, 0, 0, 0, 0, 1)]
+    for index in range(HOSTILE):
+        files[f"hostile_{index}"] = ANY + b"\x00" + b"".join(with_hostile(square, index)) + share(0.5) * 2
     return files
 
 

@@ -103,9 +103,9 @@ std::int32_t draw_value(Bytes& bytes) {
     case 1:
       return static_cast<std::int16_t>(bytes.word());
     case 2:
-      return std::numeric_limits<std::int32_t>::max() - bytes.choice(2);
+      return test::kHighest<std::int32_t>[static_cast<std::size_t>(bytes.choice(2))];
     default:
-      return std::numeric_limits<std::int32_t>::min() + bytes.choice(2);
+      return test::kLowest<std::int32_t>[static_cast<std::size_t>(bytes.choice(2))];
   }
 }
 

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Closest points of segments against 20,000 exact answers, for both scalars.
+// Closest points of segments against exact answers, for both scalars.
 
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <fstream>
 #include <string>
 
 #include "batuta/geometry/segment.hpp"
 #include "exact_distance.hpp"
-#include "programs/query_file.hpp"
+#include "judge_file.hpp"
 
 namespace batuta {
 namespace {
@@ -49,24 +48,12 @@ void expect_symmetric(const Segment<Scalar>& A, const Segment<Scalar>& B,
   expect_same(swapped, answer, line);
 }
 
+/// Checks the answers to one file and keeps the worst figures.
 template <class Scalar>
-class DistanceVectors : public testing::Test {};
-using Scalars = testing::Types<float, double>;
-TYPED_TEST_SUITE(DistanceVectors, Scalars);
-
-TYPED_TEST(DistanceVectors, EveryLine_WithinFourRoundOffs) {
-  using Scalar = TypeParam;
-  std::ifstream in(BATUTA_SHARED_DIR "/vectors/dist.csv");
-  if (!in) GTEST_SKIP() << "there is no " BATUTA_SHARED_DIR "/vectors/dist.csv";
-  host::QueryFile file(in);
-  ASSERT_TRUE(file.ok()) << file.error();
-
-  Worst excess;
-  Worst error;
-  long queries = 0;
-  host::QueryRow row;
-  while (file.next(row)) {  // Bound: the length of the file
-    ++queries;
+class Judge {
+ public:
+  void judge(host::QueryRow& row) {
+    ++queries_;
     const Segment<Scalar> A{read_point<Scalar>(row, "A0"), read_point<Scalar>(row, "A1")};
     const Segment<Scalar> B{read_point<Scalar>(row, "B0"), read_point<Scalar>(row, "B1")};
     const exact::Real truth = row.decimal("d");
@@ -78,22 +65,37 @@ TYPED_TEST(DistanceVectors, EveryLine_WithinFourRoundOffs) {
     const exact::Real unit = kRoundOff<Scalar> * exact::visible_length(A, B);
     const exact::Real found = exact::distance_at(A, B, answer.s, answer.u);
     if (unit > 0) {
-      excess.see(static_cast<double>((found - truth) / unit), row.line());
-      error.see(static_cast<double>(std::abs(answer.distance - truth) / unit), row.line());
+      excess_.see(static_cast<double>((found - truth) / unit), row.line());
+      error_.see(static_cast<double>(std::abs(answer.distance - truth) / unit), row.line());
     } else {
       EXPECT_EQ(answer.distance, 0);
     }
     expect_symmetric(A, B, answer, row.line());
   }
 
-  EXPECT_GE(queries, 20000);
-  EXPECT_LE(excess.figure, kBound) << "line " << excess.line;
-  EXPECT_LE(error.figure, kBound) << "line " << error.line;
-  this->RecordProperty("worst_excess_uS", std::to_string(excess.figure));
-  this->RecordProperty("worst_error_uS", std::to_string(error.figure));
-  std::printf("distance, %s: worst excess %.2f u S (line %ld), worst error %.2f u S (line %ld)\n",
-              sizeof(Scalar) == 4 ? "float" : "double", excess.figure, excess.line, error.figure,
-              error.line);
+  void report(const char* scalar, const test::Evidence& evidence) const {
+    EXPECT_GE(queries_, evidence.rows);
+    EXPECT_LE(excess_.figure, kBound) << "line " << excess_.line;
+    EXPECT_LE(error_.figure, kBound) << "line " << error_.line;
+    testing::Test::RecordProperty("worst_excess_uS", std::to_string(excess_.figure));
+    testing::Test::RecordProperty("worst_error_uS", std::to_string(error_.figure));
+    std::printf("distance, %s: worst excess %.2f u S (line %ld), worst error %.2f u S (line %ld)\n",
+                scalar, excess_.figure, excess_.line, error_.figure, error_.line);
+  }
+
+ private:
+  std::size_t queries_ = 0;
+  Worst excess_;
+  Worst error_;
+};
+
+template <class Scalar>
+class DistanceVectors : public testing::Test {};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(DistanceVectors, Scalars);
+
+TYPED_TEST(DistanceVectors, EveryLine_WithinFourRoundOffs) {
+  test::judge_file<Judge<TypeParam>>(test::kDistances, sizeof(TypeParam) == 4 ? "float" : "double");
 }
 
 }  // namespace

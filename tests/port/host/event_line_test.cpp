@@ -7,7 +7,10 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
+
+#include "programs/devices/default_recording.hpp"
 
 namespace batuta::host {
 using namespace fencing;
@@ -99,27 +102,38 @@ TEST(EventLine, DescriptionLines) {
   }
 }
 
-/// Reads every line with libevemu as well.
+/// Reads every line with libevemu as well. @returns how many events there were
+int compare_all(std::istream& lines) {
+  int compared = 0;
+  for (std::string line; std::getline(lines, line);) {
+    DeviceEvent event;
+    if (read_line(line, event) != LineKind::kEvent) continue;
+    std::FILE* memory = fmemopen(line.data(), line.size(), "r");
+    input_event theirs{};
+    EXPECT_EQ(evemu_read_event(memory, &theirs), 1) << line;
+    std::fclose(memory);
+    EXPECT_EQ(event.time_us, theirs.input_event_sec * 1'000'000 + theirs.input_event_usec);
+    EXPECT_EQ(event.type, theirs.type);
+    EXPECT_EQ(event.code, theirs.code);
+    EXPECT_EQ(event.value, theirs.value);
+    ++compared;
+  }
+  return compared;
+}
+
 TEST(EventLine, AgreesWithLibevemu_OnAllRecordings) {
+  std::istringstream own{std::string(kDefaultRecording)};
+  EXPECT_GT(compare_all(own), 8000);
   const std::filesystem::path folder = BATUTA_SHARED_DIR "/recordings";
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no " << folder;
+  if (!std::filesystem::exists(folder)) {
+    std::printf("only the default recording: there is no %s\n", folder.c_str());
+    return;
+  }
   int compared = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() != ".events") continue;
     std::ifstream file(entry.path());
-    for (std::string line; std::getline(file, line);) {
-      DeviceEvent event;
-      if (read_line(line, event) != LineKind::kEvent) continue;
-      std::FILE* memory = fmemopen(line.data(), line.size(), "r");
-      input_event theirs{};
-      ASSERT_EQ(evemu_read_event(memory, &theirs), 1) << line;
-      std::fclose(memory);
-      EXPECT_EQ(event.time_us, theirs.input_event_sec * 1'000'000 + theirs.input_event_usec);
-      EXPECT_EQ(event.type, theirs.type);
-      EXPECT_EQ(event.code, theirs.code);
-      EXPECT_EQ(event.value, theirs.value);
-      ++compared;
-    }
+    compared += compare_all(file);
   }
   EXPECT_GT(compared, 1000);
 }

@@ -51,13 +51,20 @@ def chunk_of_contacts(path):
     return struct.pack(f"<4I{len(words)}I", TOC, len(rows), len(columns), 0, *words)
 
 
+def whole_file(manifest_shared):
+    return pathlib.Path(manifest_shared) / "vectors" / "toc.csv"
+
+
 def packed_queries(manifest, folder):
-    """The digest's queries, made by the program of the host's tree, or left by tests/target/pairs; else None."""
+    """The digest's queries, made by the program of the host's tree, or left by tests/target/pairs; else None. None,
+    too, without the whole file of queries: what is budgeted are figures of all of them."""
+    if not whole_file(manifest["shared"]).is_file():
+        return None
     build = pathlib.Path(manifest["source"]) / "build"
     packer = build / "host" / "batuta_digest_pack"
     if (build / "host" / "CMakeCache.txt").is_file() and not packer.is_file():
         subprocess.run(["cmake", "--build", packer.parent, "--target", packer.name], stdout=subprocess.DEVNULL)
-    if packer.is_file() and pathlib.Path(manifest["shared"]).is_dir():
+    if packer.is_file():
         out = folder / "digest.bin"
         subprocess.run([packer, manifest["shared"], out], check=True, stdout=subprocess.DEVNULL)
         return out
@@ -149,7 +156,7 @@ def mean(values):
 
 
 def families(manifest_shared):
-    with (pathlib.Path(manifest_shared) / "vectors" / "toc.csv").open(newline="") as file:
+    with whole_file(manifest_shared).open(newline="") as file:
         return [row["family"] for row in csv.DictReader(file)]
 
 

@@ -2,7 +2,8 @@
 // batuta_digest_pack: puts query files and the samples of recordings into one file for
 // batuta_digest (its form: section.hpp), and says what is in it and what had to be left out.
 // usage: batuta_digest_pack SHARED OUT
-// Exit status: 0 written, also where SHARED lacks files; 1 a file is there but cannot be used.
+// Queries that SHARED lacks are those of the committed part, tests/vectors/committed.
+// Exit status: 0 written, also where SHARED lacks recordings; 1 a file cannot be used.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -110,7 +111,6 @@ class Pack {
 };
 
 void Pack::add_queries(const std::string& path, Chunk chunk, const Names& columns) {
-  if (skip(path)) return;
   std::ifstream in(path, std::ios::binary);
   host::QueryFile file(in);
   WordList records;
@@ -161,11 +161,19 @@ Names recordings_in(const std::string& folder) {
   return paths;
 }
 
+/// The whole file of queries, or the committed part of it.
+std::string queries_in(const std::string& shared, const std::string& name) {
+  const std::string whole = shared + "/vectors/" + name;
+  if (std::filesystem::exists(whole)) return whole;
+  std::printf("only the committed part: there is no %s\n", whole.c_str());
+  return std::string(BATUTA_COMMITTED_VECTORS "/") + name;
+}
+
 int pack(const std::string& shared, const std::string& out) {
   Pack file(out);
-  file.add_queries(shared + "/vectors/toc.csv", Chunk::kToc, toc_columns());
-  file.add_queries(shared + "/vectors/dist.csv", Chunk::kDistance, distance_columns());
-  file.add_queries(shared + "/vectors/resp.csv", Chunk::kImpulse, impulse_columns());
+  file.add_queries(queries_in(shared, "toc.csv"), Chunk::kToc, toc_columns());
+  file.add_queries(queries_in(shared, "dist.csv"), Chunk::kDistance, distance_columns());
+  file.add_queries(queries_in(shared, "resp.csv"), Chunk::kImpulse, impulse_columns());
   file.add_bout("default", "script:parry");
   for (const std::string& path : recordings_in(shared + "/recordings")) {
     file.add_bout(path, "script:parry");
