@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The README's table of sizes and bounds. They follow from the code alone, so that a test can hold
-// the README to them.
+// The table of sizes and bounds of docs/cost.md. They follow from the code alone, so that a test
+// can hold the page to them.
 
 #include <cstdio>
 

@@ -37,3 +37,8 @@ def share(part, whole):
 def times(value):
     """A ratio of times: what differs from run to run is always written with this sign."""
     return "-" if value is None else (f"{value:.1f} ×" if value < 10 else f"{value:.0f} ×")
+
+
+def shown(picture, title):
+    """A picture of the report in a block that goes into a page of the repository; readme.py sets the folder."""
+    return f"![{title}]({picture}.svg)\n\n"

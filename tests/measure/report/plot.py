@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Pictures by gnuplot: a picture is a file .gp that holds its data, and the .svg drawn from it."""
 
+import math
 import pathlib
 import shutil
 import subprocess
@@ -10,6 +11,8 @@ COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#0
 MARKS = [7, 5, 9, 13, 11, 15, 4, 6]
 PANEL = (470, 400)
 KEY_HEIGHT = 60
+SHORT_DECADES = (-3, 5)  # numbers from 0.001 to 100000 are written out along x
+MOST_LABELS = 8  # along a logarithmic axis
 
 
 class Series:
@@ -40,11 +43,23 @@ class Panel:
         out.append("unset logscale")
         for axis in self.logs:
             out.append(f"set logscale {axis}")
-        for axis, span in (("x", self.x_range), ("y", self.y_range)):
+        for place, (axis, span) in enumerate((("x", self.x_range), ("y", self.y_range))):
             out.append(f"set {axis}range [{':'.join(_or_star(v) for v in span or (None, None))}]")
-            out.append(f"set format {axis} '" + ("10^{%L}" if axis in self.logs and axis == "y" else "%g") + "'")
+            form, tics = self._tics(place, axis, span or (None, None))
+            out += [f"set format {axis} '{form}'", f"set {axis}tics {tics}"]
         plots = [f"$p{number}_{i} {s.style()} notitle" for i, s in enumerate(self.series)]
         return out + ["plot " + ", \\\n     ".join(plots or ["NaN notitle"])]
+
+
+    def _tics(self, place, axis, span):
+        """Format and distance of an axis' labels, so that none touches its neighbour."""
+        values = [point[place] for series in self.series for point in series.points] + [v for v in span if v is not None]
+        logs = [math.log10(value) for value in values if value > 0]
+        if axis not in self.logs or not logs:
+            return "%g", "autofreq"
+        short = axis == "x" and min(logs) >= SHORT_DECADES[0] and max(logs) <= SHORT_DECADES[1]
+        decades = -(-(max(logs) - min(logs)) // MOST_LABELS)
+        return "%g" if short else "10^{%L}", f"{10 ** int(decades)}" if decades > 1 else "autofreq"
 
 
 def _or_star(value):

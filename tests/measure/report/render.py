@@ -9,8 +9,10 @@ import sys
 
 import rows
 
-SECTIONS = ["search", "peers", "misses", "climb", "swept", "response", "friction", "stiff", "haptics", "footprint", "growth",
+SECTIONS = ["search", "simulation", "flight", "peers", "misses", "climb", "swept", "response", "friction", "stiff", "haptics", "footprint", "growth",
             "worlds"]
+BLOCKS = "blocks"  # folder of what readme.py puts into pages of the repository
+BUSY = "busy.txt"  # which times of these blocks were taken on a busy host
 
 HEAD = """# batuta: error against run time
 
@@ -26,28 +28,56 @@ def read(module, folder):
     return ({} if absent else {file: rows.Rows.read(path).merged() for file, path in paths.items()}), absent
 
 
+def disturbed(tables):
+    """How many of a section's baselines were measured while the host was busy, and how many there are."""
+    timed = [row for table in tables.values() if "time_disturbed" in table.kinds for row in table.rows]
+    return sum(row["time_disturbed"] for row in timed), sum(row["time_baselines"] for row in timed)
+
+
+def warning(name, tables):
+    """A sentence where a section's times mean nothing."""
+    busy, asked = disturbed(tables)
+    if not busy:
+        return ""
+    return (f"{name}: the host was busy: {busy} of {asked} baselines were interrupted or uneven, "
+            "so the times of this section mean nothing")
+
+
 def section(name, folder):
-    """A section's Markdown. One that can write the README's part as well has it written beside the report."""
+    """A section's Markdown, and what is wrong with its times. What a page of the repository shows of it is written beside
+    the report."""
     module = importlib.import_module(f"pages.{name}")
     head = f"\n## {module.TITLE}\n\n"
     tables, absent = read(module, folder)
     if absent:
         print(f"render.py: {', '.join(absent)} not there: '{module.TITLE}' is left out", file=sys.stderr)
-        return f"{head}*Not in this report: there is no {', '.join(absent)}.*\n"
-    if hasattr(module, "readme"):
-        (folder / "readme.md").write_text(module.readme(tables))
-    return head + module.page(tables, folder)
+        return f"{head}*Not in this report: there is no {', '.join(absent)}.*\n", ""
+    busy = warning(name, tables)
+    if busy:
+        print(f"render.py: {busy}", file=sys.stderr)
+        head += f"**{busy[0].upper()}{busy[1:]}.**\n\n"
+    if hasattr(module, "blocks"):
+        for mark, text in module.blocks(tables).items():
+            (folder / BLOCKS / f"{mark}.md").write_text(text)
+    else:
+        busy = ""
+    return head + module.page(tables, folder), busy
 
 
 def draw_report(folder):
     """Writes the report. Returns an exit code."""
     try:
-        parts = [HEAD] + [section(name, folder) for name in SECTIONS]
+        (folder / BLOCKS).mkdir(exist_ok=True)
+        sections = [section(name, folder) for name in SECTIONS]
     except (OSError, ValueError) as error:
         print(f"render.py: {error}", file=sys.stderr)
         return 1
     report = folder / "report.md"
-    report.write_text("".join(parts))
+    report.write_text("".join([HEAD] + [text for text, _ in sections]))
+    busy = [sentence for _, sentence in sections if sentence]
+    (folder / BUSY).unlink(missing_ok=True)
+    if busy:
+        (folder / BUSY).write_text("".join(f"{sentence}\n" for sentence in busy))
     print(f"report: {report}")
     return 0
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "table.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -29,7 +30,7 @@ std::string text_of(double value) {
 }
 
 Table::Table(const Options& options, std::string section)
-    : options_(options), section_(std::move(section)) {}
+    : options_(options), section_(std::move(section)), seen_(baselines()) {}
 
 Table& Table::cell(std::string name, std::string value) {
   names_.push_back(std::move(name));
@@ -56,7 +57,18 @@ Table& Table::hist(const char* name, const Histogram& value) {
   return cell(std::string(name) + ":hist", value.text());
 }
 
+void Table::count_baselines() {
+  const auto is_time = [](const std::string& name) { return name.rfind("time", 0) == 0; };
+  if (std::none_of(names_.begin(), names_.end(), is_time)) return;
+  if (baselines().all == seen_.all) (void)plain_ns();
+  const BaselineCount now = baselines();
+  sum("time_baselines", now.all - seen_.all);
+  sum("time_disturbed", now.disturbed - seen_.disturbed);
+  seen_ = now;
+}
+
 void Table::end_row() {
+  count_baselines();
   if (columns_.empty()) columns_ = names_;
   if (columns_ != names_) {
     std::fprintf(stderr, "%s: a row has other columns than the first\n", section_.c_str());

@@ -5,7 +5,9 @@
 //   name:sum    whole number, merged by adding
 //   name:max    number, merged by the larger; name:min by the smaller; empty: nothing was seen
 //   name:hist   Histogram::text(), merged by adding bins
-// Names of columns that hold times begin with "time": they differ from run to run.
+// Names of columns that hold times begin with "time": they differ from run to run. A row that has
+// any gets two more: time_baselines:sum and time_disturbed:sum, how many baselines were measured
+// since the row before, and how many of them on a host that was busy (timing.hpp).
 
 #include <cstdint>
 #include <string>
@@ -13,6 +15,7 @@
 
 #include "histogram.hpp"
 #include "options.hpp"
+#include "timing.hpp"
 
 namespace batuta::report {
 
@@ -38,6 +41,7 @@ class Table {
 
  private:
   Table& cell(std::string name, std::string value);
+  void count_baselines();
 
   Options options_;
   std::string section_;
@@ -45,6 +49,7 @@ class Table {
   std::vector<std::string> names_;
   std::vector<std::string> values_;
   std::string rows_;
+  BaselineCount seen_;  ///< by the end of the row before
 };
 
 /// Shortest text that reads back as the same number; empty for NaN.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "timing.hpp"
 
+#include <time.h>
+
 #include <cmath>
 #include <cstdint>
 
@@ -15,6 +17,9 @@ struct SegmentPair {
 
 /// So many that no branch predictor learns them by heart: a query meets fresh numbers, too.
 constexpr int kPairs = 16384;
+
+/// Further tries of a program for a calm baseline, in all.
+constexpr int kTries = 20;
 
 /// Segments of general position in the unit cube, the same on every host.
 std::array<SegmentPair, kPairs> make_pairs() {
@@ -39,7 +44,36 @@ double clamped(double x) {
   return x < 0 ? 0 : (x > 1 ? 1 : x);
 }
 
+BaselineCount& counted() {
+  static BaselineCount count;
+  return count;
+}
+
 }  // namespace
+
+double median(Batches batches) {
+  std::sort(batches.begin(), batches.end());
+  return batches[kBatches / 2];
+}
+
+Baseline baseline_of(const Batches& batches, double spent, double ran) {
+  Baseline baseline;
+  baseline.ns = median(batches);
+  const double fastest = *std::min_element(batches.begin(), batches.end());
+  baseline.spread = fastest > 0 ? baseline.ns / fastest - 1 : 0;
+  baseline.waited = spent > 0 ? std::max(0.0, 1 - ran / spent) : 0;
+  return baseline;
+}
+
+double thread_seconds() {
+  timespec ran{};
+  if (clock_gettime(CLOCK_THREAD_CPUTIME_ID, &ran) != 0) return 0;
+  return static_cast<double>(ran.tv_sec) + 1e-9 * static_cast<double>(ran.tv_nsec);
+}
+
+BaselineCount baselines() {
+  return counted();
+}
 
 double plain_segment_distance(const Segment<double>& A, const Segment<double>& B) {
   const Vec3<double> d = A.b - A.a;
@@ -62,13 +96,18 @@ double plain_segment_distance(const Segment<double>& A, const Segment<double>& B
 
 double plain_ns() {
   static const std::array<SegmentPair, kPairs> pairs = make_pairs();
-  const double all = median_ns(8, [] {
-    for (const SegmentPair& pair : pairs) {
-      const double distance = plain_segment_distance(pair.A, pair.B);
-      keep(distance);
-    }
+  static int tries = kTries;
+  const Baseline all = calmest(tries, [] {
+    return baseline_ns(8, [] {
+      for (const SegmentPair& pair : pairs) {
+        const double distance = plain_segment_distance(pair.A, pair.B);
+        keep(distance);
+      }
+    });
   });
-  return all / kPairs;
+  ++counted().all;
+  if (!all.is_calm()) ++counted().disturbed;
+  return all.ns / kPairs;
 }
 
 }  // namespace batuta::report

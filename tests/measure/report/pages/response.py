@@ -3,6 +3,7 @@
 
 import math
 
+from fit import slope
 from markdown import number, percent, share, table, times
 from plot import Panel, Series, draw
 
@@ -125,7 +126,7 @@ def _resting_picture(rows, folder, scalar):
     return draw(folder, f"response_resting_{scalar}", f"A rod at rest on two posts, {scalar}", panels)
 
 
-RESTING_HEADER = ["method", "rod", "scalar", "D, m", "deepest overlap, m", "least gap, m", "jitter, m", "drift in 4 s, m",
+RESTING_HEADER = ["method", "rod", "scalar", "D, m", "off its posts", "deepest overlap, m", "least gap, m", "jitter, m", "drift in 4 s, m",
                   "answers per step", "frozen per step", "evaluations per simulated second", "at most in a step",
                   "steps in which something did not fit", "time"]
 
@@ -133,22 +134,16 @@ RESTING_HEADER = ["method", "rod", "scalar", "D, m", "deepest overlap, m", "leas
 def _resting_cells(row):
     steps = row["steps"]
     distance = row["distance"] if row["method"] == SETTLING else "-"
-    return [row["method"], row["pile"], row["scalar"], distance, number(row["penetration_m"]), number(row["least_gap_m"]),
+    if not steps:
+        return [row["method"], row["pile"], row["scalar"], distance, str(row["left"])] + ["-"] * (len(RESTING_HEADER) - 5)
+    return [row["method"], row["pile"], row["scalar"], distance, str(row["left"]), number(row["penetration_m"]), number(row["least_gap_m"]),
             number(row["jitter_m"]), number(row["drift_m"]), number(row["answers"] / steps), number(row["frozen"] / steps),
             number(1000 * row["evaluations"] / steps), number(row["most_evaluations"]),
             share(row["incomplete"], steps), times(row["time_step_in_plain"])]
 
 
 def _resting_table(rows):
-    return table(RESTING_HEADER, [_resting_cells(row) for row in rows.rows if row["steps"]])
-
-
-def slope(points):
-    """Of the straight line through (log x, log y), by least squares."""
-    logs = [(math.log(x), math.log(y)) for x, y in points]
-    mean_x = sum(x for x, _ in logs) / len(logs)
-    mean_y = sum(y for _, y in logs) / len(logs)
-    return sum((x - mean_x) * (y - mean_y) for x, y in logs) / sum((x - mean_x) ** 2 for x, _ in logs)
+    return table(RESTING_HEADER, [_resting_cells(row) for row in rows.rows if row["steps"] or row["left"]])
 
 
 def _errors(rows, name):
@@ -225,7 +220,8 @@ and is stepped by 1 ms. *Settling* (`RestingContact::kSettling`): what is left o
 and the gap is restored to D. *Micro-collisions*, the alternative that the paper names (Mirtich and Canny): the same world with
 `RestingContact::kNone`, every contact an impulse, with restitution 0 and 0.5. A settled rod falls through D again and again: D is
 its jitter and most of its drift, and the longer fall saves searches. Below what a body falls in a step or two (0.02 mm) a
-smaller D brings nothing, and micro-collisions are as good for a single rod. A D of half the rod's thickness lifts it out of the groove.
+smaller D brings nothing, and micro-collisions are as good for a single rod. A D of half the rod's thickness lifts it out of the groove:
+such a rod is not at rest, so it is counted (*off its posts*), and has no point in the pictures.
 """
 
 KEYFRAME_TEXT = """

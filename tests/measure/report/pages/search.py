@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Error of the time of contact against cost, for every search and setting."""
 
-from markdown import number, share, table, times
+import math
+
+from markdown import number, share, shown, table, times
 from plot import Panel, Series, draw
 
 TITLE = "Searches: error against cost"
@@ -27,6 +29,7 @@ DEFAULTS = [
     ("regula-falsi", "iterations", 8),
     ("illinois", "iterations", 8),
 ]
+PICTURE = "error_against_cost"  # of the README
 LEAST_ERROR = 1e-17  # a zero on a logarithmic axis
 
 
@@ -74,7 +77,7 @@ def _turning(rows):
 
 def _main_picture(rows, folder, scalar):
     turning = _turning(rows.where(scalar=scalar))
-    error = "error of t_{free} / step"
+    error = "error, in steps, of t_{free}"
     panels = [
         Panel("median", "distance evaluations, mean", error, _curves(turning, _evaluations, _median)),
         Panel("99 %", "distance evaluations, mean", error, _curves(turning, _evaluations, _p99)),
@@ -84,8 +87,23 @@ def _main_picture(rows, folder, scalar):
     return draw(folder, f"search_{scalar}", f"Error against cost, all families that turn, {scalar}", panels)
 
 
+def _both_picture(rows, folder):
+    """The picture of the README: both scalars side by side, on the same axes."""
+    panels = []
+    for title, x in (("distance evaluations, mean", _evaluations),
+                           ("time over one plain segment distance, median", _time)):
+        curves = {scalar: _curves(_turning(rows.where(scalar=scalar)), x, _p99) for scalar in ("float", "double")}
+        values = [[point[axis] for series in curves.values() for one in series for point in one.points] for axis in (0, 1)]
+        if not values[0]:
+            continue
+        spans = [(10 ** math.floor(math.log10(min(v))), 10 ** math.ceil(math.log10(max(v)))) for v in values]
+        panels += [Panel(scalar, title, "99 % error, in steps, of t_{free}", curves[scalar], x_range=spans[0], y_range=spans[1])
+                   for scalar in curves]
+    return draw(folder, PICTURE, "Error of the time of contact against cost, all families that turn", panels)
+
+
 def _family_picture(rows, folder, scalar):
-    panels = [Panel(family.replace("_", " "), "distance evaluations, mean", "99 % error of t_{free} / step",
+    panels = [Panel(family.replace("_", " "), "distance evaluations, mean", "99 % error, in steps, of t_{free}",
                     _curves(rows.where(scalar=scalar, family=family), _evaluations, _p99))
               for family in _families(rows)]
     return draw(folder, f"search_families_{scalar}", f"Error against cost by family, {scalar}", panels, columns=3)
@@ -212,7 +230,7 @@ conservative advancement does not account for rounding: what they miss, they mis
 def page(tables, folder):
     rows = tables["search"]
     _all_settings(rows, folder)
-    parts = [TEXT, "\n\n"]
+    parts = [TEXT, "\n\n", _both_picture(rows, folder), "\n"]
     parts += [_main_picture(rows, folder, scalar) + "\n" for scalar in ("double", "float")]
     parts += [_evaluation_picture(rows, folder), "\n", _budget_picture(rows, folder), "\n"]
     parts += [_family_picture(rows, folder, scalar) + "\n" for scalar in ("double", "float")]
@@ -221,8 +239,8 @@ def page(tables, folder):
     return "".join(parts + list(_default_tables(rows)))
 
 
-def readme(tables):
-    """The README's table: the library's searches at their defaults, in float, family by family."""
+def blocks(tables):
+    """The README's picture and table: the library's searches at their defaults, in float, family by family."""
     rows = tables["search"].where(scalar="float")
     header = ["family", "contacts", "missed", "false", "kBudget", "error, 99 %", "evaluations, mean", "99.9 %",
               "time, median", "time, 99 %"]
@@ -234,4 +252,4 @@ def readme(tables):
                       str(row["false_contacts"]), share(row["said_budget"], row["queries"]), number(_p99(row)),
                       number(_evaluations(row)), number(row["evaluations"].quantile(0.999)), times(_time(row)),
                       times(row["time_whole_ratio"].quantile(0.99))])
-    return table(header, lines)
+    return {"report": shown(PICTURE, "Error of the time of contact against cost") + table(header, lines)}

@@ -36,6 +36,8 @@ struct Setup {
 };
 
 struct Account {
+  std::uint64_t left =
+      0;  ///< runs in which the rod was lifted off its posts: not at rest, not judged
   std::uint64_t steps = 0;
   std::uint64_t evaluations = 0;
   std::uint64_t most_evaluations = 0;  ///< in one step
@@ -85,8 +87,24 @@ void count(const World<SceneT>& world, Account& account) {
   account.penetration = std::max(account.penetration, -gap);
 }
 
+/// What a run tells, added up with those before.
+void add(Account& sum, const Account& run) {
+  sum.steps += run.steps;
+  sum.evaluations += run.evaluations;
+  sum.most_evaluations = std::max(sum.most_evaluations, run.most_evaluations);
+  sum.answers += run.answers;
+  sum.frozen += run.frozen;
+  sum.incomplete += run.incomplete;
+  sum.penetration = std::max(sum.penetration, run.penetration);
+  sum.least_gap = std::min(sum.least_gap, run.least_gap);
+  sum.jitter = std::max(sum.jitter, run.jitter);
+  sum.drift = std::max(sum.drift, run.drift);
+  sum.step_ns = std::min(sum.step_ns, run.step_ns);
+}
+
+/// One run. @returns whether the rod was still on its posts at the end
 template <class SceneT>
-void observe(const Setup& setup, std::uint64_t number, Account& account) {
+bool observe(const Setup& setup, std::uint64_t number, Account& account) {
   using S = typename SceneT::Scalar;
   using Clock = std::chrono::steady_clock;
   World<SceneT> world;
@@ -113,13 +131,19 @@ void observe(const Setup& setup, std::uint64_t number, Account& account) {
   }
   account.jitter = std::max(account.jitter, high - low);
   account.step_ns = std::min(account.step_ns, 1e9 * seconds / kObserved);
+  return test::least_gap(shown) < 2 * test::kRodRadius;
 }
 
 template <class SceneT>
 void add_row(Table& table, const char* method, const Setup& setup, Range runs) {
   Account account;
   for (std::uint64_t number = runs.first; number < runs.last; ++number) {
-    observe<SceneT>(setup, number, account);
+    Account run;
+    if (observe<SceneT>(setup, number, run)) {
+      add(account, run);
+    } else {
+      ++account.left;
+    }
   }
   const bool any = account.steps > 0;
   const double none = std::numeric_limits<double>::quiet_NaN();
@@ -127,6 +151,7 @@ void add_row(Table& table, const char* method, const Setup& setup, Range runs) {
       .key("pile", setup.pile == Pile::kAcross ? "across" : "groove")
       .key("scalar", std::is_same_v<typename SceneT::Scalar, float> ? "float" : "double")
       .key("distance", setup.distance)
+      .sum("left", account.left)
       .sum("steps", account.steps)
       .sum("evaluations", account.evaluations)
       .max("most_evaluations", static_cast<double>(account.most_evaluations))
