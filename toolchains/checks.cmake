@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Targets that look at the code instead of building it: analyze, coverage.
+# Targets that look at the code instead of building it: analyze, site, coverage.
 find_package(Python3 3.9 COMPONENTS Interpreter)
 
 if(Python3_FOUND)
@@ -8,6 +8,11 @@ if(Python3_FOUND)
             --source ${PROJECT_SOURCE_DIR} --build ${PROJECT_BINARY_DIR}
     USES_TERMINAL VERBATIM
     COMMENT "cppcheck, clang-tidy, clang-format: warnings are errors")
+  add_custom_target(site
+    COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/site.py ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/build/site
+            ${PROJECT_VERSION}
+    USES_TERMINAL VERBATIM
+    COMMENT "Pages, notes and reference, by Doxygen: what is undocumented or broken is an error")
 endif()
 
 find_program(BATUTA_GCOVR gcovr)

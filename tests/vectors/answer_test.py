@@ -70,7 +70,7 @@ class Answer(unittest.TestCase):
 
     def run_program(self, *arguments, text=None):
         return subprocess.run([PROGRAM, *arguments], input=text, capture_output=True, text=True,
-                              check=False, timeout=60)
+                              check=False, timeout=600)
 
     def ask(self, kind, rows, *options, status=0):
         with open(self.path("in.csv"), "w", encoding="ascii") as file:

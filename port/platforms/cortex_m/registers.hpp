@@ -21,6 +21,7 @@ class Register {
 
  private:
   volatile std::uint32_t* pointer() const {
+    // NOLINTNEXTLINE(performance-no-int-to-ptr) deviation: memory-mapped
     return reinterpret_cast<volatile std::uint32_t*>(address_);
   }
   std::uint32_t address_;
@@ -65,7 +66,7 @@ class InterruptLock {
   InterruptLock& operator=(const InterruptLock&) = delete;
 
  private:
-  std::uint32_t before_;
+  std::uint32_t before_ = 0;
 };
 
 }  // namespace batuta::cortex_m

@@ -4,6 +4,7 @@
 #include "platforms/cortex_m/fault.hpp"
 
 extern "C" {
+// NOLINTBEGIN(readability-identifier-naming) deviation: run-time-names
 
 void* __dso_handle = nullptr;
 
@@ -22,4 +23,6 @@ int __aeabi_atexit(void*, void (*)(void*), void*) {
 
 // Named by libgcc's division routines; nothing unwinds.
 [[gnu::weak]] void __aeabi_unwind_cpp_pr0() {}
+
+// NOLINTEND(readability-identifier-naming) deviation: run-time-names
 }

@@ -17,7 +17,7 @@ enum class Operation : std::uint32_t {
 
 int call(Operation operation, const void* argument) {
   register auto r0 __asm__("r0") = static_cast<std::uint32_t>(operation);
-  register auto r1 __asm__("r1") = argument;
+  register const auto* r1 __asm__("r1") = argument;
   __asm volatile("bkpt 0xAB" : "+r"(r0) : "r"(r1) : "memory");
   return static_cast<int>(r0);
 }
@@ -90,6 +90,7 @@ bool File::open(const char* path, Mode mode) {
   return is_open();
 }
 
+// NOLINTNEXTLINE(readability-make-member-function-const) deviation: file-position
 int File::read(void* bytes, int count) {
   if (!is_open() || count < 0) return -1;
   const std::uint32_t block[] = {static_cast<std::uint32_t>(handle_), as_word(bytes),
@@ -98,6 +99,7 @@ int File::read(void* bytes, int count) {
   return missing < 0 || missing > count ? -1 : count - missing;
 }
 
+// NOLINTNEXTLINE(readability-make-member-function-const) deviation: file-position
 int File::write(const void* bytes, int count) {
   if (!is_open() || count < 0) return -1;
   const std::uint32_t block[] = {static_cast<std::uint32_t>(handle_), as_word(bytes),

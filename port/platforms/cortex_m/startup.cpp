@@ -87,8 +87,9 @@ void initialise_variables() {
 
 void run_constructors() {
   // Bound: as many as were linked.
-  for (auto constructor = batuta_init_array; constructor < batuta_init_array_end; ++constructor) {
-    (*constructor)();
+  // cppcheck-suppress comparePointers ; deviation: linker-symbols
+  for (const auto* at = batuta_init_array; at < batuta_init_array_end; ++at) {
+    (*at)();
   }
 }
 
@@ -100,6 +101,7 @@ void batuta_start(std::uint32_t coprocessors) {
   __asm volatile("dsb\n isb" ::: "memory");
   batuta::cortex_m::guard_stack();
   initialise_variables();
+  // cppcheck-suppress knownConditionTrueFalse ; deviation: no-fpu
   if ((coprocessors & kFpuAccess) != kFpuAccess) {
     fail_start_up(StartUpFailure::kNoFpu, coprocessors);
   }

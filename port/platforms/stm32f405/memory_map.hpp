@@ -18,6 +18,7 @@ namespace batuta::stm32f405 {
 
 template <class Registers>
 Registers& registers_at(std::uintptr_t address) {
+  // NOLINTNEXTLINE(performance-no-int-to-ptr) deviation: memory-mapped
   return *reinterpret_cast<Registers*>(address);
 }
 

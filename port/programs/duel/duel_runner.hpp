@@ -36,13 +36,13 @@ struct Tally {
   std::uint32_t persists = 0;
   std::uint32_t ends = 0;
   std::uint32_t events_dropped = 0;  ///< answered, but not recorded
-  std::uint32_t contacts_dropped =
-      0;  ///< not answered any more in their step: the blades were held
-  float smallest_gap =
-      std::numeric_limits<float>::infinity();  ///< between the blades after any step, m
-  float deepest_overlap = 0;                   ///< found by a search when it began, m
-  float longest_hold = 0;                      ///< of a blade whose way was not known to be free, s
-  std::uint64_t host_ns = 0;                   ///< time in SteppedBout::step()
+  /// Not answered any more in their step: the blades were held
+  std::uint32_t contacts_dropped = 0;
+  /// Between the blades after any step, m
+  float smallest_gap = std::numeric_limits<float>::infinity();
+  float deepest_overlap = 0;  ///< found by a search when it began, m
+  float longest_hold = 0;     ///< of a blade whose way was not known to be free, s
+  std::uint64_t host_ns = 0;  ///< time in SteppedBout::step()
   std::uint64_t host_ns_worst = 0;
 };
 

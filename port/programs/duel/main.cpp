@@ -207,7 +207,7 @@ int play(Options options) {
   const OpenedSource right = open(options.right);
   if (!right.source) return kExitUsage;
   DeviceSetup setup;
-  const std::string error = setup.open(left, right);
+  const std::string error = setup.open(left, right, patience_of(options.patience));
   if (!error.empty()) return complain(kExitUsage, error);
   Outputs outputs;
   outputs.forces = open_forces(options, *left.source, *right.source);

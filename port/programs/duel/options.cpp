@@ -47,6 +47,9 @@ Where a live device has force feedback, or at least rumbles, its fencer feels th
 With --json each line of the output is an object; "type" is start, contact, touch or, in the last
 line, summary. SI units. Contacts that only persist are counted in the summary, not listed.
 
+A serial device that has not answered a step for the --patience is given up; what has just been
+switched on is given 5 s. An emulator on a busy machine takes longer than a board.
+
 With a serial device, a line of the type "link" before the summary tells what the cable did; with
 a force, a line of the type "force" how well it came through.
 
@@ -68,6 +71,13 @@ std::string share_of_range(const std::string& words) {
   double value = 0;
   const bool number = CLI::detail::lexical_cast(words, value);
   return number && value >= 0 && value <= 1 ? "" : words + " is not a number from 0 to 1";
+}
+
+/// A silence that the line's clock, of 32 bits in us, can measure with room to spare.
+std::string seconds_of_silence(const std::string& words) {
+  double value = 0;
+  const bool number = CLI::detail::lexical_cast(words, value);
+  return number && value >= 0.1 && value <= 1000 ? "" : words + " is not a number from 0.1 to 1000";
 }
 
 std::string file_name(const std::string& words) {
@@ -109,8 +119,11 @@ void declare(CLI::App& app, Options& options) {
   CLI::Option* const replay = app.add_option(
       "--replay", options.replay, "go through a recorded bout again and compare every step");
   replay->type_name("FILE")->check(file_name);
+  CLI::Option* const patience =
+      app.add_option("--patience", options.patience, "wait so long for a silent serial device");
+  patience->type_name("SECONDS")->check(seconds_of_silence)->capture_default_str();
   std::vector<CLI::Option*> others = declare_force(app, options);
-  others.insert(others.end(), {left, right, json, svg, realtime, seconds, record});
+  others.insert(others.end(), {left, right, json, svg, realtime, seconds, record, patience});
   for (CLI::Option* other : others) replay->excludes(other);
   app.set_version_flag("--version", "batuta-duel " BATUTA_VERSION);
   app.footer(kFooter);

@@ -24,6 +24,7 @@ struct Options {
   std::string force = "on";  ///< or "off"
   float spring = 0;          ///< of a force feedback device's own, 0 ... 1
   float damper = 0;
+  double patience = 2;  ///< s of silence of a device on a serial line that are waited for
 };
 
 /// What the command line asks for.

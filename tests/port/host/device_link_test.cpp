@@ -75,6 +75,40 @@ TEST(DeviceLink, AHelloThatIsSentAgain_IsOfTheSameSession) {
   EXPECT_EQ(rig.link.sums().resends, 2U);
 }
 
+TEST(DeviceLink, Patience_IsOfSoManySeconds_AndNeverLessForADeviceThatWasJustSwitchedOn) {
+  EXPECT_EQ(patience_of(2).tries, Patience{}.tries);
+  EXPECT_EQ(patience_of(2).greetings, Patience{}.greetings);
+  EXPECT_EQ(patience_of(0.12).tries, 3) << "50 ms each, and no less than was asked for";
+  EXPECT_EQ(patience_of(1000).tries, 20000);
+  EXPECT_EQ(patience_of(1000).greetings, 20000);
+}
+
+TEST(DeviceLink, ASilentDevice_IsGivenUp_AsSoonAsThePatienceIsOver) {
+  for (const double seconds : {0.1, 2.0, 30.0, 1000.0}) {
+    LinkRig rig;
+    ASSERT_TRUE(rig.link.open(link::Mode::kPaced));
+    const Line line{rig.device, rig.clock, [&](int /*timeout_ms*/) { rig.clock.time += 1000; }};
+    DeviceLink link(line, patience_of(seconds));
+    link::Step first;
+    first.step = 1;
+    for (const bool free : {false, true}) {
+      const Microseconds before = rig.clock.time;
+      StepAnswer answer;
+      if (free) {
+        EXPECT_EQ(link.listen(1, answer), DeviceLink::Heard::kSilence);
+      } else {
+        EXPECT_FALSE(link.ask(first, answer));
+      }
+      const double waited_us = elapsed_us(before, rig.clock.time);
+      EXPECT_GE(waited_us, seconds * 1e6);
+      EXPECT_LE(waited_us, seconds * 1.1e6)
+          << "a millisecond of waiting too long for each question";
+      const std::string words = " within " + std::to_string(int(seconds * 1000)) + " ms";
+      EXPECT_NE(link.problem().find(words), std::string::npos) << link.problem();
+    }
+  }
+}
+
 TEST(DeviceLink, EachOpening_IsASessionOfItsOwn_WhoseLowHalfIsNotThatOfADeviceAlone) {
   LinkRig rig;
   std::uint32_t last = 0;

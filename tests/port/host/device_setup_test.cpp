@@ -55,5 +55,18 @@ TEST(DeviceSetup, BesideADevicesOwnStick_TheOtherFencersLossesAreStillTold) {
   ::close(terminal);
 }
 
+TEST(DeviceSetup, ASilentLine_IsGivenUpAfterThePatience) {
+  const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
+  ASSERT_GE(terminal, 0);
+  ASSERT_EQ(::grantpt(terminal) + ::unlockpt(terminal), 0);
+  const OpenedSource left = open_source(std::string("serial:") + ::ptsname(terminal));
+  const OpenedSource right = open_source("script:guard");
+  DeviceSetup setup;
+  ASSERT_EQ(setup.open(left, right, Patience{1, 2, 3}), "");
+  EXPECT_FALSE(setup.partner()->open());
+  EXPECT_THAT(setup.partner()->problem(), testing::HasSubstr("no answer to Hello within 3 ms"));
+  ::close(terminal);
+}
+
 }  // namespace
 }  // namespace batuta::host

@@ -16,7 +16,7 @@ FACES = [(1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (
 
 
 def run(*words):
-    return subprocess.run([PROGRAM, *words], capture_output=True, text=True, timeout=60, check=False)
+    return subprocess.run([PROGRAM, *words], capture_output=True, text=True, timeout=600, check=False)
 
 
 def check(condition, what):

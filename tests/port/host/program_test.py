@@ -15,7 +15,7 @@ STICK = "E: 0.000000 0003 0000 %d\nE: 0.000000 0000 0000 0\nE: 0.300000 0003 000
 
 
 def run(*words):
-    return subprocess.run([PROGRAM, *words], capture_output=True, text=True, timeout=300, check=False)
+    return subprocess.run([PROGRAM, *words], capture_output=True, text=True, timeout=600, check=False)
 
 
 def check(condition, what):
@@ -60,7 +60,7 @@ def without_timing(line):
 def usage(folder):
     told = run("--help")
     check(told.returncode == 0 and told.stderr == "", told.stderr)
-    for word in ("--left", "--right", "--json", "--svg", "--realtime", "--seconds", "--force", "script:",
+    for word in ("--left", "--right", "--json", "--svg", "--realtime", "--seconds", "--force", "--patience", "script:",
                  "device:/dev/input/", "device:sdl", "Exit codes"):
         check(word in told.stdout, word)
     check(max(map(len, told.stdout.splitlines())) <= 120, "help fits a terminal")
@@ -82,6 +82,12 @@ def usage(folder):
             refuses(["%s=%s" % (option, number)], 2, option)
         told = run(option, "0.5", "--seconds", "0.1")
         check(told.returncode == 0 and told.stderr.count("\n") == 1 and option in told.stderr, told.stderr)
+    for number in ("0", "0.09", "1001", "-1", "x", "nan", "inf", ""):
+        refuses(["--patience=%s" % number], 2, "--patience")
+    master, slave = os.openpty()
+    refuses(["--left", "serial:" + os.ttyname(slave), "--patience", "5.1"], 1, "no answer to Hello within 5100 ms")
+    os.close(slave)
+    os.close(master)
     refuses(["--left", "serial:/dev/null"], 2, "/dev/null")
     refuses(["--left", "serial:" + os.path.join(folder, "none")], 2, "none")
     refuses(["--left", "serial:/dev/null@12"], 2, "unknown rate of 12 baud")

@@ -23,9 +23,12 @@ def main():
     manifest, _ = price.read_manifest(arguments.tree)
     arguments.emulator = [*manifest["emulator"], manifest["images"]["firmware"]]
     with hil.Bench(arguments) as bench:
-        words = ["--left", f"serial:{bench.cable.path},default", "--right", "script:parry"]
+        words = ["--left", f"serial:{bench.cable.path},default", "--right", "script:parry", *hil.PATIENCE]
         print("batuta-duel", *words, f"  # {manifest['part']} in the emulator", flush=True)
-        return subprocess.run([arguments.duel, *words]).returncode
+        status = subprocess.run([arguments.duel, *words], check=False).returncode
+        if bench.keeper.problem:
+            print(bench.keeper.problem, file=sys.stderr)
+        return status
 
 
 if __name__ == "__main__":

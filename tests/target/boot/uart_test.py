@@ -4,12 +4,13 @@
 
 import os
 import random
+import resource
 import socket
 import subprocess
 import sys
 import tempfile
 
-TIMEOUT_S = 50
+PROCESSOR_SECONDS = 60  # of the emulator: a busy machine does not spend them
 ECHO_BYTES = 20000
 FLOOD_BYTES = 3000
 WINDOW = 400  # less than the receive ring
@@ -17,7 +18,24 @@ WINDOW = 400  # less than the receive ring
 
 def start(command, path, words):
     environment = dict(os.environ, BATUTA_QEMU_OPTIONS=f"-serial unix:{path}")
-    return subprocess.Popen(command + words, env=environment, stdin=subprocess.DEVNULL)
+    return subprocess.Popen(command + words, env=environment, stdin=subprocess.DEVNULL, preexec_fn=limit_processor_time)
+
+
+def limit_processor_time():
+    resource.setrlimit(resource.RLIMIT_CPU, (PROCESSOR_SECONDS, PROCESSOR_SECONDS))
+
+
+def accept(server, emulator):
+    """The emulator's end of the line, as long as it lives; where it has died the line ends."""
+    server.settimeout(0.1)
+    while True:
+        try:
+            connection, _ = server.accept()
+            connection.settimeout(None)
+            return connection
+        except TimeoutError:
+            if emulator.poll() is not None:
+                raise EOFError(f"the emulator has ended, with status {emulator.poll()}") from None
 
 
 def receive(connection, count):
@@ -46,14 +64,12 @@ def main(mode, command):
         path = os.path.join(folder, "uart")
         server.bind(path)
         server.listen(1)
-        server.settimeout(TIMEOUT_S)
         count = ECHO_BYTES + 1 if mode == "echo" else FLOOD_BYTES
         with start(command, path, [mode, str(count)]) as emulator:
             try:
-                connection, _ = server.accept()
-                connection.settimeout(TIMEOUT_S)
+                connection = accept(server, emulator)
                 echo(connection) if mode == "echo" else connection.sendall(bytes(FLOOD_BYTES))
-                return emulator.wait(TIMEOUT_S)
+                return emulator.wait()
             finally:
                 emulator.kill()
 

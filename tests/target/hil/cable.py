@@ -6,8 +6,9 @@ import random
 import selectors
 import socket
 import threading
-import time
 import tty
+
+from frames import IntactFrames
 
 
 class Wire:
@@ -55,26 +56,29 @@ class Cable:
         self.to_host = Wire(damage, seed + 1)
         self.cut_after = cut_after
         self.rewrite = rewrite
+        self.frames = IntactFrames()  # from the device, as they reach the host
         self.device = None
         self.stop = threading.Event()
         self.threads = []
 
-    def plug_in(self, timeout):
-        """Once the emulator has been started."""
-        self.server.settimeout(timeout)
-        self.device, _ = self.server.accept()
+    def plug_in(self, is_alive):
+        """Once the emulator has been started: as long as it lives. @returns whether it has taken the cable"""
+        self.server.settimeout(0.1)
+        while self.device is None:
+            try:
+                self.device, _ = self.server.accept()
+            except TimeoutError:
+                if not is_alive():
+                    return False
         self.device.setblocking(False)
         for direction in ((self.master, self.from_host), (self.device, self.from_device)):
             self.threads.append(threading.Thread(target=self.run, args=direction, daemon=True))
             self.threads[-1].start()
+        return True
 
-    def wait_for_device(self, timeout):
-        """Until it has something to say."""
-        end = time.monotonic() + timeout
-        while self.to_host.passed == 0:
-            if time.monotonic() > end:
-                raise TimeoutError("the device does not speak")
-            time.sleep(0.01)
+    def cut_in(self, count):
+        """After so many more bytes from the device."""
+        self.cut_after = self.to_host.passed + count
 
     def mend(self):
         self.cut_after = None
@@ -82,14 +86,21 @@ class Cable:
     def is_cut(self):
         return self.cut_after is not None and self.to_host.passed >= self.cut_after
 
-    def close(self):
+    def hang_up(self):
+        """The program's line is gone, once and for all."""
         self.stop.set()
         for thread in self.threads:
-            thread.join(5)
+            thread.join()
+        self.threads.clear()
+        if self.master is not None:
+            os.close(self.master)
+        self.master = None
+
+    def close(self):
+        self.hang_up()
         for thing in (self.device, self.server):
             if thing is not None:
                 thing.close()
-        os.close(self.master)
         os.close(self.slave)
 
     def run(self, end, forward):
@@ -111,7 +122,9 @@ class Cable:
         data = read_some(lambda: self.device.recv(65536))
         if data and not self.is_cut():
             data = self.to_host.carry(data)
-            write_all(self.master, self.rewrite(data) if self.rewrite else data, self.stop)
+            data = self.rewrite(data) if self.rewrite else data
+            self.frames.take(data)
+            write_all(self.master, data, self.stop)
         return data is not None
 
 

@@ -31,6 +31,23 @@ def signed(body):
     return body + struct.pack("<I", zlib.crc32(body))
 
 
+def is_intact(raw):
+    return len(raw) >= HEADER + 4 and signed(raw[:-4]) == raw
+
+
+class IntactFrames:
+    """Counts them as they go by."""
+
+    def __init__(self):
+        self.intact = 0
+        self.rest = b""
+
+    def take(self, data):
+        *wires, self.rest = (self.rest + data).split(b"\0")
+        self.rest = self.rest[-256:]  # longer than any frame: noise without an end
+        self.intact += sum(map(is_intact, map(unstuff, wires)))
+
+
 class Silences:
     """Passes bytes on, and keeps what each step report says: [(step, silences), ...]."""
 

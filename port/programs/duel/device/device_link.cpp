@@ -3,6 +3,7 @@
 #include "programs/duel/device/device_link.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 namespace batuta::host {
@@ -35,6 +36,13 @@ const char* reason_of(link::Refusal why) {
 }
 
 }  // namespace
+
+Patience patience_of(double seconds) {
+  Patience patience;
+  patience.tries = static_cast<int>(std::ceil(seconds * 1000 / patience.resend_after_ms));
+  patience.greetings = std::max(patience.greetings, patience.tries);
+  return patience;
+}
 
 DeviceLink::DeviceLink(const Line& line, const Patience& patience)
     : line_(line), patience_(patience), session_(random_session()) {}

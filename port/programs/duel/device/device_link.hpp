@@ -26,6 +26,10 @@ struct Patience {
   int greetings = 100;       ///< > 0: a device that has just been switched on takes its time
 };
 
+/// One that waits for so much silence, s, > 0: for a step, in free mode, and for the Welcome, if
+/// that is not given longer anyway.
+Patience patience_of(double seconds);
+
 /// Sums since the start, beside those of the decoder.
 struct LinkSums {
   std::uint32_t sessions = 0;  ///< begun, or tried to

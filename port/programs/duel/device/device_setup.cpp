@@ -7,7 +7,8 @@
 namespace batuta::host {
 using namespace fencing;
 
-std::string DeviceSetup::open(const OpenedSource& left, const OpenedSource& right) {
+std::string DeviceSetup::open(const OpenedSource& left, const OpenedSource& right,
+                              const Patience& patience) {
   sources_ = {left.source.get(), right.source.get()};
   if (left.line.empty() && right.line.empty()) return {};
   if (!left.line.empty() && !right.line.empty()) {
@@ -19,7 +20,7 @@ std::string DeviceSetup::open(const OpenedSource& left, const OpenedSource& righ
   if (!opened.port) return opened.error;
   port_ = std::move(opened.port);
   const auto wait = [port = port_.get()](int timeout_ms) { (void)port->wait_readable(timeout_ms); };
-  link_ = std::make_unique<DeviceLink>(Line{*port_, clock_, wait});
+  link_ = std::make_unique<DeviceLink>(Line{*port_, clock_, wait}, patience);
   if (device.own_stick) {
     follow_device(device_side);
   } else {

@@ -14,7 +14,8 @@ class DeviceSetup {
  public:
   /// Takes the sources, which must outlive this, and opens the line, if there is one.
   /// @returns empty | why not, in one line
-  std::string open(const OpenedSource& left, const OpenedSource& right);
+  std::string open(const OpenedSource& left, const OpenedSource& right,
+                   const Patience& patience = {});
 
   /// What the runner is to read.
   Source& source(fencing::Side side) { return *sources_[index_of(side)]; }
