@@ -6,7 +6,7 @@ include(CMakePackageConfigHelpers)
 get_property(rooms GLOBAL PROPERTY BATUTA_ROOMS)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/batuta)
 
-install(TARGETS batuta batuta_config ${rooms} batuta_port_${BATUTA_PORT} EXPORT batuta
+install(TARGETS batuta batuta_config ${rooms} batuta_port_${BATUTA_PORT_NAME} EXPORT batuta
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT batuta NAMESPACE batuta:: FILE batutaTargets.cmake DESTINATION ${package_folder})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}

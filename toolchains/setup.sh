@@ -7,7 +7,7 @@ set -u
 
 HOST_PACKAGES="g++ cmake ninja-build pkg-config libeigen3-dev libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev \
 libevdev-dev libevemu-dev libsdl2-dev libcli11-dev gnuplot-nox libbullet-dev libfcl-dev libode-dev libccd-dev \
-cppcheck clang clang-tidy clang-format libclang-rt-dev gcovr python3 git"
+cppcheck clang clang-tidy clang-format libclang-rt-dev gcovr doxygen doxygen-awesome-css make python3 git"
 TARGET_PACKAGES="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm qemu-user \
 g++-aarch64-linux-gnu g++-arm-linux-gnueabihf g++-riscv64-linux-gnu"
 

@@ -21,9 +21,10 @@ inline constexpr Scalar kMaxKeyTurn = Scalar(3);
 template <class Scalar>
 using StickJacobian = Eigen::Matrix<Scalar, 6, 2>;
 
+/// A hand pose on the surface of the keys, and how it changes with the stick.
 template <class Scalar>
 struct KeyedPose {
-  Pose<Scalar> X_WH;
+  Pose<Scalar> X_WH;  ///< of the hand
   /// Zero along a coordinate that is beyond the rim, where the pose does not change any more.
   StickJacobian<Scalar> jacobian = StickJacobian<Scalar>::Zero();
 };
@@ -41,9 +42,10 @@ using KeyPoint = Eigen::Matrix<Scalar, 6, 1>;
 /// column 0 is x = -1 (left), row 0 is y = -1 (back).
 template <class Scalar>
 struct KeyGridView {
-  const KeyPoint<Scalar>* keys = nullptr;
-  int columns = 0;  ///< >= 2
-  int rows = 0;     ///< >= 2
+  const KeyPoint<Scalar>* keys = nullptr;  ///< columns * rows of them
+  int columns = 0;                         ///< >= 2
+  int rows = 0;                            ///< >= 2
+  /// rotation of the central key: turns are measured from it
   Quat<Scalar> q_ref = Quat<Scalar>::Identity();
 };
 
@@ -71,9 +73,11 @@ class KeyframeGrid {
   /// All keys at the origin, unturned: at() has an answer before there are keys.
   KeyframeGrid() { points_.fill(KeyPoint<Scalar>::Zero()); }
 
-  static constexpr int kColumns = M;
-  static constexpr int kRows = N;
+  static constexpr int kColumns = M;  ///< M
+  static constexpr int kRows = N;     ///< N
+  /// M N
   static constexpr std::size_t kKeys = static_cast<std::size_t>(M) * static_cast<std::size_t>(N);
+  /// Hand poses, row by row from the back, left to right.
   using Keys = std::array<Pose<Scalar>, kKeys>;
 
   /// @returns kOk | kInvalidArgument (see relate_keys(); the grid stays as it was)

@@ -14,9 +14,10 @@ namespace batuta {
 /// of a microsecond would come to a stop (src/control/stick.md).
 inline constexpr std::int32_t kLongestSilenceUs = std::int32_t{1} << 24;
 
+/// How a stick's samples become a motion.
 struct StickSettings {
-  std::int32_t min_interval_us =
-      1000;  ///< shortest time in which the stick goes to a new sample, us, > 0
+  /// Shortest time in which the stick goes to a new sample, us, > 0
+  std::int32_t min_interval_us = 1000;
   std::int32_t max_interval_us = 40000;  ///< longest, us, >= min_interval_us
   std::int32_t stale_after_us = 250000;  ///< silence after which the stick counts as stale, us, >=
                                          ///< max_interval_us and at most kLongestSilenceUs
@@ -25,6 +26,7 @@ struct StickSettings {
   float max_speed = 16;
 };
 
+/// Whether settings are in range.
 /// @returns kOk | kInvalidArgument: out of range, or a full movement at max_speed would last beyond
 /// stale_after_us
 Status validate(const StickSettings& settings);
@@ -40,17 +42,18 @@ enum class SampleUse : std::uint8_t {
   kInvalid,   ///< refused: a coordinate is not finite
 };
 
+/// What became of the samples since configure().
 struct StickReport {
-  std::uint32_t used = 0;  ///< with those of kRestart
-  std::uint32_t restarts = 0;
-  std::uint32_t repeated = 0;
-  std::uint32_t backward = 0;
-  std::uint32_t invalid = 0;
-  std::uint32_t lost = 0;     ///< gaps of the sequence numbers
-  std::uint32_t clamped = 0;  ///< used, but a coordinate was outside [-1, 1]
-  std::uint32_t slowed = 0;   ///< used, but faster than max_speed
-  std::uint32_t stale_steps =
-      0;  ///< steps without any sign of life for stale_after_us, or before the first sample
+  std::uint32_t used = 0;      ///< with those of kRestart
+  std::uint32_t restarts = 0;  ///< samples judged kRestart
+  std::uint32_t repeated = 0;  ///< samples judged kRepeated
+  std::uint32_t backward = 0;  ///< samples judged kBackward
+  std::uint32_t invalid = 0;   ///< samples judged kInvalid
+  std::uint32_t lost = 0;      ///< gaps of the sequence numbers
+  std::uint32_t clamped = 0;   ///< used, but a coordinate was outside [-1, 1]
+  std::uint32_t slowed = 0;    ///< used, but faster than max_speed
+  /// Steps without any sign of life for stale_after_us, or before the first sample
+  std::uint32_t stale_steps = 0;
 };
 
 /// After a sample the stick goes from where it is to where the sample says, at constant velocity,
@@ -69,12 +72,16 @@ class StickTracker {
   /// Moves on by one step. @pre dt > 0 and finite, s
   void advance(Scalar dt);
 
+  /// Where the stick is, in [-1, 1]^2.
   const Vec2<Scalar>& position() const { return position_; }
   /// Mean velocity over the last step, 1/s; zero after the stick has arrived and while it is stale:
   /// a stick that becomes stale stops where it is.
   const Vec2<Scalar>& velocity() const { return velocity_; }
+  /// No sign of life for StickSettings::stale_after_us, or none at all yet.
   bool is_stale() const { return stale_; }
+  /// The buttons of the last sample that was used or repeated, a bit each.
   std::uint32_t buttons() const { return last_.buttons; }
+  /// What became of the samples since configure().
   const StickReport& report() const { return report_; }
 
   /// Its state, for record/archive.hpp.

@@ -54,7 +54,7 @@ template <class Scalar>
 /// Whether the calling file, and the thread or context that it runs in, computes as the library
 /// needs it for the same bits everywhere and for its error bounds. A few tens of instructions, no
 /// library call (in soft float, those of the compiler's own). Meant for a start-up check:
-///   if (!rounds_each_operation<float>()) enter_safe_state(...);
+///   `if (!rounds_each_operation<float>()) enter_safe_state(...);`
 /// What it does not see: flags of other files, and registers of other threads or interrupt contexts
 /// (on a Cortex-M: FPDSCR gives an interrupt handler its own flush-to-zero and rounding mode).
 /// @tparam Scalar  float, or double where it is used

@@ -28,6 +28,8 @@ constexpr std::uint32_t file_id(const char* path) {
 
 }  // namespace batuta
 
+/// Calls batuta_trap() where BATUTA_ASSERT_LEVEL is at least `level` and the condition does not
+/// hold. Use the three below.
 #define BATUTA_CHECK_AT(level, condition)                                   \
   do {                                                                      \
     if (BATUTA_ASSERT_LEVEL >= (level) && !(condition)) {                   \

@@ -29,7 +29,9 @@ class PoolBase {
 
   /// Objects that live.
   int size() const { return size_; }
+  /// Whether no object lives.
   bool empty() const { return size_ == 0; }
+  /// N.
   int capacity() const { return capacity_; }
   /// Slots that can still be used: N, less those retired. A slot is retired when its 2^32 - 1
   /// generations are used up (at a thousand objects a second in one slot, after 49 days), so that a
@@ -41,7 +43,8 @@ class PoolBase {
   void clear();
 
  protected:
-  static constexpr std::size_t kBitsPerWord = 32;
+  static constexpr std::size_t kBitsPerWord = 32;  ///< bits of a word of the bitmap
+  /// Words of a bitmap of so many slots.
   static constexpr std::size_t words_for(std::size_t slots) {
     return (slots + kBitsPerWord - 1) / kBitsPerWord;
   }
@@ -53,8 +56,11 @@ class PoolBase {
       : generations_(generations), live_(live), capacity_(capacity), number_(number) {}
   ~PoolBase() = default;
 
+  /// The number that the pool was given.
   std::uint16_t number() const { return number_; }
+  /// Of the last object made in a slot; 0: none yet. @pre index < N
   std::uint32_t generation(std::size_t index) const { return generations_[index]; }
+  /// Whether a slot holds an object; false beyond the slots.
   bool is_live(std::size_t index) const {
     return index < capacity_ && (live_[index / kBitsPerWord] & bit_of(index)) != 0;
   }
@@ -113,46 +119,62 @@ class Pool : public PoolBase {
                 "Pool: objects must be trivially destructible");
 
  public:
+  /// What it holds.
   using value_type = T;
-  static constexpr int kCapacity = N;
+  static constexpr int kCapacity = N;  ///< N.
 
   /// Walks over the live objects in the order of their slots. The object it stands on may be
   /// removed.
   template <bool kConst>
   class Iterator {
    public:
+    /// Pool, or const Pool.
     using PoolType = std::conditional_t<kConst, const Pool, Pool>;
+    /// It may be copied and gone over again.
     using iterator_category = std::forward_iterator_tag;
+    /// What the pool holds.
     using value_type = T;
+    /// As the standard asks; nothing is subtracted.
     using difference_type = std::ptrdiff_t;
+    /// T, or const T.
     using reference = std::conditional_t<kConst, const T&, T&>;
+    /// To T, or to const T.
     using pointer = std::conditional_t<kConst, const T*, T*>;
 
+    /// Stands nowhere: to be assigned to.
     Iterator() = default;
+    /// Stands on a slot of the pool. @pre the slot is live, or index is N: the end
     Iterator(PoolType& pool, std::size_t index) : pool_(&pool), index_(index) {}
 
     /// The slot it stands on; Pool::handle_at() makes a handle of it.
     std::size_t index() const { return index_; }
+    /// The object it stands on. @pre that lives
     reference operator*() const { return *pool_->slot(index_); }
+    /// The object it stands on. @pre that lives
     pointer operator->() const { return pool_->slot(index_); }
-    /// Bound: N / 32 words.
+    /// On to the next object. Bound: N / 32 words.
     Iterator& operator++() {
       index_ = pool_->next_live(index_ + 1);
       return *this;
     }
+    /// On to the next object; what it stood on before. Bound: N / 32 words.
     Iterator operator++(int) {
       const Iterator before = *this;
       ++*this;
       return before;
     }
+    /// Whether both stand on the same slot. @pre of one pool
     friend bool operator==(const Iterator& a, const Iterator& b) { return a.index_ == b.index_; }
+    /// Whether they stand on different slots. @pre of one pool
     friend bool operator!=(const Iterator& a, const Iterator& b) { return a.index_ != b.index_; }
 
    private:
     PoolType* pool_ = nullptr;
     std::size_t index_ = 0;
   };
+  /// Walks over objects that may be changed.
   using iterator = Iterator<false>;
+  /// Walks over objects that may be read.
   using const_iterator = Iterator<true>;
 
   /// @param number  tells this pool's handles from those of another pool of the same T
@@ -216,6 +238,7 @@ class Pool : public PoolBase {
     const int index = index_of(handle);
     return index == kNoIndex ? nullptr : slot(static_cast<std::size_t>(index));
   }
+  /// The object, or null for a null, foreign or stale handle.
   const T* get(Handle<T> handle) const {
     const int index = index_of(handle);
     return index == kNoIndex ? nullptr : slot(static_cast<std::size_t>(index));
@@ -234,17 +257,23 @@ class Pool : public PoolBase {
     BATUTA_SLOW_CHECK(is_live(index));
     return *std::launder(reinterpret_cast<T*>(storage_ + index * sizeof(T)));
   }
+  /// The object in a slot. @pre the slot is live, which only slow checks look after
   const T& at(std::size_t index) const {
     BATUTA_SLOW_CHECK(is_live(index));
     return *std::launder(reinterpret_cast<const T*>(storage_ + index * sizeof(T)));
   }
   /// The object in a slot; null where there is none.
   T* at_index(std::size_t index) { return is_live(index) ? slot(index) : nullptr; }
+  /// The object in a slot; null where there is none.
   const T* at_index(std::size_t index) const { return is_live(index) ? slot(index) : nullptr; }
 
+  /// The live object of the lowest slot. Bound: N / 32 words.
   iterator begin() { return {*this, next_live(0)}; }
+  /// Behind the last slot.
   iterator end() { return {*this, static_cast<std::size_t>(N)}; }
+  /// The live object of the lowest slot. Bound: N / 32 words.
   const_iterator begin() const { return {*this, next_live(0)}; }
+  /// Behind the last slot.
   const_iterator end() const { return {*this, static_cast<std::size_t>(N)}; }
 
  private:

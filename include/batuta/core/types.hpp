@@ -32,6 +32,7 @@
     "batuta: arithmetic must round to the type (FLT_EVAL_METHOD 0); on 32-bit x86 use -msse2 -mfpmath=sse"
 #endif
 
+/// A failed check of Eigen calls batuta_trap(), like an invariant of the library.
 #define eigen_assert(condition) BATUTA_INVARIANT(condition)
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -53,14 +54,19 @@ double* conditional_aligned_new_auto<double, true>(std::size_t) = delete;
 #define BATUTA_FOR_EACH_SCALAR(instantiate) instantiate(float)
 #endif
 
+/// The library. What a user is meant to write stands here; batuta::detail is machinery.
 namespace batuta {
 
+/// Two numbers, as a column.
 template <class Scalar>
 using Vec2 = Eigen::Matrix<Scalar, 2, 1>;
+/// Three numbers, as a column.
 template <class Scalar>
 using Vec3 = Eigen::Matrix<Scalar, 3, 1>;
+/// A matrix of 3 x 3 numbers.
 template <class Scalar>
 using Mat3 = Eigen::Matrix<Scalar, 3, 3>;
+/// A quaternion; what the library stores and returns as a rotation is of unit length.
 template <class Scalar>
 using Quat = Eigen::Quaternion<Scalar>;
 
@@ -68,19 +74,22 @@ using Quat = Eigen::Quaternion<Scalar>;
 template <class Scalar>
 inline constexpr Scalar kRoundOff = std::numeric_limits<Scalar>::epsilon() / 2;
 
+/// Whether a type is one that the library may be used with: float or double.
 template <class Scalar>
 inline constexpr bool kIsScalar = std::is_same_v<Scalar, float> || std::is_same_v<Scalar, double>;
 
-/// Comparison forms with one meaning on every compiler, also for signed zeros and NaN: the first
-/// wins a tie.
+/// The lesser of two. Comparison forms with one meaning on every compiler, also for signed zeros
+/// and NaN: the first wins a tie. wins a tie.
 template <class Scalar>
 constexpr Scalar min_of(Scalar a, Scalar b) {
   return b < a ? b : a;
 }
+/// The greater of two; the first wins a tie.
 template <class Scalar>
 constexpr Scalar max_of(Scalar a, Scalar b) {
   return a < b ? b : a;
 }
+/// x within [low, high]. NaN stays NaN. @pre low <= high
 template <class Scalar>
 constexpr Scalar clamp(Scalar x, Scalar low, Scalar high) {
   return x < low ? low : (high < x ? high : x);
@@ -91,10 +100,12 @@ template <class Scalar, std::enable_if_t<std::is_floating_point_v<Scalar>, int> 
 constexpr bool is_finite(Scalar x) {
   return x - x == Scalar(0);
 }
+/// False where a component is NaN or infinite.
 template <class Derived>
 bool is_finite(const Eigen::MatrixBase<Derived>& m) {
   return (m - m).sum() == typename Derived::Scalar(0);  // NaN where any of them is not finite
 }
+/// False where a component is NaN or infinite.
 template <class Scalar>
 bool is_finite(const Quat<Scalar>& q) {
   return is_finite(q.coeffs());

@@ -23,6 +23,7 @@ inline constexpr Scalar kLeastContactTolerance = 96 * kRoundOff<Scalar>;
 /// Most distance evaluations that a search may be given.
 inline constexpr std::uint32_t kMaxBudget = 4096;
 
+/// How far search_advancement() and search_translation() go.
 template <class Scalar>
 struct AdvancementOptions {
   /// A gap of at most contact_tolerance S counts as contact, S = MovingPair::scale; in [0, 1].

@@ -10,12 +10,13 @@ namespace batuta {
 /// Halvings after which the bracket of any float step is at the rounding of time itself.
 inline constexpr int kMaxHalvings = 64;
 
+/// Two instants with the first contact between them.
 template <class Scalar>
 struct Bracket {
-  Scalar t_free = 0;           ///< collision-free
-  Scalar t_hit = 0;            ///< in collision
-  CapsuleGap<Scalar> witness;  ///< at t_free
-  std::uint32_t evaluations = 0;
+  Scalar t_free = 0;              ///< collision-free
+  Scalar t_hit = 0;               ///< in collision
+  CapsuleGap<Scalar> witness;     ///< at t_free
+  std::uint32_t evaluations = 0;  ///< distance evaluations used
   bool valid = true;  ///< false: a gap could not be told (Proximity::kInvalid), the search stopped
 };
 

@@ -20,10 +20,13 @@ inline constexpr Scalar kBudgetKappa = Scalar(3.4);
 /// Below this number of evaluations the law says nothing.
 inline constexpr std::uint32_t kLeastLawBudget = 8;
 
-/// x^(1/3), rounded up by at most 4 u relative.
+/// Steps of Newton that cube_root() takes.
 /// @pre x 0 or 1e-30 ... 1e15
 /// Bound: kCubeRootSteps of Newton, from above, where it falls monotonically; then it has settled.
 inline constexpr int kCubeRootSteps = 80;
+/// x^(1/3), rounded up by at most 4 u relative.
+/// @pre x 0 or 1e-30 ... 1e15
+/// Bound: kCubeRootSteps of Newton, from above, where it falls monotonically; then it has settled.
 template <class Scalar>
 constexpr Scalar cube_root(Scalar x) {
   if (!(x > Scalar(0))) return Scalar(0);

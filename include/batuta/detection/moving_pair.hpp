@@ -15,8 +15,8 @@ namespace batuta {
 /// A capsule carried by a body in motion; the capsule in the body's frame.
 template <class Scalar>
 struct MovingCapsule {
-  Capsule<Scalar> capsule_B;
-  Motion<Scalar> motion;
+  Capsule<Scalar> capsule_B;  ///< in the frame of the body
+  Motion<Scalar> motion;      ///< of the body over the time in question
 };
 
 /// Path of one end of a moving axis: start + v t + (cos(w t) - 1) arm + sin(w t) side. At t = 0 it
@@ -30,6 +30,8 @@ struct EndPath {
   Vec3<Scalar> side = Vec3<Scalar>::Zero();  ///< axis of rotation x arm, m
 };
 
+/// Path of a capsule over a constant twist: those of the two ends of its axis, and what bounds
+/// them.
 template <class Scalar>
 struct CapsulePath {
   std::array<EndPath<Scalar>, 2> ends;    ///< of axis.a and axis.b
@@ -62,8 +64,8 @@ struct MovingPair {
   Vec3<Scalar> origin_W = Vec3<Scalar>::Zero();    ///< A's centre of mass at t = 0, m
   Vec3<Scalar> origin_v_W = Vec3<Scalar>::Zero();  ///< and its velocity, m/s
   Scalar duration = 0;                             ///< s
-  Scalar scale = 0;  ///< S: distance of the centres + relative travel + bounding radii + radii, m
-                     ///< (an upper bound)
+  /// S: distance of the centres + relative travel + bounding radii + radii, m (an upper bound)
+  Scalar scale = 0;
 };
 
 /// Puts two moving capsules into their common frame.
@@ -77,8 +79,8 @@ Result<MovingPair<Scalar>> make_moving_pair(const MovingCapsule<Scalar>& A,
 /// Both capsules at time t.
 template <class Scalar>
 struct CapsulesAt {
-  Capsule<Scalar> A;
-  Capsule<Scalar> B;
+  Capsule<Scalar> A;  ///< in the pair's frame P
+  Capsule<Scalar> B;  ///< in the pair's frame P
 };
 
 /// Both capsules at time t, in the pair's frame P. @pre 0 <= t <= duration
@@ -103,6 +105,7 @@ CapsuleGap<Scalar> gap_at(const MovingPair<Scalar>& pair, const ClosestPoints<Sc
 template <class Scalar>
 Scalar gap_rate_at(const MovingPair<Scalar>& pair, const CapsuleGap<Scalar>& witness, Scalar t);
 
+/// What a search for the first contact in [0, duration] found.
 enum class Outcome : std::uint8_t {
   kFree,      ///< no contact in [0, duration], as far as the method can see; t_free = duration
   kContact,   ///< free at t_free, in contact at t_hit
@@ -111,11 +114,12 @@ enum class Outcome : std::uint8_t {
   kInvalid,   ///< the question makes no sense; nothing else in the answer is meaningful
 };
 
+/// Answer of a search for the first contact in [0, duration] of a pair.
 template <class Scalar>
 struct SearchResult {
-  Outcome outcome = Outcome::kInvalid;
-  Scalar t_free = 0;  ///< s, collision-free there
-  Scalar t_hit = 0;   ///< s, >= t_free; duration for kFree and kBudget
+  Outcome outcome = Outcome::kInvalid;  ///< which of the members below mean what
+  Scalar t_free = 0;                    ///< s, collision-free there
+  Scalar t_hit = 0;                     ///< s, >= t_free; duration for kFree and kBudget
   /// At t_free (kContact, kBudget, kFree) or at 0 (kTouching); points relative to the pair's
   /// origin_W, axes of W.
   CapsuleGap<Scalar> witness;

@@ -19,10 +19,11 @@ struct SphereFlight {
   Scalar duration = 0;                          ///< s, >= 0
 };
 
+/// Answer of search_spheres().
 template <class Scalar>
 struct SphereResult {
-  Outcome outcome = Outcome::kInvalid;
-  Scalar t_free = 0;   ///< s, collision-free up to there
+  Outcome outcome = Outcome::kInvalid;  ///< what was found
+  Scalar t_free = 0;                    ///< s, collision-free up to there
   Scalar t_hit = 0;    ///< s, >= t_free: contact, or the closest point of a graze, as foreseen
   Scalar closing = 0;  ///< m^2: above zero where the two approach at t = 0
 };

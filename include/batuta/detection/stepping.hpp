@@ -11,13 +11,14 @@ namespace batuta {
 /// What epsilon is measured in.
 enum class EpsilonIn : std::uint8_t {
   kThinnerRadius,  ///< times the smaller of the two radii
-  kMetres,
+  kMetres,         ///< epsilon is a length, m
 };
 
+/// How finely search_stepping() looks.
 template <class Scalar>
 struct SteppingOptions {
-  Scalar epsilon = Scalar(0.5);  ///< deepest touch that may be missed, > 0
-  EpsilonIn unit = EpsilonIn::kThinnerRadius;
+  Scalar epsilon = Scalar(0.5);                ///< deepest touch that may be missed, > 0
+  EpsilonIn unit = EpsilonIn::kThinnerRadius;  ///< what `epsilon` is given in
   std::uint32_t max_steps = 4096;  ///< >= 1; where they do not suffice the answer is kBudget
   int halvings = 24;               ///< 0 ... kMaxHalvings
 };

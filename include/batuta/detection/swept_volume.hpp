@@ -12,10 +12,11 @@ namespace batuta {
 /// motion: its centres run from start_W to end_W.
 template <class Scalar>
 struct SweptSphere {
-  Vec3<Scalar> start_W = Vec3<Scalar>::Zero();
-  Vec3<Scalar> end_W = Vec3<Scalar>::Zero();
-  Scalar radius = 0;
+  Vec3<Scalar> start_W = Vec3<Scalar>::Zero();  ///< the centre of mass at t = 0, m
+  Vec3<Scalar> end_W = Vec3<Scalar>::Zero();    ///< the centre of mass at the end, m
+  Scalar radius = 0;                            ///< m, rounded outward
 };
+/// The swept ball of a moving capsule, rounded outward. @pre `moving` valid. Bound: two ends.
 template <class Scalar>
 SweptSphere<Scalar> swept_sphere(const MovingCapsule<Scalar>& moving);
 

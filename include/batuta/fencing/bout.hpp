@@ -27,17 +27,20 @@ std::uint64_t time_us(const Moment<Scalar>& moment, std::int32_t step_us) {
   return std::uint64_t{moment.step} * static_cast<std::uint64_t>(step_us) + in_step;
 }
 
+/// How far a bout is.
 enum class BoutState : std::uint8_t {
-  kFencing,
+  kFencing,  ///< nobody is touched yet
   kLockout,  ///< somebody is touched; the other may still touch within the window
   kTouched,  ///< over: one touch
   kDouble,   ///< over: two touches within the window
 };
 
+/// A touch of a blade on the other fencer's body.
 template <class Scalar>
 struct Touch {
   Side by = Side::kLeft;              ///< whose blade
   BodyPart part = BodyPart::kPelvis;  ///< where on the other
+  /// the instant at which blade and body are still apart: TouchSearch::t_free
   Moment<Scalar> when;
   Contact<Scalar> contact;  ///< the normal points out of the one who is touched
   Scalar place = 0;         ///< on the blade: 0 guard ... 1 tip
@@ -47,17 +50,21 @@ struct Touch {
   bool certain = true;
 };
 
+/// A bout as it stands.
 template <class Scalar>
 struct Bout {
-  BoutState state = BoutState::kFencing;
-  FixedList<Touch<Scalar>, 2> touches;  ///< in the order of time
+  BoutState state = BoutState::kFencing;  ///< how far it is
+  FixedList<Touch<Scalar>, 2> touches;    ///< in the order of time
 
+  /// Whether the bout is decided.
   bool is_over() const { return state == BoutState::kTouched || state == BoutState::kDouble; }
 };
 
 /// The bout of a scene without targets: nobody can be touched, it never ends.
 struct OpenBout {
+  /// It goes on for ever.
   static constexpr BoutState state = BoutState::kFencing;
+  /// Never.
   static constexpr bool is_over() { return false; }
 };
 

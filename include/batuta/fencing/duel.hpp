@@ -18,6 +18,7 @@ struct DuelSceneCheck {
   static_assert(SceneT::kRotation, "Duel: its scene takes kRotation = true: blades turn");
   static_assert(SceneT::kCapsulesPerBody == 1,
                 "Duel: its scene takes kCapsulesPerBody = 1: a blade is one capsule");
+  /// Nothing above refused the scene.
   static constexpr bool kIsPossible = true;
 };
 
@@ -30,10 +31,14 @@ class Duel {
   static_assert(DuelSceneCheck<Scalar, SearchT, SceneT>::kIsPossible);
 
  public:
+  /// The scene as its world runs it.
   using SceneType = BladesOf<SceneT>;
+  /// What configure() takes.
   using Settings = DuelSettings<Scalar, SearchT, SceneT>;
+  /// The world of the two blades.
   using WorldType = World<SceneType>;
 
+  /// Not configured: step() does nothing but say so.
   Duel() = default;
   Duel(const Duel&) = delete;
   Duel& operator=(const Duel&) = delete;
@@ -53,7 +58,9 @@ class Duel {
 
   /// Bout; OpenBout in a scene without targets.
   decltype(auto) bout() const { return scoring_.bout(); }
+  /// Sums over the bout.
   const DuelReport& report() const { return scoring_.report; }
+  /// Steps made since configure().
   std::uint32_t steps() const { return steps_; }
   /// us since the start of the bout: exact to the step, the rest rounded.
   std::uint64_t time_us(const Moment<Scalar>& moment) const {
@@ -65,8 +72,9 @@ class Duel {
 
   /// The step's own report and contact events; body slot 0 is the left blade, 1 the right one.
   const WorldType& world() const { return world_; }
+  /// The stick of a fencer, as it is after the last step.
   const StickTracker<Scalar>& stick(Side side) const { return at(side).stick; }
-  /// @pre configured; the scene has kGrip
+  /// The grip of a fencer on the blade. @pre configured; the scene has kGrip
   template <class S = SceneT>
   const Grip<Scalar>& grip(Side side) const {
     static_assert(S::kGrip, "Duel: without kGrip there is no grip(); a Hand carries each blade");
@@ -82,9 +90,9 @@ class Duel {
     static_assert(S::kHaptics, "Duel: without kHaptics there is no held_hand_W()");
     return chained(blade_of(side).body.X_WB, inverse(at(side).weapon.X_HB));
   }
-  /// @pre configured
+  /// The blade of a fencer as it is now. @pre configured
   Capsule<Scalar> blade_W(Side side) const;
-  /// @pre the scene has kTargets
+  /// The body of a fencer as it is now. @pre the scene has kTargets
   template <class S = SceneT>
   const BodyShape<Scalar>& body_W(Side side) const {
     static_assert(S::kTargets, "Duel: without kTargets there is no body_W(); fencers have no body");

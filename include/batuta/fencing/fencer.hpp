@@ -18,16 +18,18 @@
 
 namespace batuta::fencing {
 
+/// Hand poses of a fencer: three columns from left to right, three rows from the back to the front.
 template <class Scalar>
 using FencerGrid = KeyframeGrid<Scalar, 3, 3>;
 
+/// A fencer as data.
 template <class Scalar>
 struct Fencer {
   typename FencerGrid<Scalar>::Keys
-      keys_FH;  ///< hand poses; row by row from the back, left to right
-  Weapon<Scalar> weapon;
-  GripSettings<Scalar> grip;
-  FencerBuild<Scalar> build;
+      keys_FH;                ///< hand poses; row by row from the back, left to right
+  Weapon<Scalar> weapon;      ///< what the hand holds
+  GripSettings<Scalar> grip;  ///< how firmly it holds it
+  FencerBuild<Scalar> build;  ///< the body that can be touched
 };
 
 /// Of medium height, a light hand.
@@ -38,8 +40,13 @@ Fencer<Scalar> first_fencer();
 template <class Scalar>
 Fencer<Scalar> second_fencer();
 
-enum class Side : std::uint8_t { kLeft, kRight };
+/// One of the two fencers: of the left blade or of the right one.
+enum class Side : std::uint8_t {
+  kLeft,   ///< looks along +x of W
+  kRight,  ///< looks along -x of W
+};
 
+/// The opponent's side.
 constexpr Side other(Side side) {
   return side == Side::kLeft ? Side::kRight : Side::kLeft;
 }
@@ -56,6 +63,7 @@ struct Salle {
   /// lunge hits.
   Scalar distance = Scalar(2.25);
 
+  /// Where a fencer's frame F is in W: x towards the opponent.
   Pose<Scalar> X_WF(Side side) const;
 };
 

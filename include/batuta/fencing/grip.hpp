@@ -14,8 +14,8 @@ struct GripSettings {
   Scalar strength = Scalar(4);       ///< N, > 0: the force with which the hand takes a blade back
   Scalar min_regain = Scalar(0.02);  ///< s, > 0; shortest t_b - t_a after a blow
   Scalar max_regain = Scalar(0.4);   ///< s, >= min_regain; longest
-  Scalar recover_time =
-      Scalar(0.1);  ///< s, > 0: time constant in which a blade that was pushed away returns
+  /// s, > 0: time constant in which a blade that was pushed away returns
+  Scalar recover_time = Scalar(0.1);
   Scalar lever = Scalar(0.5);  ///< m, > 0: a turn of 1 rad counts as a lag of this length
 };
 
@@ -44,6 +44,7 @@ template <class Scalar>
 Pose<Scalar> caught(const Motion<Scalar>& flight, Scalar elapsed, const Pose<Scalar>& hand,
                     Scalar parameter);
 
+/// Who moves the blade.
 enum class GripPhase : std::uint8_t {
   kHeld,       ///< the blade follows the hand
   kRegaining,  ///< between free flight and hand
@@ -55,7 +56,8 @@ enum class GripPhase : std::uint8_t {
 template <class Scalar>
 class Grip {
  public:
-  /// @returns kOk | kInvalidArgument (nothing changed)
+  /// Sets what the hand can do; where it is, stays. @returns kOk | kInvalidArgument (nothing
+  /// changed)
   Status configure(const GripSettings<Scalar>& settings);
 
   /// Puts the hand somewhere, still, and closes it.
@@ -64,10 +66,15 @@ class Grip {
   /// Where the hand wants B at the end of the coming step. @pre pose finite; step > 0, s
   void command(const Pose<Scalar>& X_WB, Scalar step);
 
+  /// Hand, or the way back to it [Kavan eq. 32], over [t, t + duration] of the step.
+  /// @pre 0 <= t, 0 <= duration
   PlannedMotion<Scalar> plan(const Body<Scalar>& body, Scalar t, Scalar duration) const;
+  /// A blow loosens the hold for regain_time().
   void on_contact(const Body<Scalar>& body, const Feedback<Scalar>& feedback);
+  /// The step of length dt is over; the body is where it is.
   void on_step_end(const Body<Scalar>& body, Scalar dt);
 
+  /// Who moves the blade at present.
   GripPhase phase() const { return phase_; }
   /// t of [Kavan eq. 32] at the end of the last step: 0 free ... 1 held.
   Scalar control() const;
@@ -90,8 +97,8 @@ class Grip {
   Pose<Scalar> target_;    ///< at its end
   Scalar step_ = 0;        ///< s; 0: nothing commanded
   Motion<Scalar> flight_;  ///< P, from t_a
-  Scalar flight_start_ =
-      0;  ///< t_a on the clock of the current step, s: <= 0 after the step in which it happened
+  /// t_a on the clock of the current step, s: <= 0 after the step in which it happened
+  Scalar flight_start_ = 0;
   Scalar regain_ = 0;  ///< t_b - t_a, s
   GripPhase phase_ = GripPhase::kHeld;
 };

@@ -11,20 +11,22 @@
 
 namespace batuta::fencing {
 
+/// The bones of a fencer, each a capsule.
 enum class BodyPart : std::uint8_t {
-  kPelvis,
-  kTorso,
-  kHead,
-  kWeaponUpperArm,
-  kWeaponForearm,
-  kWeaponHand,
-  kOtherUpperArm,
-  kOtherForearm,
-  kFrontThigh,
-  kFrontShin,
-  kRearThigh,
-  kRearShin,
+  kPelvis,          ///< the root
+  kTorso,           ///< leans in a lunge
+  kHead,            ///< on the torso
+  kWeaponUpperArm,  ///< of the arm that holds the weapon
+  kWeaponForearm,   ///< of the same arm
+  kWeaponHand,      ///< turned as the key poses say
+  kOtherUpperArm,   ///< of the arm behind
+  kOtherForearm,    ///< of the same arm
+  kFrontThigh,      ///< of the leg that lunges
+  kFrontShin,       ///< of the same leg
+  kRearThigh,       ///< of the leg that stays
+  kRearShin,        ///< of the same leg
 };
+/// How many there are.
 inline constexpr int kBodyParts = 12;
 
 /// The bone that carries each bone: always an earlier one, and depth first, so that one forward
@@ -34,6 +36,7 @@ inline constexpr std::array<int, kBodyParts> kBodyParent = {-1, 0, 1, 1, 3, 4, 1
 /// Lower case, for people; never null.
 const char* name_of(BodyPart part);
 
+/// A bone of a fencer's build.
 template <class Scalar>
 struct Bone {
   Vec3<Scalar> start_P = Vec3<Scalar>::Zero();  ///< where it begins, in the frame of its parent, m
@@ -55,11 +58,11 @@ inline constexpr Scalar kLargestReach = Scalar(1000);
 /// A body as data. Lengths in m.
 template <class Scalar>
 struct FencerBuild {
-  std::array<Bone<Scalar>, kBodyParts> bones;
-  Limb<Scalar> weapon_arm;
-  Limb<Scalar> other_arm;  ///< goal relative to the torso's frame: the arm is carried along
-  Limb<Scalar> front_leg;
-  Limb<Scalar> rear_leg;
+  std::array<Bone<Scalar>, kBodyParts> bones;  ///< by BodyPart
+  Limb<Scalar> weapon_arm;                     ///< its goal is the hand, from the key poses
+  Limb<Scalar> other_arm;   ///< goal relative to the torso's frame: the arm is carried along
+  Limb<Scalar> front_leg;   ///< carried forward by a lunge
+  Limb<Scalar> rear_leg;    ///< its foot stays where it is
   Scalar guard_hand_x = 0;  ///< x of the hand in F at which the trunk stands as in guard
   Scalar lunge_hand_x = 1;  ///< and at which the lunge is full; > guard_hand_x
   Vec3<Scalar> lunge_shift_F = Vec3<Scalar>::Zero();  ///< of the pelvis in a full lunge
@@ -81,9 +84,9 @@ using BodyShape = std::array<Capsule<Scalar>, static_cast<std::size_t>(kBodyPart
 template <class Scalar>
 struct Reach {
   Vec3<Scalar> middle = Vec3<Scalar>::Zero();  ///< elbow or knee
-  Vec3<Scalar> end =
-      Vec3<Scalar>::Zero();  ///< the goal, or the point in its direction that can be reached
-  bool in_reach = true;
+  /// The goal, or the point in its direction that can be reached
+  Vec3<Scalar> end = Vec3<Scalar>::Zero();
+  bool in_reach = true;  ///< the goal could be reached
 };
 
 /// Two bones of given lengths from `start` to `goal`, the middle joint on the side of `bend`.

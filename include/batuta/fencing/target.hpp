@@ -17,6 +17,7 @@ inline constexpr int kTargetK = 6;
 
 /// Which parts a search may leave out.
 using PartMask = std::uint32_t;
+/// Every part of a body.
 inline constexpr PartMask kAllParts = (PartMask{1} << kBodyParts) - 1;
 /// No part for what is none of the kBodyParts.
 constexpr PartMask mask_of(BodyPart part) {
@@ -29,7 +30,7 @@ constexpr PartMask mask_of(BodyPart part) {
 /// to be to within the hold: times are then known to StepReport::time_held.
 template <class Scalar>
 struct TouchSearch {
-  bool found = false;
+  bool found = false;                 ///< there is a touch
   BodyPart part = BodyPart::kPelvis;  ///< the lower one of several at the same time
   Scalar t_free = 0;                  ///< blade and part are apart here, s
   Scalar t_hit = 0;                   ///< and touch here
@@ -42,8 +43,10 @@ struct TouchSearch {
   std::uint16_t searches = 0;          ///< parts that the hierarchy could not rule out
   std::uint16_t budget_outs = 0;       ///< of these, ended without an answer: Outcome::kBudget
   std::uint16_t searches_invalid = 0;  ///< of these, could not be asked: Outcome::kInvalid
-  std::uint32_t evaluations = 0;
+  std::uint32_t evaluations = 0;       ///< distance evaluations of all searches
 
+  /// Whether the answer is the first touch, or that there is none: no search ended without an
+  /// answer at an earlier time.
   bool certain() const { return found ? known_until >= t_free : complete; }
 };
 

@@ -9,6 +9,7 @@
 
 namespace batuta::fencing {
 
+/// A part of a weapon, in the frame H of the hand.
 template <class Scalar>
 struct WeaponPart {
   Capsule<Scalar> capsule_H;  ///< a sphere of radius 0 is a point mass
@@ -18,7 +19,7 @@ struct WeaponPart {
 /// Blade, guard, grip, pommel. Only the blade collides.
 template <class Scalar>
 struct Weapon {
-  static constexpr int kParts = 4;
+  static constexpr int kParts = 4;  ///< blade, guard, grip, pommel
   std::array<WeaponPart<Scalar>, static_cast<std::size_t>(kParts)> parts;  ///< the blade first
   Scalar restitution = 0;  ///< C of the blade, in [0, 1]
 };
@@ -26,10 +27,10 @@ struct Weapon {
 /// What the world needs of a weapon. B: its centre of mass and principal axes.
 template <class Scalar>
 struct WeaponBody {
-  Scalar mass = 0;
-  Vec3<Scalar> moments = Vec3<Scalar>::Zero();
-  Pose<Scalar> X_HB;  ///< fixed
-  Capsule<Scalar> blade_B;
+  Scalar mass = 0;                              ///< kg
+  Vec3<Scalar> moments = Vec3<Scalar>::Zero();  ///< principal moments of inertia, kg m^2
+  Pose<Scalar> X_HB;                            ///< fixed
+  Capsule<Scalar> blade_B;                      ///< the part that collides
 };
 
 /// @returns kOk | kInvalidArgument (a part's mass or shape, or the restitution, is out of

@@ -8,20 +8,23 @@
 
 namespace batuta {
 
+/// All points within `radius` of a segment.
 template <class Scalar>
 struct Capsule {
-  Segment<Scalar> axis;
-  Scalar radius = 0;  ///< >= 0
+  Segment<Scalar> axis;  ///< may be a point: a sphere
+  Scalar radius = 0;     ///< >= 0
 
+  /// A capsule whose segment has no length.
   static Capsule sphere(const Vec3<Scalar>& center, Scalar radius) {
     return {{center, center}, radius};
   }
 };
 
+/// A ball.
 template <class Scalar>
 struct Sphere {
-  Vec3<Scalar> center = Vec3<Scalar>::Zero();
-  Scalar radius = 0;
+  Vec3<Scalar> center = Vec3<Scalar>::Zero();  ///< m
+  Scalar radius = 0;                           ///< m, >= 0
 };
 
 /// How two capsules stand to each other; "I cannot tell" does not occur for finite input.
@@ -35,7 +38,7 @@ enum class Proximity : std::uint8_t {
 /// How far two capsules are apart, and where.
 template <class Scalar>
 struct CapsuleGap {
-  Proximity proximity = Proximity::kInvalid;
+  Proximity proximity = Proximity::kInvalid;  ///< the sign of the gap, or that there is none
   Scalar gap = 0;  ///< distance of the surfaces, m; negative: depth of the overlap along normal_AB
   ClosestPoints<Scalar> axes;  ///< closest points of the two axes, with normal_AB
   Vec3<Scalar> surface_A = Vec3<Scalar>::Zero();  ///< point of A's surface furthest towards B

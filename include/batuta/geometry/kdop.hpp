@@ -16,10 +16,11 @@ namespace batuta {
 template <class Scalar, int K>
 struct Kdop {
   static_assert(K == 6 || K == 14 || K == 18 || K == 26, "Kdop: choose k = 6, 14, 18 or 26");
-  static constexpr int kDirections = K / 2;
+  static constexpr int kDirections = K / 2;  ///< K / 2
 
   /// Empty: low > high along every direction; merging with it changes nothing.
   std::array<Scalar, kDirections> low = filled(std::numeric_limits<Scalar>::max());
+  /// in the order of kdop_direction()
   std::array<Scalar, kDirections> high = filled(std::numeric_limits<Scalar>::lowest());
 
  private:
@@ -32,6 +33,7 @@ struct Kdop {
   }
 };
 
+/// A box along the axes of the frame.
 template <class Scalar>
 using Aabb = Kdop<Scalar, 6>;
 
@@ -60,6 +62,7 @@ Kdop<Scalar, K> merge(const Kdop<Scalar, K>& P, const Kdop<Scalar, K>& Q);
 template <class Scalar, int K>
 bool overlaps(const Kdop<Scalar, K>& P, const Kdop<Scalar, K>& Q);
 
+/// Whether a point is in it; on the faces counts. False for a point that is not finite.
 template <class Scalar, int K>
 bool contains(const Kdop<Scalar, K>& P, const Vec3<Scalar>& point);
 

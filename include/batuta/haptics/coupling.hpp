@@ -11,6 +11,7 @@
 
 namespace batuta::haptics {
 
+/// Springs and dampers between a hand and what it holds.
 template <class Scalar>
 struct CouplingSettings {
   Scalar stiffness = Scalar(400);       ///< N/m, >= 0
@@ -19,7 +20,7 @@ struct CouplingSettings {
   Scalar turn_damping = Scalar(0.02F);  ///< N m s/rad, >= 0
   /// A spring stretched further pulls no harder, N and N m, > 0. Holds for each of the two vectors.
   Scalar max_force = Scalar(60);
-  Scalar max_moment = Scalar(6);
+  Scalar max_moment = Scalar(6);  ///< N m
 };
 
 /// @returns kOk | kInvalidArgument: out of range or not finite
@@ -29,8 +30,8 @@ Status validate(const CouplingSettings<Scalar>& settings);
 /// Where a frame is and how its origin and itself move.
 template <class Scalar>
 struct MovingFrame {
-  Pose<Scalar> X_W;
-  Twist<Scalar> twist;
+  Pose<Scalar> X_W;     ///< of the frame in W
+  Twist<Scalar> twist;  ///< of its origin, and of itself
 };
 
 /// What the coupling does to `commanded`, about its origin: it is pulled towards `actual`. What it

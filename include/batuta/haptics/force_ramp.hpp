@@ -9,6 +9,7 @@
 
 namespace batuta::haptics {
 
+/// How long a force lasts without life, and how fast it goes.
 struct RampSettings {
   std::int32_t silent_after = 100;  ///< steps without life that are still no silence, >= 0
   std::int32_t length = 50;         ///< steps from full force to none, and back, > 0

@@ -12,6 +12,7 @@ struct ForceShare {
   Vec2<float> share = Vec2<float>::Zero();  ///< each in [-1, 1]
   float excess = 0;  ///< by how much the larger coordinate was beyond 1; 0: it fits
 
+  /// Whether it did not fit.
   bool is_clipped() const { return excess > 0.0F; }
 };
 

@@ -43,10 +43,11 @@ enum class GainBound : std::uint8_t {
   kEncoder,   ///< Delta (K / 2 + |B| / T) <= f_c [Abbott & Okamura 2005 for B = 0]
 };
 
+/// The largest gain, and what keeps it from being larger.
 template <class Scalar>
 struct GainLimit {
-  Scalar largest = 0;  ///< 0 where no gain at all is left
-  GainBound bound = GainBound::kSampling;
+  Scalar largest = 0;                      ///< 0 where no gain at all is left
+  GainBound bound = GainBound::kSampling;  ///< the one that is reached first
 };
 
 /// The largest K beside the damping B. No loop.
@@ -63,7 +64,7 @@ Result<GainLimit<Scalar>> largest_damping(const DeviceProfile<Scalar>& profile, 
 
 /// Whether a device may be driven with these gains, and if not, why.
 enum class [[nodiscard]] GainVerdict : std::uint8_t{
-    kInside,
+    kInside,          ///< may be driven: no energy is given away
     kInvalidProfile,  ///< validate() says no
     kInvalidGains,    ///< not finite, or a negative stiffness
     kBeyondSampling,  ///< GainBound::kSampling is broken: too stiff or damped for period and delay

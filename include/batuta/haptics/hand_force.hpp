@@ -11,10 +11,11 @@
 
 namespace batuta::haptics {
 
+/// What a hand feels with.
 template <class Scalar>
 struct HandForceSettings {
-  CouplingSettings<Scalar> coupling;
-  TransientSettings<Scalar> transient;
+  CouplingSettings<Scalar> coupling;    ///< to what it holds
+  TransientSettings<Scalar> transient;  ///< of blows
 };
 
 /// @returns kOk | kInvalidArgument: out of range
@@ -49,6 +50,7 @@ class HandForce {
   /// @pre dt > 0, s. Bound: no loop.
   Vec2<Scalar> advance(const HandState<Scalar>& state, Scalar dt);
 
+  /// The pulses of blows, to read what is left of them.
   const ImpactTransient<Scalar>& transient() const { return transient_; }
   /// What the coupling's springs held at the end of the last step, J: for PassivityObserver.
   Scalar stored() const { return stored_; }

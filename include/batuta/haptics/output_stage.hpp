@@ -19,21 +19,23 @@
 
 namespace batuta::haptics {
 
+/// How the stage shapes the force.
 struct StageSettings {
   float dt = 0.001F;  ///< length of a step, s, > 0, finite
   /// Share of the actuator's range for each N m for each unit of the stick, by axis, > 0, finite.
   Vec2<float> gain = {0.01F, 0.01F};
-  EndStopSettings end_stop;
-  SpeedLimitSettings speed_limit;
-  float slew_rate = 250;    ///< fastest change of a share, 1/s, > 0, finite
-  RampSettings samples;     ///< the watchdog over the stick
-  RampSettings commands;    ///< the watchdog over whoever demands
+  EndStopSettings end_stop;        ///< at the rim
+  SpeedLimitSettings speed_limit;  ///< of each axis
+  float slew_rate = 250;           ///< fastest change of a share, 1/s, > 0, finite
+  RampSettings samples;            ///< the watchdog over the stick
+  RampSettings commands;           ///< the watchdog over whoever demands
   std::int32_t fade = 500;  ///< steps from enable() to the full force, as RampSettings::length
 };
 
 /// @returns kOk | kInvalidArgument: out of range
 Status validate(const StageSettings& settings);
 
+/// What a step of the stage is made from.
 struct StageInput {
   Microseconds time = 0;                       ///< of the step, handed on to the device
   Vec2<float> demanded = Vec2<float>::Zero();  ///< N m for each unit of the stick
@@ -55,14 +57,14 @@ struct StageLimits {
 
 /// Counts since configure(); they wrap (at 1 kHz after 49 days: look before, and configure() anew).
 struct StageReport {
-  std::uint32_t steps = 0;
-  std::uint32_t clipped = 0;          ///< steps whose demand did not fit
-  float worst_excess = 0;             ///< the largest demand beyond the range, in ranges
-  std::uint32_t invalid = 0;          ///< steps whose input could not be computed with: no demand
-  std::uint32_t refused = 0;          ///< commands that the device did not take
-  std::uint32_t stops = 0;            ///< steps made while the emergency stop was on
-  std::uint32_t sample_silences = 0;  ///< that began, as ForceRamp::silences()
-  std::uint32_t command_silences = 0;
+  std::uint32_t steps = 0;             ///< made
+  std::uint32_t clipped = 0;           ///< steps whose demand did not fit
+  float worst_excess = 0;              ///< the largest demand beyond the range, in ranges
+  std::uint32_t invalid = 0;           ///< steps whose input could not be computed with: no demand
+  std::uint32_t refused = 0;           ///< commands that the device did not take
+  std::uint32_t stops = 0;             ///< steps made while the emergency stop was on
+  std::uint32_t sample_silences = 0;   ///< that began, as ForceRamp::silences()
+  std::uint32_t command_silences = 0;  ///< of whoever demands, counted in the same way
 
   /// Steps that were clipped, 0 ... 1: the indicator for a gain that is too high.
   float clipped_share() const {
@@ -88,6 +90,8 @@ class OutputStage final {
   Status enable();
   /// The force goes, over as many steps.
   void disable() { enabled_ = false; }
+  /// Whether enable() was the last word: configure(), disable(), reset() and the first step() after
+  /// a stop() end it.
   bool is_enabled() const { return enabled_; }
 
   /// Emergency stop: zero now, and until reset(). May interrupt a step() where the device's
@@ -95,6 +99,7 @@ class OutputStage final {
   void stop(Microseconds time);
   /// Ends an emergency stop; the stage is disabled then, and fades in after enable().
   void reset();
+  /// Whether an emergency stop is on.
   bool is_stopped() const { return stopped_.load(); }
 
   /// A step: the demand through all limits, to the device.
@@ -109,6 +114,7 @@ class OutputStage final {
   const ForceCommand& last_command() const { return last_command_; }
   /// What held the last step's force back.
   const StageLimits& limits() const { return limits_; }
+  /// Counts since configure().
   const StageReport& report() const { return report_; }
 
  private:

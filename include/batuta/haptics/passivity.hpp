@@ -10,6 +10,7 @@
 
 namespace batuta::haptics {
 
+/// What the book has to know of the device, and how much it lets pass.
 template <class Scalar>
 struct PassivitySettings {
   Scalar period = 0;          ///< T, s, > 0
@@ -30,6 +31,7 @@ struct PassivitySettings {
 template <class Scalar>
 Status validate(const PassivitySettings<Scalar>& settings);
 
+/// What is owed of the energy that was handed out.
 enum class Passivity : std::uint8_t {
   kPassive,      ///< nothing is owed
   kDissipating,  ///< something is owed, and is being taken back
@@ -75,6 +77,7 @@ class PassivityObserver {
   std::uint32_t cannot_count() const { return cannot_count_; }
   /// position - position before, of the last period, u
   const Vec2<Scalar>& moved() const { return moved_; }
+  /// What configure() was given.
   const PassivitySettings<Scalar>& settings() const { return settings_; }
 
  private:

@@ -7,6 +7,7 @@
 
 namespace batuta::haptics {
 
+/// From which speed on a force gives way, and how much.
 struct SpeedLimitSettings {
   float limit = 12;           ///< speed from which on the force gives way, 1/s, > 0, finite
   float proportional = 0.1F;  ///< share taken for each 1/s too fast, >= 0, finite

@@ -15,6 +15,7 @@ namespace batuta::haptics {
 template <class Scalar>
 inline constexpr Scalar kLongestPulse = 1;
 
+/// How blows are played.
 template <class Scalar>
 struct TransientSettings {
   Scalar gain = 1;                   ///< share of a blow's impulse that is played, >= 0

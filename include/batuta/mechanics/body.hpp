@@ -15,7 +15,7 @@ namespace batuta {
 /// Where B is in W: x_W = p_W + R(q_WB) x_B [Kavan eq. 4].
 template <class Scalar>
 struct Pose {
-  Vec3<Scalar> p_W = Vec3<Scalar>::Zero();
+  Vec3<Scalar> p_W = Vec3<Scalar>::Zero();       ///< origin of B in W, m
   Quat<Scalar> q_WB = Quat<Scalar>::Identity();  ///< unit
 };
 
@@ -34,13 +34,14 @@ struct Momentum {
   Vec3<Scalar> angular_W = Vec3<Scalar>::Zero();  ///< kg m^2/s
 };
 
+/// A rigid body: pose, momenta and what they have to move.
 template <class Scalar>
 struct Body {
-  Pose<Scalar> X_WB;
-  Momentum<Scalar> momentum;
-  Scalar inverse_mass = 0;  ///< 1/kg; 0: fixed in place
-  Vec3<Scalar> inverse_moments =
-      Vec3<Scalar>::Zero();  ///< 1/(kg m^2), along the axes of B; 0: does not turn
+  Pose<Scalar> X_WB;          ///< where its frame B is
+  Momentum<Scalar> momentum;  ///< linear and angular, in W
+  Scalar inverse_mass = 0;    ///< 1/kg; 0: fixed in place
+  /// 1/(kg m^2), along the axes of B; 0: does not turn
+  Vec3<Scalar> inverse_moments = Vec3<Scalar>::Zero();
   /// Something seen of it lies off its axis of symmetry, so that its orientation about that axis
   /// matters to free_flight(). A World sets it from the capsule; without meaning for a body that is
   /// not axisymmetric.
@@ -53,16 +54,19 @@ struct Body {
 template <class Scalar>
 Result<Body<Scalar>> make_body(const Pose<Scalar>& X_WB, Scalar mass, const Vec3<Scalar>& moments);
 
+/// Whether nothing can move or turn it: inverse mass and moments are zero.
 template <class Scalar>
 bool is_fixed(const Body<Scalar>& body) {
   return body.inverse_mass == Scalar(0) && body.inverse_moments == Vec3<Scalar>::Zero();
 }
 
-/// x_W of a point given in B [Kavan eq. 4], and back.
+/// x_W of a point given in B [Kavan eq. 4].
 template <class Scalar>
 Vec3<Scalar> to_world(const Pose<Scalar>& X_WB, const Vec3<Scalar>& x_B);
+/// x_B of a point given in W: the way back [Kavan eq. 4].
 template <class Scalar>
 Vec3<Scalar> to_body(const Pose<Scalar>& X_WB, const Vec3<Scalar>& x_W);
+/// A capsule given in B, in W; the radius stays.
 template <class Scalar>
 Capsule<Scalar> to_world(const Pose<Scalar>& X_WB, const Capsule<Scalar>& capsule_B);
 

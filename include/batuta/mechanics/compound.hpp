@@ -10,16 +10,17 @@
 
 namespace batuta {
 
+/// A part of a compound, in the frame S in which that is modelled.
 template <class Scalar>
 struct CapsulePart {
-  Capsule<Scalar> capsule_S;
-  Scalar density = 0;  ///< kg/m^3, > 0
+  Capsule<Scalar> capsule_S;  ///< m
+  Scalar density = 0;         ///< kg/m^3, > 0
 };
 
 /// A body and the capsules that move with it.
 template <class Scalar, int N>
 struct Compound {
-  Body<Scalar> body;
+  Body<Scalar> body;                         ///< at rest, its frame the settled_frame()
   FixedList<Capsule<Scalar>, N> capsules_B;  ///< in the order of the parts
 };
 
@@ -83,6 +84,7 @@ Result<Compound<Scalar, static_cast<int>(N)>> make_compound(const CapsulePart<Sc
                                                             const Pose<Scalar>& X_WS) {
   return make_compound<static_cast<int>(N)>(&parts[0], static_cast<int>(N), X_WS);
 }
+/// The same for capsules whose mass is known otherwise, in a list that is written down.
 template <class Scalar, std::size_t N>
 Result<Compound<Scalar, static_cast<int>(N)>> make_compound(const MassProperties<Scalar>& mass,
                                                             const Capsule<Scalar> (&capsules_S)[N],

@@ -8,6 +8,7 @@
 
 namespace batuta {
 
+/// Mass, centre and inertia of a shape, in the frame S in which it is modelled.
 template <class Scalar>
 struct MassProperties {
   Scalar mass = 0;                                ///< kg
@@ -18,9 +19,9 @@ struct MassProperties {
 /// A body's own frame B: origin in the centre of mass, axes the principal axes of inertia.
 template <class Scalar>
 struct PrincipalFrame {
-  Vec3<Scalar> center_S = Vec3<Scalar>::Zero();
-  Quat<Scalar> q_SB = Quat<Scalar>::Identity();
-  Vec3<Scalar> moments = Vec3<Scalar>::Zero();  ///< ascending, kg m^2
+  Vec3<Scalar> center_S = Vec3<Scalar>::Zero();  ///< origin of B in S, m
+  Quat<Scalar> q_SB = Quat<Scalar>::Identity();  ///< turns components in B into components in S
+  Vec3<Scalar> moments = Vec3<Scalar>::Zero();   ///< ascending, kg m^2
 };
 
 /// A solid capsule of uniform density: a cylinder and two half balls.
@@ -32,6 +33,7 @@ struct PrincipalFrame {
 template <class Scalar>
 Result<MassProperties<Scalar>> solid_capsule(const Capsule<Scalar>& capsule, Scalar density);
 
+/// A mass in one point: no inertia about its centre.
 /// @returns kOk | kInvalidArgument (mass not positive and finite, or position not finite)
 template <class Scalar>
 Result<MassProperties<Scalar>> point_mass(Scalar mass, const Vec3<Scalar>& position_S);

@@ -11,13 +11,15 @@ namespace batuta {
 /// Pose at t in [0, duration]: p_W + v_W t, exp(w_W t) q_WB.
 template <class Scalar>
 struct Motion {
-  Pose<Scalar> X_WB;  ///< at t = 0
-  Twist<Scalar> twist;
+  Pose<Scalar> X_WB;    ///< at t = 0
+  Twist<Scalar> twist;  ///< constant
   Scalar duration = 0;  ///< s, >= 0
 };
 
+/// The motion of what stays where it is.
 template <class Scalar>
 Motion<Scalar> still(const Pose<Scalar>& X_WB, Scalar duration);
+/// The motion of what does not turn.
 template <class Scalar>
 Motion<Scalar> linear(const Pose<Scalar>& X_WB, const Vec3<Scalar>& v_W, Scalar duration);
 

@@ -12,28 +12,34 @@ namespace batuta {
 /// A turn by `angle` about the unit vector `axis`. The identity has angle 0 and the x axis.
 template <class Scalar>
 struct AxisAngle {
-  Vec3<Scalar> axis = Vec3<Scalar>::UnitX();
-  Scalar angle = 0;  ///< rad; answers lie in [0, pi]
+  Vec3<Scalar> axis = Vec3<Scalar>::UnitX();  ///< unit; the same in both frames
+  Scalar angle = 0;                           ///< rad; answers lie in [0, pi]
 };
 
 /// q scaled to unit length; the identity if q is zero or not finite.
 template <class Scalar>
 Quat<Scalar> renewed(const Quat<Scalar>& q);
 
+/// R of q. @pre q unit
 template <class Scalar>
 Mat3<Scalar> to_matrix(const Quat<Scalar>& q);
+/// R of a turn. @pre axis unit; |angle| / 2 <= kMaxAngle
 template <class Scalar>
 Mat3<Scalar> to_matrix(const AxisAngle<Scalar>& turn);
 
+/// The q of R with w >= 0.
 /// @pre R is a rotation to within rounding. The largest of the four components is computed first:
 /// no cancellation.
 template <class Scalar>
 Quat<Scalar> to_quaternion(const Mat3<Scalar>& R);
+/// The q of a turn with w >= 0. @pre axis unit; |angle| / 2 <= kMaxAngle
 template <class Scalar>
 Quat<Scalar> to_quaternion(const AxisAngle<Scalar>& turn);
 
+/// The turn of q, angle in [0, pi]. @pre q unit
 template <class Scalar>
 AxisAngle<Scalar> to_axis_angle(const Quat<Scalar>& q);
+/// The turn of R, angle in [0, pi]. @pre R is a rotation to within rounding
 template <class Scalar>
 AxisAngle<Scalar> to_axis_angle(const Mat3<Scalar>& R);
 

@@ -31,6 +31,7 @@ struct StraightMotion {
 template <class Scalar>
 Result<StraightBody<Scalar>> make_straight_body(const Vec3<Scalar>& p_W, Scalar mass);
 
+/// p / m, m/s; zero for a fixed body.
 template <class Scalar>
 Vec3<Scalar> velocity_of(const StraightBody<Scalar>& body);
 

@@ -13,10 +13,11 @@ namespace batuta {
 template <class Scalar>
 inline constexpr Scalar kMaxAngle = Scalar(2526);
 
+/// Sine and cosine of one angle.
 template <class Scalar>
 struct SinCos {
-  Scalar sin = 0;
-  Scalar cos = 1;
+  Scalar sin = 0;  ///< of the angle
+  Scalar cos = 1;  ///< of the same angle
 };
 
 /// Sine and cosine. Error <= 1.5 ulp of the result for |angle| <= kMaxAngle (measured: 0.98), exact

@@ -19,7 +19,9 @@ class ByteSink {
  protected:
   ByteSink() = default;
   ~ByteSink() = default;
+  /// Copied only with what derives from it.
   ByteSink(const ByteSink&) = default;
+  /// Copied only with what derives from it.
   ByteSink& operator=(const ByteSink&) = default;
 
  private:
@@ -30,6 +32,7 @@ class ByteSink {
 /// Gives bytes; a port implements do_read() only. From one context at a time.
 class ByteSource {
  public:
+  /// Takes over what has come.
   /// @param[out] bytes  room for `capacity` bytes; not touched beyond what is returned
   /// @returns 0 ... capacity: how many came; 0: none at present | -1: none will come any more
   int read(std::uint8_t* bytes, int capacity);
@@ -37,7 +40,9 @@ class ByteSource {
  protected:
   ByteSource() = default;
   ~ByteSource() = default;
+  /// Copied only with what derives from it.
   ByteSource(const ByteSource&) = default;
+  /// Copied only with what derives from it.
   ByteSource& operator=(const ByteSource&) = default;
 
  private:

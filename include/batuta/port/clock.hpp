@@ -10,6 +10,7 @@ namespace batuta {
 /// A time stamp, us, modulo 2^32. Only differences have a meaning.
 using Microseconds = std::uint32_t;
 
+/// Length of a microsecond, s.
 template <class Scalar>
 inline constexpr Scalar kSecondsPerUs = Scalar(1e-6);
 
@@ -19,6 +20,7 @@ constexpr std::int32_t elapsed_us(Microseconds from, Microseconds to) {
   return static_cast<std::int32_t>(to - from);
 }
 
+/// Whether a is later than b, if the two are less than 2^31 us apart.
 constexpr bool is_later(Microseconds a, Microseconds b) {
   return elapsed_us(b, a) > 0;
 }
@@ -26,13 +28,15 @@ constexpr bool is_later(Microseconds a, Microseconds b) {
 /// A monotonic clock. A port derives from it and implements do_now().
 class Clock {
  public:
-  /// Never blocks; may be called from an interrupt handler if the port says so.
+  /// The time now. Never blocks; may be called from an interrupt handler if the port says so.
   Microseconds now() { return do_now(); }
 
  protected:
   Clock() = default;
   ~Clock() = default;
+  /// Copied only with what derives from it.
   Clock(const Clock&) = default;
+  /// Copied only with what derives from it.
   Clock& operator=(const Clock&) = default;
 
  private:

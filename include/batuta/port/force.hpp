@@ -13,6 +13,7 @@ class OutputStage;
 
 namespace batuta {
 
+/// What an actuator is told.
 struct ForceCommand {
   Microseconds time = 0;  ///< when it was computed
   float x = 0;            ///< share of the actuator's range, -1 ... 1, positive: right
@@ -43,7 +44,9 @@ class ForceDevice {
  protected:
   ForceDevice() = default;
   ~ForceDevice() = default;
+  /// Copied only with what derives from it.
   ForceDevice(const ForceDevice&) = default;
+  /// Copied only with what derives from it.
   ForceDevice& operator=(const ForceDevice&) = default;
 
  private:

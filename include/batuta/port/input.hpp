@@ -16,8 +16,8 @@ struct InputSample {
   float x = 0;                ///< stick position, -1 left ... 1 right
   float y = 0;                ///< stick position, -1 down ... 1 up
   std::uint32_t buttons = 0;  ///< bit i: button i is pressed
-  std::uint32_t sequence =
-      0;  ///< counts samples of this device; a gap tells how many were overwritten unread
+  /// Counts samples of this device; a gap tells how many were overwritten unread
+  std::uint32_t sequence = 0;
 };
 
 /// A source of samples. Validation is done once, here; a port implements do_read() only.
@@ -33,7 +33,9 @@ class InputDevice {
  protected:
   InputDevice() = default;
   ~InputDevice() = default;
+  /// Copied only with what derives from it.
   InputDevice(const InputDevice&) = default;
+  /// Copied only with what derives from it.
   InputDevice& operator=(const InputDevice&) = default;
 
  private:

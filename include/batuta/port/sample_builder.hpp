@@ -10,8 +10,13 @@
 
 namespace batuta {
 
-enum class Axis : std::uint8_t { kX, kY };
+/// One of the two axes of a stick.
+enum class Axis : std::uint8_t {
+  kX,  ///< to the right
+  kY,  ///< up
+};
 
+/// What the counts of an axis mean.
 enum class AxisKind : std::uint8_t {
   kAbsolute,  ///< an event says where the axis is
   kRelative,  ///< an event says by how much it moved; the sum is held in [min, max]
@@ -20,8 +25,8 @@ enum class AxisKind : std::uint8_t {
 /// How counts of a device become a deflection. For a relative axis, min and max choose the gain: 2
 /// / (max - min) a count.
 struct AxisCalibration {
-  AxisKind kind = AxisKind::kAbsolute;
-  bool reversed = false;      ///< counts grow to the left or downwards
+  AxisKind kind = AxisKind::kAbsolute;  ///< what the counts mean
+  bool reversed = false;                ///< counts grow to the left or downwards
   std::int32_t min = -32767;  ///< counts at one rim; beyond it the axis is taken to be at the rim
   std::int32_t max = 32767;   ///< counts at the other
   std::int32_t flat = 0;      ///< dead zone: so many counts to either side of the centre are 0
@@ -43,7 +48,7 @@ float deflection(const AxisCalibration& axis, std::int32_t counts);
 /// threads.
 class SampleBuilder {
  public:
-  static constexpr int kMaxButtons = 32;
+  static constexpr int kMaxButtons = 32;  ///< as many as InputSample::buttons has bits
 
   /// Calibrates and starts anew: both axes at their centre, no button pressed, sequence 0.
   /// @returns kOk | kInvalidArgument: !is_valid(x) or !is_valid(y); nothing changed
@@ -53,7 +58,7 @@ class SampleBuilder {
   /// remembered, nor is an axis that there is not.
   void axis(Axis which, std::int32_t counts);
 
-  /// @returns kOk | kInvalidArgument: index not in [0, kMaxButtons)
+  /// A button was pressed or let go. @returns kOk | kInvalidArgument: index not in [0, kMaxButtons)
   Status button(int index, bool pressed);
 
   /// The device or its controller lost events: discards what came since the last sync mark and what

@@ -12,6 +12,7 @@ namespace batuta {
 /// Gives `size` bytes, none where that is below zero, then says that it is at its end.
 class MemorySource final : public ByteSource {
  public:
+  /// From the bytes of the caller, which stay as long as the source is used.
   MemorySource(const std::uint8_t* bytes, int size) : bytes_(bytes), size_(max_of(size, 0)) {}
 
  private:
@@ -31,7 +32,9 @@ class MemorySource final : public ByteSource {
 /// Takes up to `capacity` bytes, and no more; none where that is below zero.
 class MemorySink final : public ByteSink {
  public:
+  /// Into the bytes of the caller, which stay as long as the sink is used.
   MemorySink(std::uint8_t* bytes, int capacity) : bytes_(bytes), capacity_(max_of(capacity, 0)) {}
+  /// Bytes taken so far.
   int size() const { return size_; }
 
  private:

@@ -10,21 +10,22 @@
 
 namespace batuta {
 
+/// How the playing of a recording goes on, or ended.
 enum class [[nodiscard]] Playback : std::uint8_t{
     kReady,    ///< begin(): the state is that of the start
     kStep,     ///< next(): make this step
     kEnd,      ///< all steps are made, and every hash agreed
     kWaiting,  ///< for more bytes of the source: call again
     // What follows is the end as well, and the answer from then on.
-    kParted,   ///< the state after steps() steps is another than the recorded one
-    kGap,      ///< steps are missing from here on: the recorder's sink was too slow
-    kCut,      ///< the source ended before the end mark
-    kDamaged,  ///< a check sum, a number or an order is wrong
-    kForeign,  ///< no recording
-    kOtherVersion,
-    kOtherScalar,  ///< float here and double there
-    kOtherScene,   ///< members, capacities or constants of state or input are others
-    kTooLarge,     ///< a record is larger than the buffer
+    kParted,        ///< the state after steps() steps is another than the recorded one
+    kGap,           ///< steps are missing from here on: the recorder's sink was too slow
+    kCut,           ///< the source ended before the end mark
+    kDamaged,       ///< a check sum, a number or an order is wrong
+    kForeign,       ///< no recording
+    kOtherVersion,  ///< of the format of state or recording
+    kOtherScalar,   ///< float here and double there
+    kOtherScene,    ///< members, capacities or constants of state or input are others
+    kTooLarge,      ///< a record is larger than the buffer
 };
 
 /// Nothing of the source is believed. Allocates: never. From one context at a time.
@@ -34,6 +35,7 @@ class Player {
   template <class State>
   static constexpr int kRoom = kSnapshotRoom<State>;
 
+  /// From a source that outlives the player.
   /// @param buffer  of the caller's, used as long as the player is; room for `capacity` bytes
   Player(ByteSource& source, std::uint8_t* buffer, int capacity)
       : source_(source), buffer_(buffer), capacity_(capacity) {}

@@ -23,6 +23,7 @@ class Recorder {
   template <class State>
   static constexpr int kRoom = kSnapshotRoom<State> + kRecordHead + 14 + kCheckSum;
 
+  /// Into a sink that outlives the recorder.
   /// @param buffer  of the caller's, used as long as the recorder is; room for `capacity` bytes
   Recorder(ByteSink& sink, std::uint8_t* buffer, int capacity)
       : sink_(sink), buffer_(buffer), capacity_(capacity) {}

@@ -9,7 +9,7 @@ namespace batuta {
 
 /// Why bytes are not taken for a state.
 enum class [[nodiscard]] Restored : std::uint8_t{
-    kOk,
+    kOk,            ///< the state is the one that was saved
     kForeign,       ///< not a saved state
     kOtherVersion,  ///< of the format
     kOtherScalar,   ///< float here and double there
@@ -21,6 +21,7 @@ enum class [[nodiscard]] Restored : std::uint8_t{
     kOutOfRange,
 };
 
+/// Of the format that save() writes; another one is not read.
 inline constexpr std::uint16_t kSnapshotVersion = 1;
 inline constexpr int kSnapshotHead = 20;  ///< bytes in front of the state
 inline constexpr int kCheckSum = 4;       ///< bytes behind it
@@ -31,15 +32,15 @@ inline constexpr int kSnapshotRoom = kSnapshotHead + static_cast<int>(sizeof(T))
 
 /// What stands in front of a state.
 struct SnapshotHead {
-  std::uint16_t version = kSnapshotVersion;
-  std::uint8_t scalar = 0;        ///< bytes of a number: 4, 8; 0 where there are none
-  std::uint64_t fingerprint = 0;  ///< of the state's type
-  std::uint32_t length = 0;       ///< bytes of the state
+  std::uint16_t version = kSnapshotVersion;  ///< of the format
+  std::uint8_t scalar = 0;                   ///< bytes of a number: 4, 8; 0 where there are none
+  std::uint64_t fingerprint = 0;             ///< of the state's type
+  std::uint32_t length = 0;                  ///< bytes of the state
 };
 
-/// @param shape  has gone over the state
+/// The head of a state. @param shape  has gone over the state  @param length  bytes of the state
 SnapshotHead head_of(const ArchiveShape& shape, int length);
-/// @pre room for kSnapshotHead bytes
+/// Writes the head to the front of `bytes`. @pre room for kSnapshotHead bytes
 void write_head(const SnapshotHead& head, std::uint8_t* bytes);
 /// Whether `bytes` begin with a head, and whether it is that of `wanted`, length apart. The length
 /// found is put into `wanted`. @returns kOk | kForeign | kOtherVersion | kOtherScalar |
@@ -50,6 +51,7 @@ void seal(std::uint8_t* bytes, int size);
 /// Whether the last kCheckSum of `size` bytes are the check sum of those before.
 bool is_sealed(const std::uint8_t* bytes, int size);
 
+/// The head of a state, but for its length, which is 0. Bound: the members of the state.
 template <class T>
 SnapshotHead head_for(const T& state) {
   ArchiveShape shape;
@@ -57,6 +59,7 @@ SnapshotHead head_for(const T& state) {
   return head_of(shape, 0);
 }
 
+/// Writes a state as bytes: head, members, check sum.
 /// @param[out] bytes  room for `capacity`; kSnapshotRoom<T> are enough
 /// @returns kOk with the bytes used | kPoolFull | kInvalidArgument (a member out of its range)
 /// Bound: the members of the state. Allocates: never.
@@ -74,7 +77,9 @@ Result<int> save(const T& state, std::uint8_t* bytes, int capacity) {
   return success(size + kCheckSum);
 }
 
-/// Nothing is changed before scene and check sum are found to be good.
+/// Reads a state that save() wrote. Nothing is changed before scene and check sum are found to be
+/// good.
+/// @returns kOk, or why not (Restored); the state has changed for kOk and kOutOfRange alone
 /// Bound: the members of the state. Allocates: never.
 template <class T>
 Restored restore(T& state, const std::uint8_t* bytes, int size) {

@@ -11,11 +11,12 @@ namespace batuta {
 /// and opposite impulses conserve angular momentum exactly.
 template <class Scalar>
 struct Contact {
-  Vec3<Scalar> point_W = Vec3<Scalar>::Zero();
+  Vec3<Scalar> point_W = Vec3<Scalar>::Zero();       ///< midway between the surfaces, m
   Vec3<Scalar> normal_BA_W = Vec3<Scalar>::UnitX();  ///< the paper's n_B: unit, out of B, towards A
   Scalar gap = 0;  ///< m, at this instant; may be slightly positive
 };
 
+/// What a contact does along its normal [Kavan §4]; eps_r is the speed up to which it rests.
 enum class ContactKind : std::uint8_t {
   kColliding,  ///< v_rel < -eps_r
   kResting,    ///< |v_rel| <= eps_r
@@ -32,7 +33,7 @@ Scalar relative_velocity(const Contact<Scalar>& contact, const Pose<Scalar>& X_W
                          const Twist<Scalar>& twist_A, const Pose<Scalar>& X_WB,
                          const Twist<Scalar>& twist_B);
 
-/// @pre eps_r >= 0, m/s
+/// Which kind of contact a relative velocity makes. @pre eps_r >= 0, m/s
 template <class Scalar>
 ContactKind classify(Scalar v_rel, Scalar eps_r);
 

@@ -7,6 +7,7 @@
 
 namespace batuta {
 
+/// How far a resting contact is moved apart, and for how long.
 template <class Scalar>
 struct SeparationOptions {
   Scalar distance = 0;      ///< D, m, > 0: the gap after separation
@@ -14,7 +15,7 @@ struct SeparationOptions {
   Scalar min_duration = 0;  ///< s, > 0: f(D) is never less, so separations per step are bounded
   /// Longest shift that each body may make without reaching a neighbour, m, >= 0.
   Scalar limit_A = std::numeric_limits<Scalar>::max();
-  Scalar limit_B = std::numeric_limits<Scalar>::max();
+  Scalar limit_B = std::numeric_limits<Scalar>::max();  ///< of B, as limit_A
 };
 
 /// The paper's separation by D, made safe: the gap is restored *to* D, because adding D each time

@@ -7,6 +7,7 @@
 
 namespace batuta {
 
+/// What a blow of two bodies that do not turn came to.
 template <class Scalar>
 struct StraightHit {
   Scalar v_rel = 0;    ///< before, along the normal, m/s; negative: approaching [Kavan eq. 23]

@@ -11,54 +11,66 @@ namespace batuta {
 
 /// Who may meet whom: two bodies meet where each is in a group that the other one meets.
 struct Filter {
-  std::uint16_t groups = 1;
-  std::uint16_t meets = 0xFFFF;
+  std::uint16_t groups = 1;      ///< a bit for each group that the body is in
+  std::uint16_t meets = 0xFFFF;  ///< a bit for each group that it meets
 };
 
+/// The shape of an actor whose scene has spheres alone.
 template <class Scalar>
 struct BallShape {
   Scalar radius = 0;  ///< m, >= 0; about the body's own point
 };
+/// The shape of an actor of one capsule.
 template <class Scalar>
 struct CapsuleShape {
   /// In the body's frame B; where nothing turns, in axes of W, about the body's own point.
   Capsule<Scalar> capsule_B;
 };
+/// The shape of an actor of several capsules.
 template <class Scalar, int N>
 struct CapsulesShape {
-  FixedList<Capsule<Scalar>, N>
-      capsules_B;  ///< its parts, at least one; they never meet each other
+  /// Its parts, at least one; they never meet each other
+  FixedList<Capsule<Scalar>, N> capsules_B;
 };
+/// Of an actor whose body turns.
 template <class Controller>
 struct Controlled {
   Controller controller{};  ///< who moves it
 };
+/// Of an actor in a scene with kRestitution.
 template <class Scalar>
 struct Bouncy {
   Scalar restitution = 0;  ///< C, in [0, 1]; a pair takes pair_restitution() of its two
 };
+/// Of an actor in a scene with kFriction.
 template <class Scalar>
 struct Rough {
   Scalar friction = 0;  ///< mu, >= 0; a pair takes pair_friction() of its two
 };
+/// Of an actor in a scene with kOwners.
 struct Owned {
   std::uint16_t owner = 0;  ///< bodies of one owner other than 0 never meet
 };
+/// Of an actor in a scene with kFilters.
 struct Filtered {
-  Filter filter;
+  Filter filter;  ///< who it may meet
 };
 
+/// The shape that a scene gives its actors.
 template <class SceneT>
 using ShapeOf = std::conditional_t<
     SceneT::Search::kForSpheres, BallShape<typename SceneT::Scalar>,
     std::conditional_t<SceneT::kCapsulesPerBody == 1, CapsuleShape<typename SceneT::Scalar>,
                        CapsulesShape<typename SceneT::Scalar, SceneT::kCapsulesPerBody>>>;
+/// The body that a scene gives its actors.
 template <class SceneT>
 using BodyOf = std::conditional_t<SceneT::kRotation, Body<typename SceneT::Scalar>,
                                   StraightBody<typename SceneT::Scalar>>;
+/// A feature's members where the scene has it, else nothing.
 template <bool kIsOn, class Feature, int kNumber>
 using FeatureIf = std::conditional_t<kIsOn, Feature, Absent<kNumber>>;
 
+/// A body of a scene with all that the scene's features ask of it; World::add() takes it.
 /// The caller may read or change it between steps. What becomes unusable (not finite, or too far
 /// away to hold its size) is left out of the steps, and counted in StepReport::plans_invalid.
 template <class SceneT>
@@ -68,9 +80,10 @@ struct Actor : ShapeOf<SceneT>,
                FeatureIf<SceneT::kFriction, Rough<typename SceneT::Scalar>, 2>,
                FeatureIf<SceneT::kOwners, Owned, 3>,
                FeatureIf<SceneT::kFilters, Filtered, 4> {
+  /// The scene's.
   using Scalar = typename SceneT::Scalar;
 
-  BodyOf<SceneT> body;
+  BodyOf<SceneT> body;  ///< where it is, how it moves, and its mass
 };
 
 /// The parts of an actor: one, unless the scene says otherwise.
@@ -83,7 +96,7 @@ int parts_of(const Actor<SceneT>& actor) {
   }
 }
 
-/// @pre 0 <= part < parts_of(actor)
+/// A capsule of an actor. @pre 0 <= part < parts_of(actor)
 template <class SceneT>
 const Capsule<typename SceneT::Scalar>& part_of(const Actor<SceneT>& actor, int part) {
   if constexpr (SceneT::kCapsulesPerBody == 1) {

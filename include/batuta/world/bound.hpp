@@ -9,6 +9,7 @@ namespace batuta {
 
 /// The smallest box, in closed form. The default: fewest pairs.
 struct SweptBox {
+  /// swept_aabb().
   template <class Scalar>
   static Aabb<Scalar> of(const MovingCapsule<Scalar>& moving) {
     return swept_aabb(moving);
@@ -18,6 +19,7 @@ struct SweptBox {
 /// A larger box without an arc tangent: for bodies that turn by more than about half a radian a
 /// step, and for less flash.
 struct CoarseBox {
+  /// coarse_swept_aabb().
   template <class Scalar>
   static Aabb<Scalar> of(const MovingCapsule<Scalar>& moving) {
     return coarse_swept_aabb(moving);

@@ -42,8 +42,11 @@ struct Fixed {
 /// A body that flies by its momenta.
 template <class Scalar>
 struct FreeFlight {
+  /// Free flight over [t, t + duration] of the step. @pre 0 <= t, 0 <= duration
   PlannedMotion<Scalar> plan(const Body<Scalar>& body, Scalar t, Scalar duration) const;
+  /// The contact has changed the momenta; there is nothing else to do.
   void on_contact(const Body<Scalar>& body, const Feedback<Scalar>& feedback);
+  /// Nothing to do.
   void on_step_end(const Body<Scalar>& body, Scalar dt);
 };
 
@@ -62,8 +65,13 @@ struct Hand {
   Scalar step = 0;        ///< length of that step, s, > 0
   bool struck = false;    ///< a blow came in this step
 
+  /// Straight to the target, to be there at the end of the step, or at the pace of kLeastHorizon of
+  /// a step where less is left; free flight where a blow came in the step.
+  /// @pre 0 <= t, 0 <= duration
   PlannedMotion<Scalar> plan(const Body<Scalar>& body, Scalar t, Scalar duration) const;
+  /// A blow takes a body that can be moved out of the hand for the rest of the step.
   void on_contact(const Body<Scalar>& body, const Feedback<Scalar>& feedback);
+  /// The hand takes hold again.
   void on_step_end(const Body<Scalar>& body, Scalar dt);
 };
 
@@ -72,7 +80,9 @@ struct Hand {
 template <class Scalar, class First, class... Others>
 class AnyController {
  public:
+  /// The first type, as it is made without arguments.
   AnyController() = default;
+  /// Becomes a copy of one of the types.
   template <class Controller>
   // cppcheck-suppress noExplicitConstructor ; deviation: any-controller
   AnyController(const Controller& controller) : controller_(controller) {}
@@ -83,12 +93,15 @@ class AnyController {
     return std::get_if<Controller>(&controller_);
   }
 
+  /// That of the controller it is at present.
   PlannedMotion<Scalar> plan(const Body<Scalar>& body, Scalar t, Scalar duration) const {
     return plan_of<First, Others...>(body, t, duration);
   }
+  /// Tells the controller it is at present.
   void on_contact(const Body<Scalar>& body, const Feedback<Scalar>& feedback) {
     for_current([&](auto& controller) { controller.on_contact(body, feedback); });
   }
+  /// Tells the controller it is at present.
   void on_step_end(const Body<Scalar>& body, Scalar dt) {
     for_current([&](auto& controller) { controller.on_step_end(body, dt); });
   }
@@ -149,10 +162,13 @@ class AnyController {
 /// stands still, and no two such bodies are ever led into each other.
 template <class Controller>
 struct MovesByMomentumOnly : std::false_type {};
+/// Free flight is by momentum.
 template <class Scalar>
 struct MovesByMomentumOnly<FreeFlight<Scalar>> : std::true_type {};
+/// What is fixed does not move.
 template <class Scalar>
 struct MovesByMomentumOnly<Fixed<Scalar>> : std::true_type {};
+/// One of several, where all of them do.
 template <class Scalar, class First, class... Others>
 struct MovesByMomentumOnly<AnyController<Scalar, First, Others...>>
     : std::conjunction<MovesByMomentumOnly<First>, MovesByMomentumOnly<Others>...> {};

@@ -8,6 +8,7 @@
 
 namespace batuta {
 
+/// Where in the life of a contact an event stands.
 enum class EventKind : std::uint8_t {
   kBegin,    ///< the pair was not in contact before
   kPersist,  ///< the pair was in contact already, and was answered again
@@ -17,18 +18,19 @@ enum class EventKind : std::uint8_t {
 /// One contact of two bodies. A and B are slots in the world's pool: World::id_at() names the body.
 template <class Scalar>
 struct ContactEvent {
-  EventKind kind = EventKind::kBegin;
+  EventKind kind = EventKind::kBegin;  ///< begins, persists or ends
+  /// How the bodies moved along the normal before the answer
   ContactKind contact_kind = ContactKind::kResting;
-  std::uint16_t body_A = 0;
+  std::uint16_t body_A = 0;  ///< slot of A
   std::uint16_t body_B = 0;  ///< body_A < body_B
   std::uint8_t part_A = 0;   ///< which capsule of the body; 0 where it has but one
-  std::uint8_t part_B = 0;
-  Scalar time = 0;          ///< in the step, s
-  Contact<Scalar> contact;  ///< point, normal (out of B, towards A), gap
-  Scalar v_rel = 0;         ///< before, m/s; negative: approaching
-  Scalar impulse = 0;       ///< j, N s; 0 for resting contact
+  std::uint8_t part_B = 0;   ///< the same of B
+  Scalar time = 0;           ///< in the step, s
+  Contact<Scalar> contact;   ///< point, normal (out of B, towards A), gap
+  Scalar v_rel = 0;          ///< before, m/s; negative: approaching
+  Scalar impulse = 0;        ///< j, N s; 0 for resting contact
   Scalar place_A = 0;  ///< on A's axis: 0 at axis.a ... 1 at axis.b (on a blade: guard ... tip)
-  Scalar place_B = 0;
+  Scalar place_B = 0;  ///< on B's axis
 };
 
 /// What a step did. Every count that should be zero in a healthy scene says so.
@@ -38,8 +40,8 @@ struct StepReport {
   std::uint32_t pairs = 0;        ///< pairs searched, summed over the rounds of the step
   std::uint32_t collisions = 0;   ///< colliding contacts, answered by an impulse
   std::uint32_t separations = 0;  ///< resting and overlapping contacts, answered by separation
-  std::uint32_t blocked =
-      0;  ///< contacts of two bodies that nothing can push: both held for the rest of the step
+  /// Contacts of two bodies that nothing can push: both held for the rest of the step
+  std::uint32_t blocked = 0;
   /// Pairs that overlapped when a search began: by rounding; because the caller put them there, or
   /// moved what cannot be pushed (src/world/detail/resolution.md); and with Stepping also by a
   /// touch shallower than epsilon / 2 that it passed over (src/detection/stepping.md). The other
@@ -57,14 +59,15 @@ struct StepReport {
   std::uint32_t searches_invalid = 0;  ///< the search could not be asked (see Outcome::kInvalid)
   std::uint32_t resolutions_invalid =
       0;  ///< the contact could not be answered: its numbers overflow
-  std::uint32_t plans_invalid =
-      0;  ///< a body or its controller's plan was not finite, turned too far, or is so far from
-          ///< the origin that numbers there are further apart than it is large
+  /// A body or its controller's plan was not finite, turned too far, or is so far from the origin
+  /// that numbers there are further apart than it is large
+  std::uint32_t plans_invalid = 0;
   std::uint32_t events_dropped = 0;  ///< beyond kMaxEvents: not recorded, but answered
   std::uint32_t contacts_untracked =
       0;                 ///< beyond the pairs that can be followed: no persist and end events
   Scalar time_held = 0;  ///< longest time for which a body was held in the step, s
 
+  /// Whether nothing was left out: all counts of what did not fit are zero.
   bool complete() const {
     return pairs_dropped == 0 && contacts_dropped == 0 && searches_cut == 0 &&
            searches_invalid == 0 && resolutions_invalid == 0 && plans_invalid == 0 &&

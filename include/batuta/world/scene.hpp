@@ -25,7 +25,9 @@ enum class RestingContact : std::uint8_t {
   kSettling,
 };
 
+/// A scene with everything at its default: two capsules with impulses and the paper's separation.
 struct Scene {
+  /// Of lengths, times and everything else: float, or double where the library was built for it.
   using Scalar = float;
   /// Who moves a body; see controller.hpp. Not asked where kRotation is false: there, bodies fly by
   /// their momenta.
@@ -64,6 +66,7 @@ struct Scene {
   static constexpr bool kFriction = false;
   /// Near-parallel capsules touch at two points (response/line_contact.hpp).
   static constexpr bool kLineContact = false;
+  /// What becomes of contacts in which nearly nothing approaches.
   static constexpr RestingContact kResting = RestingContact::kSeparation;
   /// WorldSettings::gravity_W, felt by what its own momentum moves.
   static constexpr bool kGravity = false;
@@ -115,8 +118,11 @@ void archive_scene(Archive& ar) {
 /// What a scene asks of its searches.
 template <class SceneT>
 struct SearchOf {
+  /// The scene's.
   using Scalar = typename SceneT::Scalar;
+  /// The scene's.
   using Search = typename SceneT::Search;
+  /// What one search needs to know.
   using Options = typename Search::Options;
 
   static_assert(std::is_same_v<typename Search::Scalar, Scalar>,
@@ -158,6 +164,7 @@ struct RestSettings {
   Scalar separation = Scalar(1e-4);  ///< D [Kavan §4.2], m, > 0; a contact ends beyond 2 D
   Scalar min_separation_time = Scalar(1e-4);  ///< least f(D), s, > 0
 };
+/// What pulls at every body, in a scene with kGravity.
 template <class Scalar>
 struct GravitySettings {
   Vec3<Scalar> gravity_W = {0, 0, Scalar(-9.81)};  ///< m/s^2, finite
@@ -177,12 +184,14 @@ template <class SceneT>
 struct WorldSettings
     : std::conditional_t<kKnowsRest<SceneT>, RestSettings<typename SceneT::Scalar>, Absent<0>>,
       std::conditional_t<SceneT::kGravity, GravitySettings<typename SceneT::Scalar>, Absent<1>> {
+  /// The scene's.
   using Scalar = typename SceneT::Scalar;
 
   /// Those of the scene's search, within Scene::kBudget evaluations.
   typename SceneT::Search::Options search = SearchOf<SceneT>::options();
 };
 
+/// Whether settings are in range.
 /// @returns kOk | kInvalidArgument: an option out of its range, or a search that may take more than
 /// Scene::kBudget evaluations
 template <class SceneT>

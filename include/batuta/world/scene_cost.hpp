@@ -8,6 +8,7 @@
 
 namespace batuta {
 
+/// What a scene costs, in bytes and in the most that a step can take.
 struct SceneCost {
   std::size_t world = 0;     ///< bytes of World<Scene>, all that the scene needs
   std::size_t body = 0;      ///< of these, for one more body: actor, plan, boxes
@@ -21,8 +22,11 @@ struct SceneCost {
 /// The scene with one more body, pair or event.
 template <class SceneT, int kBodies, int kPairs, int kEvents>
 struct Enlarged : SceneT {
+  /// The scene's, and kBodies more.
   static constexpr int kMaxBodies = SceneT::kMaxBodies + kBodies;
+  /// The scene's, and kPairs more.
   static constexpr int kMaxPairs = SceneT::kMaxPairs + kPairs;
+  /// The scene's, and kEvents more, if it keeps any.
   static constexpr int kMaxEvents = SceneT::kMaxEvents > 0 ? SceneT::kMaxEvents + kEvents : 0;
 };
 

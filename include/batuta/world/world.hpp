@@ -7,6 +7,7 @@
 
 namespace batuta {
 
+/// The engine that runs a scene.
 template <class SceneT>
 using WorldOf = std::conditional_t<detail::kIsLean<SceneT>, detail::LeanWorld<SceneT>,
                                    detail::GeneralWorld<SceneT>>;

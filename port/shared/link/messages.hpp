@@ -167,8 +167,8 @@ struct StepReport {
   bool repeated = false;       ///< paced: the step was made before, this is the answer once more
   std::uint32_t overruns = 0;  ///< steps that took longer than they may, so far
   std::uint32_t skipped = 0;   ///< ticks of the device's clock that went by without a step, so far
-  std::uint32_t silences =
-      0;  ///< times that the force was taken back: stick or host fell silent, so far
+  /// Times that the force was taken back: stick or host fell silent, so far
+  std::uint32_t silences = 0;
   std::uint32_t stale_steps = 0;       ///< steps with a stale stick, so far
   std::uint32_t rejected = 0;          ///< frames from the host that were rejected, so far
   std::uint32_t lost = 0;              ///< frames from the host that are missing, so far
@@ -177,8 +177,8 @@ struct StepReport {
   std::uint32_t incomplete_steps = 0;  ///< steps in which a blade was held, so far
   std::uint32_t spent_us = 0;          ///< on this step
   std::uint16_t session = 0;           ///< low half of the session's number; 0: the device is alone
-  std::uint16_t force_failures =
-      0;  ///< commands that the motor did not take, so far; stays at 65535
+  /// Commands that the motor did not take, so far; stays at 65535
+  std::uint16_t force_failures = 0;
   std::uint16_t stick_invalid = 0;  ///< samples of the own stick out of its square, the same
 };
 

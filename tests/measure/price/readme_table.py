@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Holds the README's tables of prices against what was measured: price.json of build trees, each a column; the table of
+"""Holds the tables of prices of docs/cost.md against what was measured: price.json of build trees, each a column; the table of
 features is that of the part for which bounds are promised.
 Usage: readme_table.py [--update] SOURCE_FOLDER BUILD_TREE...; without --update the columns of these trees must be in
-README.md as measured. Exit code 1: they are not; 77: a tree has no price.json, or one without instructions."""
+docs/cost.md as measured. Exit code 1: they are not; 77: a tree has no price.json, or one without instructions."""
 
 import json
 import pathlib
@@ -13,6 +13,7 @@ import sys
 from tools import budgets, scenes
 
 SKIPPED = 77
+PAGE = "docs/cost.md"
 CPUS = ["cortex-m0plus", "cortex-m3", "cortex-m4f", "cortex-m7", "cortex-m33", "cortex-m55"]
 
 # Label, and the figures that stand behind each other in a cell.
@@ -87,7 +88,7 @@ def limit_columns(limits, rows):
 
 
 def read_columns(text, rows):
-    """cpu -> cells of a table as it stands in the README."""
+    """cpu -> cells of a table as it stands in the page."""
     lines = [line.strip("|").split("|") for line in text.splitlines() if line.startswith("|")]
     if len(lines) != len(rows) + 2:
         return {}
@@ -123,12 +124,12 @@ def filled(text, mark, content_of):
     """The text with a block written anew. @param content_of  of the block as it is, what it is to be"""
     block = re.search(rf"(<!-- begin {mark} -->\n)(.*?)(<!-- end -->)", text, re.S)
     if not block:
-        sys.exit(f"README.md: there is no '<!-- begin {mark} -->' ... '<!-- end -->'")
+        sys.exit(f"{PAGE}: there is no '<!-- begin {mark} -->' ... '<!-- end -->'")
     return text[:block.start(2)] + content_of(block.group(2)) + text[block.end(2):]
 
 
 def renewed(text, prices):
-    """The README with what these parts were measured at."""
+    """The page with what these parts were measured at."""
     limits = budgets.read(pathlib.Path(__file__).resolve().parent / "budgets.csv")
     for mark, rows in TABLES.items():
         measured = dict(column_of(price, rows) for price in prices)
@@ -142,19 +143,19 @@ def renewed(text, prices):
 
 def main():
     words = [word for word in sys.argv[1:] if word != "--update"]
-    readme = pathlib.Path(words[0]) / "README.md"
+    page = pathlib.Path(words[0]) / PAGE
     prices = [price_of(pathlib.Path(word)) for word in words[1:]]
     if not prices or any("duel.step.max" not in price["figures"] for price in prices):
         print("a tree has no prices, or none of instructions: price.py measures them", file=sys.stderr)
         return SKIPPED
-    before = readme.read_text()
+    before = page.read_text()
     after = renewed(before, prices)
     if "--update" in sys.argv:
-        readme.write_text(after)
+        page.write_text(after)
         return 0
     if after == before:
         return 0
-    print("README.md: the tables of prices are not what was measured; readme_table.py --update writes them", file=sys.stderr)
+    print(f"{PAGE}: the tables of prices are not what was measured; readme_table.py --update writes them", file=sys.stderr)
     return 1
 
 

@@ -23,8 +23,10 @@
 
 namespace batuta::detail {
 
+/// The scalar of a scene.
 template <class SceneT>
 using Scalar_of = typename SceneT::Scalar;
+/// What bodies of a scene are made of: turning or straight.
 template <class SceneT>
 using KinematicsOf =
     std::conditional_t<SceneT::kRotation, TurningKinematics<SceneT>, StraightKinematics<SceneT>>;
@@ -36,10 +38,15 @@ class GeneralWorld : private SeedsOf<SceneT>,
                      private RepeatsOf<SceneT>,
                      private SleepOf<SceneT> {
  public:
+  /// The scene's.
   using Scalar = typename SceneT::Scalar;
+  /// How contacts are found.
   using Search = typename SceneT::Search;
+  /// A body with what the scene's features ask of it.
   using ActorType = Actor<SceneT>;
+  /// Names a body of this world.
   using BodyId = Handle<ActorType>;
+  /// A FixedList of ContactEvent.
   using EventList = typename EventsOf<SceneT>::EventList;
 
   /// Rounds of one step: each ends with a contact (kMaxContacts), with the end of the hold that a
@@ -57,18 +64,21 @@ class GeneralWorld : private SeedsOf<SceneT>,
     BATUTA_ASSERT(rounds_each_operation<Scalar>());
   }
 
+  /// Sets the tolerances, from the next step on.
   /// @returns kOk | kInvalidArgument (an option out of range; the settings stay as they were)
   Status configure(const WorldSettings<SceneT>& settings) {
     const Status status = validate(settings);
     if (status == Status::kOk) settings_ = settings;
     return status;
   }
+  /// What configure() was given, or the scene's own.
   const WorldSettings<SceneT>& settings() const { return settings_; }
 
   /// Becomes a copy of `saved`, and goes on as that would, to the last bit; ids of one name the
   /// bodies of the other. By name, because a world is large. Bound: kMaxBodies.
   void restore(const GeneralWorld& saved);
 
+  /// Puts a body into the world, in the lowest free slot.
   /// @returns kOk with the id | kPoolFull | kInvalidArgument (not finite, negative radius, no part,
   /// C outside [0, 1], mu negative, or so far from the origin that numbers there are further apart
   /// than the body is large)
@@ -84,9 +94,11 @@ class GeneralWorld : private SeedsOf<SceneT>,
     if (slot != PoolBase::kNoIndex) states_[static_cast<std::size_t>(slot)].boxed = false;
     return actors_.get(id);
   }
+  /// The body to read, or null for a stale, foreign or null id.
   const ActorType* get(BodyId id) const { return actors_.get(id); }
   /// The id of the body in a slot, as events name it; null id if there is none.
   BodyId id_at(std::uint16_t slot) const { return actors_.handle_at(slot); }
+  /// Bodies in the world.
   int size() const { return actors_.size(); }
 
   /// Moves everything by dt. After it, report() and events() tell what happened.
@@ -96,6 +108,7 @@ class GeneralWorld : private SeedsOf<SceneT>,
   /// Bound: kMaxRounds rounds of at most kMaxPairs searches of at most kBudget evaluations.
   Status step(Scalar dt);
 
+  /// What the last step did, and what it left out.
   const StepReport<Scalar>& report() const { return report_; }
   /// What happened in the step. Where Scene::kMaxEvents is 0, there are none to ask for.
   const EventList& events() const {

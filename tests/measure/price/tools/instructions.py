@@ -95,7 +95,7 @@ def run(manifest, queries):
     out = queries.with_name("samples.bin")
     command = manifest["emulator"] + [manifest["bench"], str(queries), str(out), str(every), str(steps)]
     environment = dict(os.environ, BATUTA_QEMU_OPTIONS=f"-icount shift={SHIFT}")
-    subprocess.run(command, check=True, env=environment, timeout=600)
+    subprocess.run(command, check=True, env=environment, timeout=7200)
     return Samples(out.read_bytes())
 
 

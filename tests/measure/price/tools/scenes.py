@@ -100,7 +100,7 @@ def run(name, manifest, folder, restitution):
     out = folder / "scene.bin"
     command = [*manifest["emulator"], manifest["scenes"][name]["run"], str(out), str(restitution), str(STEPS)]
     environment = dict(os.environ, BATUTA_QEMU_OPTIONS=f"-icount shift={SHIFT[name]}")
-    subprocess.run(command, check=True, env=environment, timeout=600)
+    subprocess.run(command, check=True, env=environment, timeout=7200)
     return instructions.Samples(out.read_bytes())
 
 
