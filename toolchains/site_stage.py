@@ -17,11 +17,6 @@ TOP = ["README.md", "CHANGELOG.md"]
 MOST_LINES, MOST_WORDS = 150, 1300  # of the README: it is read in four minutes
 INDEX = "docs/index.md"
 PRAGMA = "#pragma once"
-# Machinery that still stands beside the interface; in folders detail/ and in batuta::detail there is nothing else.
-MACHINERY = """*/archive.hpp */world/proxy_pair.hpp */world/encounter.hpp */world/event_book.hpp */world/general_*.hpp
- */world/lean_world.hpp */world/scene_check.hpp */world/seed_memory.hpp */world/sleep_book.hpp
- */world/straight_matter.hpp */world/sweep.hpp */world/turning.hpp */world/watch.hpp */fencing/duel_definitions.hpp
- */fencing/referee.hpp */fencing/referee_definitions.hpp""".split()
 # A World is an engine, chosen by the scene, and shows the members of that one.
 ENGINE = "general_world.hpp"
 WORLD = re.compile(r"(class World : public )[^{;]*?( *\{)")
@@ -37,8 +32,7 @@ MADE_BY_PROGRAMS = re.compile(r"build/|report\.md$")  # no files of the reposito
 
 def is_shown(path):
     """Whether a header belongs to the interface."""
-    machinery = "detail" in path.parts or any(path.match(pattern) for pattern in MACHINERY)
-    return path.name == ENGINE or not machinery
+    return path.name == ENGINE or "detail" not in path.parts
 
 
 def header(text, is_engine):

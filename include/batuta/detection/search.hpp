@@ -77,7 +77,7 @@ struct Certified {
   /// Suits the default options.
   static constexpr std::uint32_t kDefaultBudget = Options{}.budget;
 
-  /// Options for so many distance evaluations, <= kMaxBudget. @param contact tolerance  over S, <=
+  /// Options for so many distance evaluations, <= kMaxBudget. @param contact_tolerance  over S, <=
   /// 1; 0 or less: the default
   static constexpr Options options(std::uint32_t budget, Scalar contact_tolerance) {
     Options options;

@@ -29,7 +29,7 @@ struct SphereResult {
 };
 
 /// First contact in [0, duration]; none is missed. With S = |between| + |v| duration + radii:
-/// @param contact tolerance  m, >= 0; a smaller one than the arithmetic resolves is raised
+/// @param contact_tolerance  m, >= 0; a smaller one than the arithmetic resolves is raised
 /// @returns
 ///   kFree: the true gap is > 0 on [0, duration]; t_free = t_hit = duration;
 ///   kContact: the true gap is > 0 on [0, t_free], and at t_free at most contact_gap_of();

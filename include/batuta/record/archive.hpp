@@ -2,7 +2,7 @@
 #pragma once
 // The state of an object as bytes, the same on every machine: to save it, to restore it, and to
 // compare two machines by a hash. A type lists its members once, for all of these ways:
-//   template <class ArchiveT> void archive(ArchiveT& ar) { ar(first_, second_); }
+//   `template <class ArchiveT> void archive(ArchiveT& ar) { ar(first_, second_); }`
 // as a member, or as a free function archive(ar, x) beside the type. A structured binding in front
 // of the list makes a member that was forgotten an error. One class for all ways, so that a list
 // is compiled once. Bytes: src/record/archive.md.
@@ -53,9 +53,11 @@ class Archive {
     if (!condition && reading() && ok()) status_ = Status::kInvalidArgument;
   }
 
+  /// Whether members are taken from bytes.
   bool reading() const { return way_ == Way::kRead; }
   /// Asks for the shape of the type: everything that it has room for, once.
   bool shaping() const { return way_ == Way::kShape; }
+  /// Whether status() is kOk.
   bool ok() const { return status_ == Status::kOk; }
   /// @returns kOk | kPoolFull (writing: more than there is room for) | kInvalidArgument (a value
   /// out of its range; reading: also fewer bytes than there are members)
@@ -66,15 +68,22 @@ class Archive {
   /// quaternions of unit length to within 2^-10. They need not be, for a body that has become
   /// unusable is saved as it is; who needs it asks.
   bool all_sane() const { return all_sane_; }
+  /// A quaternion was met: all_sane() looks at its squared length.
   void note_quaternion(float squared_length);
 
  protected:
+  /// What is done with the members.
   enum class Way : std::uint8_t { kRead, kWrite, kHash, kShape };
 
+  /// @param source  bytes to read; else null
+  /// @param target  room to write; else null
+  /// @param size    of either, bytes
   Archive(Way way, const std::uint8_t* source, std::uint8_t* target, int size)
       : source_(source), target_(target), size_(size), way_(way) {}
   ~Archive() = default;
+  /// Of the bytes so far (kHash), or of the shape so far (kShape).
   std::uint64_t digest() const { return digest_; }
+  /// Bytes of the last real number, 0: there was none.
   std::uint8_t scalar_size() const { return scalar_size_; }
 
  private:
@@ -121,7 +130,9 @@ class ArchiveReader : public Archive {
 /// FNV-1a with 64 bits over the bytes that would be written.
 class ArchiveHash : public Archive {
  public:
+  /// Of no bytes yet.
   ArchiveHash() : Archive(Way::kHash, nullptr, nullptr, 0) {}
+  /// The hash of all members so far.
   std::uint64_t value() const { return digest(); }
 };
 
@@ -129,12 +140,15 @@ class ArchiveHash : public Archive {
 /// fingerprint can read each other's bytes.
 class ArchiveShape : public Archive {
  public:
+  /// Of no members yet.
   ArchiveShape() : Archive(Way::kShape, nullptr, nullptr, 0) {}
+  /// The fingerprint of all members so far.
   std::uint64_t fingerprint() const { return digest(); }
   /// Of the last floating-point member, 4 or 8; 0 where there is none.
   std::uint8_t scalar() const { return scalar_size(); }
 };
 
+/// ArchiveHash of a state: two states with one hash go on alike.
 template <class T>
 std::uint64_t hash_of(const T& state) {
   ArchiveHash hash;
@@ -186,6 +200,7 @@ void Archive::operator()(T& x) {
   }
 }
 
+/// An array: its members one after the other.
 template <class T, std::size_t N>
 void archive(Archive& ar, std::array<T, N>& items) {
   ar.constant(static_cast<std::uint32_t>(N));
@@ -195,6 +210,7 @@ void archive(Archive& ar, std::array<T, N>& items) {
   }
 }
 
+/// A matrix of fixed size: its numbers, column by column.
 template <class Scalar, int kRows, int kColumns>
 void archive(Archive& ar, Eigen::Matrix<Scalar, kRows, kColumns>& m) {
   static_assert(kRows > 0 && kColumns > 0, "archive: fixed sizes only");

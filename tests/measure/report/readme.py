@@ -31,7 +31,7 @@ def from_code(source, program):
     """What belongs between the begin and end marks, by page and by the text of the begin mark."""
     table = subprocess.run([program], check=True, stdout=subprocess.PIPE, text=True).stdout
     name = "tests/consumer/project/beat.cpp"
-    return {EXAMPLE_PAGE: {f"example {name}": example(source, name)}, FIGURES_PAGE: {"figures": table}}
+    return {"README.md": {f"example {name}": example(source, name)}, "docs/cost.md": {"figures": table}}
 
 
 def from_report(report, page, mark):

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The members of a duel's parts, for record/archive.hpp.
+
+#include "batuta/fencing/duel.hpp"
+#include "batuta/record/detail/control.hpp"
+#include "batuta/record/detail/port.hpp"
+#include "batuta/record/detail/world.hpp"
+
+namespace batuta::fencing {
+
+constexpr Side last_of(Side) {
+  return Side::kRight;
+}
+constexpr BodyPart last_of(BodyPart) {
+  return BodyPart::kRearShin;
+}
+constexpr GripPhase last_of(GripPhase) {
+  return GripPhase::kRegaining;
+}
+constexpr BoutState last_of(BoutState) {
+  return BoutState::kDouble;
+}
+
+template <class Scalar>
+void archive(Archive& ar, GripSettings<Scalar>& settings) {
+  auto& [strength, min_regain, max_regain, recover_time, lever] = settings;
+  ar(strength, min_regain, max_regain, recover_time, lever);
+}
+
+template <class Scalar>
+void archive(Archive& ar, Bone<Scalar>& bone) {
+  auto& [start_P, capsule_J] = bone;
+  ar(start_P, capsule_J);
+}
+
+template <class Scalar>
+void archive(Archive& ar, Limb<Scalar>& limb) {
+  auto& [goal_F, bend_F] = limb;
+  ar(goal_F, bend_F);
+}
+
+template <class Scalar>
+void archive(Archive& ar, FencerBuild<Scalar>& build) {
+  auto& [bones, weapon_arm, other_arm, front_leg, rear_leg, guard_hand_x, lunge_hand_x,
+         lunge_shift_F, stride_F, lunge_lean] = build;
+  ar(bones, weapon_arm, other_arm, front_leg, rear_leg, guard_hand_x, lunge_hand_x, lunge_shift_F,
+     stride_F, lunge_lean);
+}
+
+template <class Scalar>
+void archive(Archive& ar, WeaponBody<Scalar>& weapon) {
+  auto& [mass, moments, X_HB, blade_B] = weapon;
+  ar(mass, moments, X_HB, blade_B);
+}
+
+template <class Scalar>
+void archive(Archive& ar, Salle<Scalar>& salle) {
+  auto& [distance] = salle;
+  ar(distance);
+}
+
+template <class Scalar>
+void archive(Archive& ar, Moment<Scalar>& moment) {
+  auto& [step, in_step] = moment;
+  ar(step, in_step);
+}
+
+template <class Scalar>
+void archive(Archive& ar, Waypoint<Scalar>& waypoint) {
+  auto& [time, X_WB] = waypoint;
+  ar(time, X_WB);
+}
+
+template <class Scalar, int N>
+void archive(Archive& ar, Corners<Scalar, N>& way) {
+  auto& [corners] = way;
+  ar(corners);
+}
+
+template <class SceneT>
+void archive(Archive& ar, BladeController<SceneT>& controller) {
+  using detail::Nothing;
+  static_assert(detail::takes<BladeController<SceneT>, Nothing, Nothing>() &&
+                    !detail::takes<BladeController<SceneT>, Nothing, Nothing, Nothing>(),
+                "archive: BladeController has other bases or members than those listed below");
+  ar(static_cast<CornersOf<SceneT>&>(controller), controller.carrier);
+}
+
+template <class SceneT>
+void archive(Archive& ar, TouchSettings<SceneT>& settings) {
+  auto& [double_window_us, touch, target] = settings;
+  ar(double_window_us, touch, target);
+}
+
+template <class Scalar, class SearchT, class SceneT>
+void archive(Archive& ar, DuelSettings<Scalar, SearchT, SceneT>& settings) {
+  using Settings = DuelSettings<Scalar, SearchT, SceneT>;
+  using detail::Nothing;
+  static_assert(
+      detail::takes<Settings, Nothing, Nothing, Nothing, Nothing, Nothing>() &&
+          !detail::takes<Settings, Nothing, Nothing, Nothing, Nothing, Nothing, Nothing>(),
+      "archive: DuelSettings has other bases or members than those listed below");
+  ar(static_cast<TouchSettingsOf<SceneT>&>(settings), settings.step_us, settings.stick,
+     settings.world, settings.salle);
+}
+
+template <class Scalar>
+void archive(Archive& ar, Touch<Scalar>& touch) {
+  auto& [by, part, when, contact, place, certain] = touch;
+  ar(by, part, when, contact, place, certain);
+}
+
+template <class Scalar>
+void archive(Archive& ar, Bout<Scalar>& bout) {
+  auto& [state, touches] = bout;
+  ar(state, touches);
+}
+
+inline void archive(Archive& ar, DuelReport& report) {
+  auto& [blows, rests, evaluations, touch_searches, incomplete_steps, budget_outs,
+         searches_invalid] = report;
+  ar(blows, rests, evaluations, touch_searches, incomplete_steps, budget_outs, searches_invalid);
+}
+
+}  // namespace batuta::fencing
