@@ -37,7 +37,7 @@ CROSS_PLATFORM = "--platform=arm32-wchar_t4"
 SUPPRESSED = [
     "CastIntegerToAddressAtReturn",  # C++ does not compile that; cppcheck 2.10 takes std::array<const char*, N> for it
     "unusedPrivateFunction",         # wrong for class templates, whose use cppcheck does not see
-    "duplInheritedMember",           # a scene hides the constants of batuta::Scene: that is how scenes are made
+    "duplInheritedMember",           # Enlarged and RefusedScene hide constants of the scene that they stand for
     "shadowFunction",                # a variable named after the function that gave it; -Wshadow tells of variables
     "useStlAlgorithm",               # a loop with its bound beside it is the house's form
 ]

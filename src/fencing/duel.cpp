@@ -4,9 +4,9 @@
 
 namespace batuta::fencing {
 
-#define BATUTA_INSTANTIATE(S)                               \
-  template DuelSettings<S, Advancement<S>> duel_settings(); \
-  template class Duel<S, Advancement<S>>;
+#define BATUTA_INSTANTIATE(S)                                                    \
+  template DuelSettings<DuelScene<two_fencers, Advancement<S>>> duel_settings(); \
+  template class Duel<DuelScene<two_fencers, Advancement<S>>>;
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 

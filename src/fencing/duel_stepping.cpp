@@ -4,9 +4,9 @@
 
 namespace batuta::fencing {
 
-#define BATUTA_INSTANTIATE(S)                            \
-  template DuelSettings<S, Stepping<S>> duel_settings(); \
-  template class Duel<S, Stepping<S>>;
+#define BATUTA_INSTANTIATE(S)                                                 \
+  template DuelSettings<DuelScene<two_fencers, Stepping<S>>> duel_settings(); \
+  template class Duel<DuelScene<two_fencers, Stepping<S>>>;
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 

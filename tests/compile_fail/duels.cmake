@@ -1,20 +1,35 @@
 # SPDX-License-Identifier: MIT
-set(use -include ${prepared})
+set(use -include ${prepared_duel})
 
 # What a duel's scene leaves out cannot be asked for, and the message says which feature it belongs to.
-foreach(off kSleep kGrip kTargets kHaptics)
-  batuta_must_compile(Control_Duel_${off} duel_features.cpp ${use} -DOFF=${off})
+foreach(off sleep grip targets haptics)
+  batuta_must_compile(Control_Duel_${off} duel_features.cpp ${use} "-DCHANGE=scene.${off} = false")
 endforeach()
-batuta_must_compile(Control_Duel_Grip duel_features.cpp ${use} "-DCALL=grip(batuta::Side::kLeft)")
-batuta_must_compile(Control_Duel_Body duel_features.cpp ${use} "-DCALL=body_W(batuta::Side::kLeft)")
-batuta_must_not_compile(Duel_GripWithoutGrip duel_features.cpp "without kGrip there is no grip" ${use} -DOFF=kGrip
-                        "-DCALL=grip(batuta::Side::kLeft)")
-batuta_must_not_compile(Duel_BodyWithoutTargets duel_features.cpp "without kTargets there is no body_W" ${use} -DOFF=kTargets
-                        "-DCALL=body_W(batuta::Side::kLeft)")
-batuta_must_compile(Control_Duel_HeldHand duel_features.cpp ${use} "-DCALL=held_hand_W(batuta::Side::kLeft)")
-batuta_must_not_compile(Duel_HeldHandWithoutHaptics duel_features.cpp "without kHaptics there is no held_hand_W" ${use} -DOFF=kHaptics
-                        "-DCALL=held_hand_W(batuta::Side::kLeft)")
-batuta_must_not_compile(Duel_BladesThatDoNotTurn duel_features.cpp "its scene takes kRotation = true" ${use} -DOFF=kRotation)
-batuta_must_not_compile(Duel_BladesOfTwoParts duel_features.cpp "its scene takes kCapsulesPerBody = 1" ${use} -DCAPSULES=2)
-batuta_must_not_compile(Duel_OfAnotherSearch duel_features.cpp "derive its scene from DuelScene" ${use}
-                        -DSEARCH=batuta::Stepping<float>)
+batuta_must_compile(Control_Duel_Grip duel_features.cpp ${use} "-DCALL=grip(Side::kLeft)")
+batuta_must_compile(Control_Duel_Body duel_features.cpp ${use} "-DCALL=body_W(Side::kLeft)")
+batuta_must_compile(Control_Duel_HeldHand duel_features.cpp ${use} "-DCALL=held_hand_W(Side::kLeft)")
+batuta_must_compile(Control_Duel_Stepping duel_features.cpp ${use} "-DSCENE=DuelScene<drill, Stepping<double>>")
+batuta_must_not_compile(Duel_GripWithoutGrip duel_features.cpp "without grip there is no grip" ${use}
+                        "-DCHANGE=scene.grip = false" "-DCALL=grip(Side::kLeft)")
+batuta_must_not_compile(Duel_BodyWithoutTargets duel_features.cpp "without targets there is no body_W" ${use}
+                        "-DCHANGE=scene.targets = false" "-DCALL=body_W(Side::kLeft)")
+batuta_must_not_compile(Duel_HeldHandWithoutHaptics duel_features.cpp "without haptics there is no held_hand_W" ${use}
+                        "-DCHANGE=scene.haptics = false" "-DCALL=held_hand_W(Side::kLeft)")
+
+# batuta_no_duel(<name> <regular expression of the message> [macro of the case...])
+function(batuta_no_duel name message)
+  list(TRANSFORM ARGN PREPEND -D)
+  batuta_one_error(Duel_${name} duel_features.cpp ${message} ${ARGN})
+  if(clang)
+    batuta_one_error_by_clang(Duel_${name} duel_features.cpp ${message} ${ARGN})
+  endif()
+endfunction()
+
+batuta_no_duel(BladesThatDoNotTurn "rotation = true: blades turn" "CHANGE=scene.rotation = false")
+batuta_no_duel(BladesOfTwoParts "capsules_per_body = 1: a blade is one capsule" "CHANGE=scene.capsules_per_body = 2")
+batuta_no_duel(HapticsWithoutEvents "haptics takes max_events > 0" "CHANGE=scene.max_events = 0")
+batuta_no_duel(Misspelt "target.*did you mean .*targets" "CHANGE=scene.target = false")
+batuta_no_duel(OfAGenericScene "name a DuelScene itself: using Drill = DuelScene<my_options>" "SCENE=Scene<plain>")
+batuta_no_duel(OfADerivedScene "name a DuelScene itself: using Drill = DuelScene<my_options>" SCENE=Derived)
+batuta_no_duel(OfGenericOptions "its first argument is a constexpr function" "SCENE=DuelScene<plain>")
+batuta_no_duel(FrictionThatSeparates "friction takes resting = RestingContact::kSettling" "CHANGE=scene.friction = true")

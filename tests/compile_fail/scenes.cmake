@@ -1,61 +1,135 @@
 # SPDX-License-Identifier: MIT
-# Combinations that no scene can have: each fails with the sentence of scene_check.hpp that says what to change.
+# Scenes that cannot be: each fails with the sentence of scene_check.hpp that says what to change, and with nothing else.
 set(scene impossible_scene.cpp)
-set(use -include ${prepared})
+set(use -include ${prepared_world})
 
-# batuta_impossible_scene(<name> <regular expression of the message> [macro of the case...])
+# batuta_impossible_scene(<name> <regular expression of the message> [macro of the case...]): with the build's compiler
 function(batuta_impossible_scene name message)
   list(TRANSFORM ARGN PREPEND -D)
-  batuta_must_not_compile(Scene_${name} ${scene} ${message} ${use} ${ARGN})
+  batuta_one_error(Scene_${name} ${scene} ${message} ${use} ${ARGN})
+endfunction()
+
+# batuta_no_scene(<name> <file> <regular expression of the message> [flag...]): with every compiler that is there
+function(batuta_no_scene name file message)
+  batuta_one_error(Scene_${name} ${file} ${message} ${use} ${ARGN})
+  if(clang)
+    batuta_one_error_by_clang(Scene_${name} ${file} ${message} ${ARGN})
+  endif()
 endfunction()
 
 # The bases, and what the cases change where it is possible.
-foreach(base Scene Straight Silent Unrested Settling Sleepy Spherical Crowd)
+foreach(base plain unrested settling sleepy silent crowd hurried)
   batuta_must_compile(Control_Scene_${base} ${scene} ${use} -DBASE=${base})
 endforeach()
-batuta_must_compile(Control_Scene_FrictionThatSettles ${scene} ${use} -DBASE=Settling -DON=kFriction)
-batuta_must_compile(Control_Scene_FrictionWithoutRest ${scene} ${use} -DBASE=Unrested -DON=kFriction)
-batuta_must_compile(Control_Scene_TwoCapsules ${scene} ${use} -DNUMBER=kCapsulesPerBody -DVALUE=2)
+batuta_must_compile(Control_Scene_straight ${scene} ${use} -DBASE=straight -DSEARCH=Translation<float>)
+batuta_must_compile(Control_Scene_spherical ${scene} ${use} -DBASE=straight -DSEARCH=Spheres<double>)
+batuta_must_compile(Control_Scene_small ${scene} ${use} -DBASE=small -DSEARCH=Spheres<float> -DWITHOUT_EVENTS)
+batuta_must_compile(Control_Scene_FrictionThatSettles ${scene} ${use} -DBASE=settling "-DCHANGE=scene.friction = true")
+batuta_must_compile(Control_Scene_FrictionWithoutRest ${scene} ${use} -DBASE=unrested "-DCHANGE=scene.friction = true")
+batuta_must_compile(Control_Scene_TwoCapsules ${scene} ${use} "-DCHANGE=scene.capsules_per_body = 2")
+batuta_must_compile(Control_Scene_EightSmallBodies ${scene} ${use} -DBASE=small -DSEARCH=Translation<float>
+                    "-DCHANGE=scene.max_bodies = 8" -DWITHOUT_EVENTS)
+batuta_must_compile(Control_Scene_HalfAsManyPairs ${scene} ${use}
+                    "-DCHANGE=(scene.max_bodies = 9, scene.max_pairs = 4)")
+batuta_must_compile(Control_Scene_OwnController ${scene} ${use} -DDRIVER=Own)
+batuta_must_compile(Control_Scene_CoarseBox ${scene} ${use} -DBOUND=CoarseBox)
+batuta_must_compile(Control_Scene_IsNamed no_scene.cpp ${use})
 
-batuta_impossible_scene(OfIntegers "Scene::Scalar: choose float or double" SCALAR=int)
+# What is misspelt, or stated where nobody reads it.
+batuta_no_scene(Misspelt_max_bodies ${scene} "max_bodis.*did you mean .*max_bodies" "-DCHANGE=scene.max_bodis = 3")
+batuta_no_scene(Misspelt_filters ${scene} "filter.*did you mean .*filters" "-DCHANGE=scene.filter = true")
+batuta_no_scene(Misspelt_beyondRecognition ${scene} "no member named .*capacity" "-DCHANGE=scene.capacity = 3")
+foreach(option grip targets haptics)
+  batuta_no_scene(Misplaced_${option} ${scene} "no member named .*${option}" "-DCHANGE=scene.${option} = true")
+endforeach()
+batuta_no_scene(Derived no_scene.cpp "name the scene itself: using MyScene = Scene<my_options>" -DDERIVED)
+batuta_no_scene(DerivedInPrivate no_scene.cpp "name the scene itself: using MyScene = Scene<my_options>" -DDERIVED_IN_PRIVATE)
+foreach(what WITHOUT_BASE OTHER_BASE NUMBER)
+  batuta_no_scene(${what} no_scene.cpp "its scene is a Scene: using MyScene = Scene<my_options>" -D${what})
+endforeach()
+foreach(what OPTIONS_OF_ANOTHER_TYPE NO_FUNCTION)
+  batuta_no_scene(${what} no_scene.cpp "its first argument is a constexpr function that returns SceneOptions" -D${what})
+endforeach()
+batuta_no_scene(SearchLeftOut no_scene.cpp "its second argument is a search" -DSEARCH_LEFT_OUT)
+
+# Controllers and scalars.
+batuta_no_scene(ControllerWithoutPlan ${scene} "its controller lacks PlannedMotion<Scalar> plan" -DDRIVER=WithoutPlan)
+batuta_no_scene(ControllerWithoutContact ${scene} "its controller lacks void on_contact" -DDRIVER=WithoutContact)
+batuta_no_scene(ControllerWithoutStepEnd ${scene} "its controller lacks void on_step_end" -DDRIVER=WithoutStepEnd)
+batuta_no_scene(ControllerOfAnotherScalar ${scene} "its controller and its search take different scalars" -DDRIVER=FreeFlight<double>)
+batuta_no_scene(OwnControllerOfAnotherScalar ${scene} "its controller and its search take different scalars" -DDRIVER=Own
+                -DSEARCH=Advancement<double>)
+batuta_no_scene(OfIntegers ${scene} "its search is one of float or double" -DSEARCH=Advancement<int>)
+batuta_no_scene(BoundThatIsNone ${scene} "its fourth argument is SweptBox or CoarseBox" -DBOUND=int)
+
+# Capacities.
 foreach(count 1 1025)
-  batuta_impossible_scene(Of${count}Bodies "kMaxBodies: choose 2 ... 1024" NUMBER=kMaxBodies VALUE=${count})
+  batuta_impossible_scene(Of${count}Bodies "max_bodies: choose 2 ... 1024" "CHANGE=scene.max_bodies = ${count}")
 endforeach()
 foreach(count 0 256)
-  batuta_impossible_scene(Of${count}Capsules "kCapsulesPerBody: choose 1 ... 255" NUMBER=kCapsulesPerBody VALUE=${count})
+  batuta_impossible_scene(Of${count}Capsules "capsules_per_body: choose 1 ... 255" "CHANGE=scene.capsules_per_body = ${count}")
 endforeach()
-batuta_impossible_scene(Of65536Capsules "no more than 65535 capsules in all" BASE=Crowd NUMBER=kCapsulesPerBody VALUE=64)
-batuta_impossible_scene(WithoutPairs "kMaxPairs: at least 1" NUMBER=kMaxPairs VALUE=0)
-batuta_impossible_scene(WithoutContacts "kMaxContacts: at least 1" NUMBER=kMaxContacts VALUE=0)
-batuta_impossible_scene(OfLessThanNoEvents "kMaxEvents: at least 0" NUMBER=kMaxEvents VALUE=-1)
-batuta_impossible_scene(WithoutSeparations "kMaxSeparations: at least 1" NUMBER=kMaxSeparations VALUE=0)
+batuta_impossible_scene(Of65536Capsules "no more than 65535 capsules in all" BASE=crowd "CHANGE=scene.capsules_per_body = 64")
+batuta_impossible_scene(WithoutPairs "max_pairs: at least 1" "CHANGE=scene.max_pairs = 0")
+batuta_impossible_scene(WithoutContacts "max_contacts: at least 1" "CHANGE=scene.max_contacts = 0")
+batuta_impossible_scene(OfLessThanNoEvents "max_events: at least 0" "CHANGE=scene.max_events = -1")
+batuta_impossible_scene(WithoutSeparations "max_separations: at least 1" "CHANGE=scene.max_separations = 0")
 foreach(count 0 65536)
-  batuta_impossible_scene(SleepsAfter${count}Steps "kSleepSteps: choose 1 ... 65535" NUMBER=kSleepSteps VALUE=${count})
+  batuta_impossible_scene(SleepsAfter${count}Steps "sleep_steps: choose 1 ... 65535" "CHANGE=scene.sleep_steps = ${count}")
 endforeach()
+foreach(axis -1 3)
+  batuta_impossible_scene(SweptAlongAxis${axis} "sweep_axis: choose 0, 1 or 2" "CHANGE=scene.sweep_axis = ${axis}")
+endforeach()
+batuta_no_scene(OfFewPairs ${scene} "max_pairs: at least max_bodies / 2" "-DCHANGE=(scene.max_bodies = 8, scene.max_pairs = 3)")
 
+# Features that exclude each other.
 foreach(search Advancement Stepping)
-  batuta_impossible_scene(StraightWith${search} "without kRotation, Search is Translation<Scalar> or Spheres<Scalar>"
-                          BASE=Straight SEARCH=${search})
+  batuta_impossible_scene(StraightWith${search} "without rotation, the search is Translation<Scalar> or Spheres<Scalar>"
+                          BASE=straight SEARCH=${search}<float>)
 endforeach()
-batuta_impossible_scene(SpheresThatTurn "Spheres<Scalar> takes kRotation = false" BASE=Unrested SEARCH=Spheres)
-batuta_impossible_scene(SpheresOfTwoParts "Spheres<Scalar> takes kCapsulesPerBody = 1" BASE=Spherical
-                        NUMBER=kCapsulesPerBody VALUE=2)
+batuta_impossible_scene(SpheresThatTurn "Spheres<Scalar> takes rotation = false" BASE=unrested SEARCH=Spheres<float>)
+batuta_impossible_scene(SpheresOfTwoParts "Spheres<Scalar> takes capsules_per_body = 1" BASE=straight SEARCH=Spheres<float>
+                        "CHANGE=scene.capsules_per_body = 2")
 foreach(resting kSeparation kSettling)
-  batuta_impossible_scene(StraightWith_${resting} "without kRotation, set kResting = RestingContact::kNone" BASE=Straight
-                          RESTING=${resting})
-  batuta_impossible_scene(SilentWith_${resting} "without kResponse, set kResting = RestingContact::kNone" BASE=Silent
-                          RESTING=${resting})
+  batuta_impossible_scene(StraightWith_${resting} "without rotation, set resting = RestingContact::kNone" BASE=straight
+                          SEARCH=Translation<float> "CHANGE=scene.resting = RestingContact::${resting}")
+  batuta_impossible_scene(SilentWith_${resting} "without response, set resting = RestingContact::kNone" BASE=silent
+                          "CHANGE=scene.resting = RestingContact::${resting}")
 endforeach()
-foreach(feature kFriction kLineContact kGrip kTargets kHaptics)
-  batuta_impossible_scene(StraightWith_${feature} "${feature} takes kRotation = true" BASE=Straight ON=${feature})
+foreach(feature friction line_contact)
+  batuta_impossible_scene(StraightWith_${feature} "${feature} takes rotation = true" BASE=straight SEARCH=Translation<float>
+                          "CHANGE=scene.${feature} = true")
 endforeach()
-foreach(feature kRestitution kFriction kLineContact)
-  batuta_impossible_scene(SilentWith_${feature} "without kResponse, set ${feature} = false" BASE=Silent ON=${feature})
+foreach(feature restitution friction line_contact)
+  batuta_impossible_scene(SilentWith_${feature} "without response, set ${feature} = false" BASE=silent
+                          "CHANGE=scene.${feature} = true")
 endforeach()
-batuta_impossible_scene(SilentWithoutEvents "without kResponse, set kMaxEvents > 0" BASE=Silent NUMBER=kMaxEvents VALUE=0)
-batuta_impossible_scene(FrictionThatSeparates "kFriction takes kResting = kSettling" ON=kFriction)
-foreach(base Scene Unrested)
-  batuta_impossible_scene(SleepOf${base} "kSleep takes kResting = kSettling" BASE=${base} ON=kSleep)
+batuta_impossible_scene(SilentWithoutEvents "without response, set max_events > 0" BASE=silent "CHANGE=scene.max_events = 0")
+batuta_impossible_scene(FrictionThatSeparates "friction takes resting = RestingContact::kSettling" "CHANGE=scene.friction = true")
+foreach(base plain unrested)
+  batuta_impossible_scene(SleepOf_${base} "sleep takes resting = RestingContact::kSettling" BASE=${base}
+                          "CHANGE=scene.sleep = true")
 endforeach()
-batuta_impossible_scene(SleepWithoutEvents "kSleep takes kMaxEvents > 0" BASE=Sleepy NUMBER=kMaxEvents VALUE=0)
-batuta_impossible_scene(HapticsWithoutEvents "kHaptics takes kMaxEvents > 0" ON=kHaptics NUMBER=kMaxEvents VALUE=0)
+batuta_impossible_scene(SleepWithoutEvents "sleep takes max_events > 0" BASE=sleepy "CHANGE=scene.max_events = 0")
+
+# What the small engine cannot do.
+batuta_no_scene(SmallThatTurns ${scene} "Engine::kSmall takes rotation = false" -DBASE=small "-DCHANGE=scene.rotation = true"
+                -DSEARCH=Translation<float>)
+batuta_no_scene(SmallWithEvents ${scene} "Engine::kSmall takes max_events = 0" -DBASE=small "-DCHANGE=scene.max_events = 1"
+                -DSEARCH=Translation<float>)
+batuta_no_scene(SmallWithoutResponse ${scene} "Engine::kSmall takes response = true" -DBASE=small
+                "-DCHANGE=scene.response = false" -DSEARCH=Translation<float>)
+batuta_no_scene(SmallOfTwoParts ${scene} "Engine::kSmall takes capsules_per_body = 1" -DBASE=small
+                "-DCHANGE=scene.capsules_per_body = 2" -DSEARCH=Translation<float>)
+batuta_no_scene(SmallOfNineBodies ${scene} "Engine::kSmall takes max_bodies of at most 8" -DBASE=small
+                "-DCHANGE=scene.max_bodies = 9" -DSEARCH=Translation<float>)
+
+# Turn, contact tolerance and budget.
+batuta_impossible_scene(ToleranceAboveOne "turn_per_step is at least 0, contact_tolerance 0 ... 1" "CHANGE=scene.contact_tolerance = 1.5F")
+batuta_impossible_scene(TurnBelowNothing "turn_per_step is at least 0, contact_tolerance 0 ... 1" "CHANGE=scene.turn_per_step = -1")
+batuta_impossible_scene(ToleranceWithStepping "have a meaning for Advancement and Translation only" "CHANGE=scene.contact_tolerance = 1e-3F"
+                        SEARCH=Stepping<float>)
+batuta_impossible_scene(TurnOfSevenEvaluations "turn_per_step takes a budget of at least 8"
+                        "CHANGE=(scene.turn_per_step = 1, scene.budget = 7)")
+batuta_impossible_scene(BudgetTooSmallForTurnAndTolerance "budget does not suffice for this turn_per_step" BASE=hurried
+                        "CHANGE=scene.budget = 15")

@@ -91,18 +91,20 @@ std::optional<InputSample> garbage(std::uint32_t k) {
 template <class S>
 class DuelInputs : public testing::Test {
  protected:
-  using DuelType = Duel<S>;
+  using DuelType = Duel<DuelScene<two_fencers, Advancement<S>>>;
 
   std::unique_ptr<DuelType> fresh() {
     auto duel = std::make_unique<DuelType>();
-    EXPECT_EQ(duel->configure(duel_settings<S>(), first_fencer<S>(), second_fencer<S>()),
+    EXPECT_EQ(duel->configure(duel_settings<DuelScene<two_fencers, Advancement<S>>>(),
+                              first_fencer<S>(), second_fencer<S>()),
               Status::kOk);
     return duel;
   }
   void step(DuelType& duel, const std::optional<InputSample>& left,
             const std::optional<InputSample>& right) {
     if (duel.bout().is_over()) {
-      ASSERT_EQ(duel.configure(duel_settings<S>(), first_fencer<S>(), second_fencer<S>()),
+      ASSERT_EQ(duel.configure(duel_settings<DuelScene<two_fencers, Advancement<S>>>(),
+                               first_fencer<S>(), second_fencer<S>()),
                 Status::kOk);
     }
     ASSERT_EQ(duel.step(left ? &*left : nullptr, right ? &*right : nullptr), Status::kOk);

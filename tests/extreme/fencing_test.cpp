@@ -16,18 +16,19 @@ TYPED_TEST_SUITE(Fencing, test::Scalars);
 
 template <class S>
 struct Ready {
-  Duel<S> duel;
+  Duel<DuelScene<two_fencers, Advancement<S>>> duel;
   Fencer<S> left = first_fencer<S>();
   Fencer<S> right = second_fencer<S>();
 
-  Status configure(const DuelSettings<S>& settings = duel_settings<S>()) {
+  Status configure(const DuelSettings<DuelScene<two_fencers, Advancement<S>>>& settings =
+                       duel_settings<DuelScene<two_fencers, Advancement<S>>>()) {
     return duel.configure(settings, left, right);
   }
 };
 
 /// Two sticks thrown about for a few steps; all that can be seen stays a number.
 template <class S>
-void fence(Duel<S>& duel, std::uint32_t steps) {
+void fence(Duel<DuelScene<two_fencers, Advancement<S>>>& duel, std::uint32_t steps) {
   for (std::uint32_t k = 0; k < steps; ++k) {
     InputSample sample;
     sample.time = 4000U * k;
@@ -165,17 +166,17 @@ TYPED_TEST(Fencing, HostileDuelSettings_AreRefusedAndTheBoutGoesOn) {
   constexpr auto kLeast = test::kLowest<std::int32_t>[0];
   constexpr auto kMost = test::kHighest<std::int32_t>[0];
   for (const std::int32_t bad : {kLeast, -1, 0, 99, 20001, kMost}) {
-    auto settings = duel_settings<S>();
+    auto settings = duel_settings<DuelScene<two_fencers, Advancement<S>>>();
     settings.step_us = bad;
     EXPECT_EQ(ready->configure(settings), Status::kInvalidArgument) << bad;
   }
   for (const std::int32_t bad : {kLeast, -1, 10000001, kMost}) {
-    auto settings = duel_settings<S>();
+    auto settings = duel_settings<DuelScene<two_fencers, Advancement<S>>>();
     settings.double_window_us = bad;
     EXPECT_EQ(ready->configure(settings), Status::kInvalidArgument) << bad;
   }
   for (const S number : test::kHostile<S>) {
-    auto settings = duel_settings<S>();
+    auto settings = duel_settings<DuelScene<two_fencers, Advancement<S>>>();
     settings.salle.distance = number;
     if (number > S(0) && number <= kLargestReach<S>) continue;
     EXPECT_EQ(ready->configure(settings), Status::kInvalidArgument) << number;
@@ -212,7 +213,7 @@ TEST(FencingEnums, PartThatThereIsNot_HasNoBitAndNoPlace) {
 
 TEST(FencingEnums, PartsThatThereAreNot_AreNotTouched) {
   const auto ready = std::make_unique<Ready<float>>();
-  auto settings = duel_settings<float>();
+  auto settings = duel_settings();
   settings.target = ~kAllParts;
   ASSERT_EQ(ready->configure(settings), Status::kOk);
   fence(ready->duel, 500);

@@ -11,8 +11,8 @@ import sys
 ROOMS = ["core", "geometry", "mechanics", "detection", "response", "world", "fencing", "haptics", "port"]
 # What a scene's type is made of, and the second halves of headers: not called by a user.
 INNER = {"world/" + name + ".hpp" for name in (
-    "bound", "event_book", "general_contact", "general_events", "general_plan", "general_step", "scene_check", "scene_cost",
-    "seed_memory", "sleep_book", "straight_matter", "sweep", "turning", "watch")} | {
+    "bound", "driver_check", "event_book", "general_contact", "general_events", "general_plan", "general_step", "refused_scene",
+    "scene_check", "scene_cost", "scene_rules", "seed_memory", "sleep_book", "straight_matter", "sweep", "turning", "watch")} | {
         "fencing/duel_definitions.hpp", "fencing/detail/referee_definitions.hpp", "fencing/detail/referee.hpp", "fencing/duel_scene.hpp"}
 # A list of members, which tests/unit/core/archive_test.cpp and every archive test go through.
 LISTS = {"archive", "last_of", "archive_scene"}

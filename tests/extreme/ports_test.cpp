@@ -162,11 +162,11 @@ TEST(HostilePort, MemoryWithoutRoom_GivesAndTakesNothing) {
   }
 }
 
-using DuelType = Duel<float>;
+using DuelType = Duel<>;
 
 std::unique_ptr<DuelType> ready_duel() {
   auto duel = std::make_unique<DuelType>();
-  EXPECT_EQ(duel->configure(duel_settings<float>(), first_fencer<float>(), second_fencer<float>()),
+  EXPECT_EQ(duel->configure(duel_settings(), first_fencer<float>(), second_fencer<float>()),
             Status::kOk);
   return duel;
 }

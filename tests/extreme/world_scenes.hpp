@@ -10,51 +10,51 @@
 namespace batuta::test {
 
 /// Everything that turning bodies can have.
+constexpr SceneOptions rich_options() {
+  SceneOptions scene;
+  scene.max_bodies = 4;
+  scene.max_pairs = 6;
+  scene.max_contacts = 16;
+  scene.max_events = 32;
+  scene.friction = true;
+  scene.gravity = true;
+  scene.line_contact = true;
+  scene.resting = RestingContact::kSettling;
+  return scene;
+}
 template <class S>
-struct Rich : Scene {
-  using Scalar = S;
-  using Search = Advancement<S>;
-  using Controller = FreeFlight<S>;
-  static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
-  static constexpr int kMaxBodies = 4;
-  static constexpr int kMaxPairs = 6;
-  static constexpr int kMaxContacts = 16;
-  static constexpr int kMaxEvents = 32;
-  static constexpr bool kFriction = true;
-  static constexpr bool kGravity = true;
-  static constexpr bool kLineContact = true;
-  static constexpr RestingContact kResting = RestingContact::kSettling;
-};
+using Rich = Scene<rich_options, Advancement<S>>;
 /// The paper's own: separations, no friction, its search.
+constexpr SceneOptions paper_options() {
+  SceneOptions scene;
+  scene.max_bodies = 4;
+  scene.max_pairs = 6;
+  return scene;
+}
 template <class S>
-struct Paper : Scene {
-  using Scalar = S;
-  using Search = Stepping<S>;
-  using Controller = FreeFlight<S>;
-  static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
-  static constexpr int kMaxBodies = 4;
-  static constexpr int kMaxPairs = 6;
-};
+using Paper = Scene<paper_options, Stepping<S>>;
 /// Nothing turns, few bodies: the lean world.
+constexpr SceneOptions balls_options() {
+  SceneOptions scene = straight_spheres();
+  scene.gravity = true;
+  return scene;
+}
 template <class S>
-struct Balls : StraightSpheres {
-  using Scalar = S;
-  using Search = Spheres<S>;
-  static constexpr bool kGravity = true;
-};
+using Balls = Scene<balls_options, Spheres<S>>;
 /// Nothing turns, with events: the general world.
+constexpr SceneOptions straight_options() {
+  SceneOptions scene;
+  scene.max_bodies = 4;
+  scene.max_pairs = 6;
+  scene.rotation = false;
+  scene.gravity = true;
+  scene.resting = RestingContact::kNone;
+  return scene;
+}
 template <class S>
-struct Straight : Scene {
-  using Scalar = S;
-  using Search = Translation<S>;
-  static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
-  static constexpr int kMaxBodies = 4;
-  static constexpr int kMaxPairs = 6;
-  static constexpr bool kRotation = false;
-  static constexpr bool kGravity = true;
-  static constexpr RestingContact kResting = RestingContact::kNone;
-};
-static_assert(detail::kIsLean<Balls<float>> && !detail::kIsLean<Straight<float>>);
+using Straight = Scene<straight_options, Translation<S>>;
+static_assert(Balls<float>::kEngine == Engine::kSmall &&
+              Straight<float>::kEngine == Engine::kGeneral);
 
 using Worlds = testing::Types<Rich<float>, Paper<double>, Balls<float>, Straight<float>>;
 

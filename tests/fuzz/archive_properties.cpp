@@ -31,28 +31,32 @@ void require(bool condition, const char* what) {
 }
 
 /// Events, seeds, sleepers, and bodies of up to two capsules.
-struct Pile : Scene {
-  static constexpr int kMaxBodies = 4;
-  static constexpr int kCapsulesPerBody = 2;
-  static constexpr int kMaxPairs = 12;
-  static constexpr bool kFriction = true;
-  static constexpr bool kLineContact = true;
-  static constexpr bool kGravity = true;
-  static constexpr bool kSleep = true;
-  static constexpr bool kFilters = true;
-  static constexpr RestingContact kResting = RestingContact::kSettling;
-};
+constexpr SceneOptions pile_options() {
+  SceneOptions scene;
+  scene.max_bodies = 4;
+  scene.capsules_per_body = 2;
+  scene.max_pairs = 12;
+  scene.friction = true;
+  scene.line_contact = true;
+  scene.gravity = true;
+  scene.sleep = true;
+  scene.filters = true;
+  scene.resting = RestingContact::kSettling;
+  return scene;
+}
+using Pile = Scene<pile_options>;
 
 /// A general world in which nothing turns.
-struct Sliders : Scene {
-  using Search = Translation<float>;
-  static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
-  static constexpr int kMaxBodies = 3;
-  static constexpr int kMaxPairs = 3;
-  static constexpr bool kRotation = false;
-  static constexpr bool kGravity = true;
-  static constexpr RestingContact kResting = RestingContact::kNone;
-};
+constexpr SceneOptions sliders_options() {
+  SceneOptions scene;
+  scene.max_bodies = 3;
+  scene.max_pairs = 3;
+  scene.rotation = false;
+  scene.gravity = true;
+  scene.resting = RestingContact::kNone;
+  return scene;
+}
+using Sliders = Scene<sliders_options, Translation<float>>;
 
 /// What a step is given.
 struct Push {

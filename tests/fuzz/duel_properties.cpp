@@ -22,16 +22,15 @@ namespace {
 constexpr int kMostSteps = 400;
 constexpr std::array<Side, 2> kSides = {Side::kLeft, Side::kRight};
 
-using Fencing = DuelScene<float, Advancement<float>>;
+using Fencing = DuelScene<>;
 /// Blades alone, in hands of any strength: nobody is touched, the bout goes on.
-struct Drill : Fencing {
-  static constexpr bool kGrip = false;
-  static constexpr bool kTargets = false;
-};
-template <class SceneT>
-using DuelOf = Duel<float, Advancement<float>, SceneT>;
-template <class SceneT>
-using SettingsOf = DuelSettings<float, Advancement<float>, SceneT>;
+constexpr DuelOptions drill_options() {
+  DuelOptions scene = two_fencers();
+  scene.grip = false;
+  scene.targets = false;
+  return scene;
+}
+using Drill = DuelScene<drill_options>;
 
 /// What the devices bring to a step.
 using Samples = std::array<std::optional<InputSample>, 2>;
@@ -82,9 +81,9 @@ Samples later(Samples samples) {
 }
 
 template <class SceneT>
-SettingsOf<SceneT> draw_settings(Bytes& bytes) {
+DuelSettings<SceneT> draw_settings(Bytes& bytes) {
   constexpr std::array<std::int32_t, 4> kSteps = {1000, 5000, 100, 20000};
-  SettingsOf<SceneT> settings = duel_settings<float, Advancement<float>, SceneT>();
+  DuelSettings<SceneT> settings = duel_settings<SceneT>();
   settings.step_us = kSteps[static_cast<std::size_t>(bytes.choice(4))];
   if (bytes.flag()) settings.salle.distance += bytes.share() - 0.25F;
   if (bytes.flag()) settings.stick.max_speed *= 0.5F + 8 * bytes.share();
@@ -103,7 +102,7 @@ Fencers draw_fencers(Bytes& bytes) {
 }
 
 template <class SceneT>
-Status step(DuelOf<SceneT>& duel, const Samples& samples) {
+Status step(Duel<SceneT>& duel, const Samples& samples) {
   return duel.step(samples[0] ? &*samples[0] : nullptr, samples[1] ? &*samples[1] : nullptr);
 }
 
@@ -112,12 +111,12 @@ bool is_unit(const Quat<float>& q) {
 }
 
 template <class SceneT>
-float gap_of(const DuelOf<SceneT>& duel) {
+float gap_of(const Duel<SceneT>& duel) {
   return capsule_gap(duel.blade_W(Side::kLeft), duel.blade_W(Side::kRight)).gap;
 }
 
 template <class SceneT>
-void check_side(const DuelOf<SceneT>& duel, Side side, float max_speed) {
+void check_side(const Duel<SceneT>& duel, Side side, float max_speed) {
   const StickTracker<float>& stick = duel.stick(side);
   require(stick.position().cwiseAbs().maxCoeff() <= 1, "a stick keeps to its square");
   // A difference of places over a step: each is rounded, and the quotient.
@@ -134,7 +133,7 @@ void check_side(const DuelOf<SceneT>& duel, Side side, float max_speed) {
 }
 
 template <class SceneT>
-void check_touches(const DuelOf<SceneT>& duel) {
+void check_touches(const Duel<SceneT>& duel) {
   if constexpr (SceneT::kTargets) {
     const auto& touches = duel.bout().touches;
     require((duel.bout().state == BoutState::kFencing) == (touches.size() == 0), "touched or not");
@@ -149,11 +148,11 @@ void check_touches(const DuelOf<SceneT>& duel) {
 /// A duel and what it is to the hands.
 template <class SceneT>
 struct Bouts {
-  SettingsOf<SceneT> settings;
+  DuelSettings<SceneT> settings;
   Fencers fencers;
-  DuelOf<SceneT> duel;
-  DuelOf<SceneT> late;  ///< by another clock
-  DuelOf<SceneT> copy;  ///< restored from a snapshot now and then
+  Duel<SceneT> duel;
+  Duel<SceneT> late;  ///< by another clock
+  Duel<SceneT> copy;  ///< restored from a snapshot now and then
   std::array<HandForce<float>, 2> felt;
   bool apart = false;
 
@@ -166,7 +165,7 @@ struct Bouts {
   }
 
   void reload() {
-    std::vector<std::uint8_t> room(kSnapshotRoom<DuelOf<SceneT>>);
+    std::vector<std::uint8_t> room(kSnapshotRoom<Duel<SceneT>>);
     const Result<int> size = save(duel, room.data(), static_cast<int>(room.size()));
     require(size.ok(), "a bout can be saved");
     require(restore(copy, room.data(), size.value) == Restored::kOk, "and restored");

@@ -22,38 +22,45 @@ struct Units {
 };
 
 /// Rods that fly, rub, lie along each other and are filtered; nothing pulls them.
-struct Rods : Scene {
-  static constexpr int kMaxBodies = 4;
-  static constexpr int kMaxPairs = 6;
-  static constexpr int kMaxContacts = 24;
-  static constexpr bool kFriction = true;
-  static constexpr bool kLineContact = true;
-  static constexpr bool kFilters = true;
-  static constexpr RestingContact kResting = RestingContact::kSettling;
-};
+constexpr SceneOptions rods_options() {
+  SceneOptions scene;
+  scene.max_bodies = 4;
+  scene.max_pairs = 6;
+  scene.max_contacts = 24;
+  scene.friction = true;
+  scene.line_contact = true;
+  scene.filters = true;
+  scene.resting = RestingContact::kSettling;
+  return scene;
+}
+using Rods = Scene<rods_options>;
 
 /// Bodies of two capsules that fall on each other and go to sleep, with too little room for all.
-struct Heap : Scene {
-  static constexpr int kMaxBodies = 4;
-  static constexpr int kCapsulesPerBody = 2;
-  static constexpr int kMaxPairs = 10;
-  static constexpr int kMaxEvents = 8;
-  static constexpr int kSleepSteps = 4;
-  static constexpr bool kFriction = true;
-  static constexpr bool kGravity = true;
-  static constexpr bool kSleep = true;
-  static constexpr RestingContact kResting = RestingContact::kSettling;
-};
+constexpr SceneOptions heap_options() {
+  SceneOptions scene;
+  scene.max_bodies = 4;
+  scene.capsules_per_body = 2;
+  scene.max_pairs = 10;
+  scene.max_events = 8;
+  scene.sleep_steps = 4;
+  scene.friction = true;
+  scene.gravity = true;
+  scene.sleep = true;
+  scene.resting = RestingContact::kSettling;
+  return scene;
+}
+using Heap = Scene<heap_options>;
 
 /// A general world in which nothing turns.
-struct Sliders : Scene {
-  using Search = Translation<float>;
-  static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
-  static constexpr int kMaxBodies = 3;
-  static constexpr int kMaxPairs = 3;
-  static constexpr bool kRotation = false;
-  static constexpr RestingContact kResting = RestingContact::kNone;
-};
+constexpr SceneOptions sliders_options() {
+  SceneOptions scene;
+  scene.max_bodies = 3;
+  scene.max_pairs = 3;
+  scene.rotation = false;
+  scene.resting = RestingContact::kNone;
+  return scene;
+}
+using Sliders = Scene<sliders_options, Translation<float>>;
 
 /// A capsule along z, so that its body is one of revolution about it.
 inline Capsule<float> draw_shape(Bytes& bytes, const Units& units) {

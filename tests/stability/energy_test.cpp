@@ -11,13 +11,17 @@
 namespace batuta {
 namespace {
 
+template <bool kRubs>
+constexpr SceneOptions gas_options() {
+  SceneOptions scene = test::rest_scene_options();
+  scene.max_bodies = 10;
+  scene.max_pairs = 45;
+  scene.gravity = false;
+  scene.friction = kRubs;
+  return scene;
+}
 template <class S, bool kRubs>
-struct Gas : test::RestScene<S> {
-  static constexpr int kMaxBodies = 10;
-  static constexpr int kMaxPairs = 45;
-  static constexpr bool kGravity = false;
-  static constexpr bool kFriction = kRubs;
-};
+using Gas = Scene<gas_options<kRubs>, Advancement<S>, test::FreeOrHand<S>>;
 
 constexpr int kRods = 4;
 constexpr double kSpeed = 3;

@@ -12,11 +12,14 @@ namespace batuta {
 using namespace haptics;
 namespace {
 
-struct Bench : test::RestScene<double> {
-  static constexpr int kMaxBodies = 2;
-  static constexpr int kMaxPairs = 1;
-  static constexpr bool kGravity = false;
-};
+constexpr SceneOptions bench_options() {
+  SceneOptions scene = test::rest_scene_options();
+  scene.max_bodies = 2;
+  scene.max_pairs = 1;
+  scene.gravity = false;
+  return scene;
+}
+using Bench = Scene<bench_options, Advancement<double>, test::FreeOrHand<double>>;
 
 constexpr double kPeriod = test::kTick;
 constexpr double kDamping = 0.8;        // of the stick, N s/m

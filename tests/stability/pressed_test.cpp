@@ -26,9 +26,8 @@ struct Press : Fixed<S> {
 };
 
 template <class S>
-struct PressScene : test::RestScene<S> {
-  using Controller = AnyController<S, FreeFlight<S>, Press<S>>;
-};
+using PressScene =
+    Scene<test::rest_scene_options, Advancement<S>, AnyController<S, FreeFlight<S>, Press<S>>>;
 
 template <class SceneT>
 Actor<SceneT> led(double z, double speed, const Vec3<double>& axis) {

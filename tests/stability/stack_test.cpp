@@ -8,12 +8,17 @@ namespace batuta {
 namespace {
 
 template <class SceneT>
-struct Stacked : SceneT {
-  static constexpr int kMaxBodies = 8;
-  static constexpr int kMaxPairs = 28;
-  static constexpr int kMaxContacts = 128;
-  static constexpr int kMaxEvents = 128;
-};
+constexpr SceneOptions stacked_options() {
+  SceneOptions scene = SceneT::kStated;
+  scene.max_bodies = 8;
+  scene.max_pairs = 28;
+  scene.max_contacts = 128;
+  scene.max_events = 128;
+  return scene;
+}
+template <class SceneT>
+using Stacked =
+    Scene<stacked_options<SceneT>, typename SceneT::Search, typename SceneT::Controller>;
 
 constexpr int kLayers = 3;
 

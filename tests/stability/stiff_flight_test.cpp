@@ -22,12 +22,7 @@ long updates_to_make() {
 }
 
 template <class S>
-struct Space : Scene {
-  using Scalar = S;
-  using Search = Advancement<S>;
-  using Controller = FreeFlight<S>;
-  static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
-};
+using Space = Scene<two_blades, Advancement<S>>;
 
 using Wide = Vec3<long double>;
 using WideQuat = Eigen::Quaternion<long double>;

@@ -14,13 +14,16 @@ namespace batuta {
 using namespace fencing;
 namespace {
 
+constexpr SceneOptions stiff_gas_options() {
+  SceneOptions scene = test::rest_scene_options();
+  scene.max_bodies = 9;
+  scene.max_pairs = 36;
+  scene.gravity = false;
+  scene.friction = true;
+  return scene;
+}
 template <class S>
-struct StiffGas : test::RestScene<S> {
-  static constexpr int kMaxBodies = 9;
-  static constexpr int kMaxPairs = 36;
-  static constexpr bool kGravity = false;
-  static constexpr bool kFriction = true;
-};
+using StiffGas = Scene<stiff_gas_options, Advancement<S>, test::FreeOrHand<S>>;
 
 constexpr int kRods = 3;
 
@@ -155,8 +158,8 @@ Fencer<S> heavier(Fencer<S> fencer, double times, double restitution) {
 /// Blades thrown at each other for a second; they never overlap. @returns blows and rests
 template <class S>
 std::uint32_t fence(const Fencer<S>& left, const Fencer<S>& right) {
-  auto duel = std::make_unique<Duel<S>>();
-  auto settings = duel_settings<S>();
+  auto duel = std::make_unique<Duel<DuelScene<two_fencers, Advancement<S>>>>();
+  auto settings = duel_settings<DuelScene<two_fencers, Advancement<S>>>();
   settings.target = 0;  // nobody is touched: the bout goes on
   EXPECT_EQ(duel->configure(settings, left, right), Status::kOk);
   for (std::uint32_t k = 0; k < 1000; ++k) {

@@ -22,18 +22,19 @@ constexpr const char* name(Crowd crowd) {
 }
 
 /// N bodies, and room for so many pairs that each has a few neighbours: far fewer than all pairs.
+template <int N>
+constexpr SceneOptions crowd_scene_options() {
+  SceneOptions scene;
+  scene.max_bodies = N;
+  scene.max_pairs = 8 * N;
+  scene.max_contacts = N < 16 ? 16 : N;
+  scene.max_events = 2 * scene.max_contacts;
+  scene.owners = false;
+  scene.resting = RestingContact::kSettling;
+  return scene;
+}
 template <class S, int N>
-struct CrowdScene : Scene {
-  using Scalar = S;
-  using Controller = FreeFlight<S>;
-  using Search = Advancement<S>;
-  static constexpr int kMaxBodies = N;
-  static constexpr int kMaxPairs = 8 * N;
-  static constexpr int kMaxContacts = N < 16 ? 16 : N;
-  static constexpr int kMaxEvents = 2 * kMaxContacts;
-  static constexpr bool kOwners = false;
-  static constexpr RestingContact kResting = RestingContact::kSettling;
-};
+using CrowdScene = Scene<crowd_scene_options<N>, Advancement<S>>;
 
 inline constexpr double kStep = 1e-3;  ///< s
 inline constexpr double kSpeed = 1;    ///< m/s, largest component

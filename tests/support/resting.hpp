@@ -8,38 +8,50 @@
 #include <cmath>
 #include <limits>
 
+#include "batuta/world/any_controller.hpp"
+#include "batuta/world/scenes.hpp"
 #include "batuta/world/world.hpp"
 
 namespace batuta::test {
 
 /// Bodies that settle under gravity. Derive, and switch on what a test is about.
+constexpr SceneOptions rest_scene_options() {
+  SceneOptions scene;
+  scene.max_bodies = 5;
+  scene.max_pairs = 10;  // all of them
+  scene.max_contacts = 64;
+  scene.max_events = 64;
+  scene.line_contact = true;
+  scene.gravity = true;
+  scene.owners = false;
+  scene.resting = RestingContact::kSettling;
+  return scene;
+}
 template <class S>
-struct RestScene : Scene {
-  using Scalar = S;
-  using Search = Advancement<S>;
-  using Controller = AnyController<S, FreeFlight<S>, Hand<S>>;
-  static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
-  static constexpr int kMaxBodies = 5;
-  static constexpr int kMaxPairs = 10;  // all of them
-  static constexpr int kMaxContacts = 64;
-  static constexpr int kMaxEvents = 64;
-  static constexpr bool kLineContact = true;
-  static constexpr bool kGravity = true;
-  static constexpr bool kOwners = false;
-  static constexpr RestingContact kResting = RestingContact::kSettling;
-};
+using FreeOrHand = AnyController<S, FreeFlight<S>, Hand<S>>;
 template <class S>
-struct RubbingScene : RestScene<S> {
-  static constexpr bool kFriction = true;
-};
+using RestScene = Scene<rest_scene_options, Advancement<S>, FreeOrHand<S>>;
+constexpr SceneOptions rubbing_scene_options() {
+  SceneOptions scene = rest_scene_options();
+  scene.friction = true;
+  return scene;
+}
 template <class S>
-struct SleepyScene : RubbingScene<S> {
-  static constexpr bool kSleep = true;
-};
+using RubbingScene = Scene<rubbing_scene_options, Advancement<S>, FreeOrHand<S>>;
+constexpr SceneOptions sleepy_scene_options() {
+  SceneOptions scene = rubbing_scene_options();
+  scene.sleep = true;
+  return scene;
+}
 template <class S>
-struct SmoothSleepyScene : RestScene<S> {
-  static constexpr bool kSleep = true;
-};
+using SleepyScene = Scene<sleepy_scene_options, Advancement<S>, FreeOrHand<S>>;
+constexpr SceneOptions smooth_sleepy_scene_options() {
+  SceneOptions scene = rest_scene_options();
+  scene.sleep = true;
+  return scene;
+}
+template <class S>
+using SmoothSleepyScene = Scene<smooth_sleepy_scene_options, Advancement<S>, FreeOrHand<S>>;
 
 constexpr double kRodHalf = 0.5;     ///< between the middle of a rod and an end of its axis, m
 constexpr double kRodRadius = 0.01;  ///< of rods and posts, m

@@ -25,3 +25,15 @@ static_assert(BATUTA_ASSERT_LEVEL >= 0 && BATUTA_ASSERT_LEVEL <= 3,
 
 static_assert(BATUTA_WITH_DOUBLE == 0 || BATUTA_WITH_DOUBLE == 1,
               "BATUTA_WITH_DOUBLE: choose 0 or 1");
+
+namespace batuta::detail {
+
+/// Whether the compiler is silent where a constant is asked of a constexpr function in which it has
+/// found an error already.
+#if defined(__clang__)
+inline constexpr bool kTellsErrorsOnce = false;
+#else
+inline constexpr bool kTellsErrorsOnce = true;
+#endif
+
+}  // namespace batuta::detail

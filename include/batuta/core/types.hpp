@@ -106,9 +106,30 @@ bool is_finite(const Eigen::MatrixBase<Derived>& m) {
   return (m - m).sum() == typename Derived::Scalar(0);  // NaN where any of them is not finite
 }
 /// False where a component is NaN or infinite.
+// By component, as the ones below: an expression of Eigen's costs each file that includes this some
+// classes.
+template <class Scalar>
+bool is_finite(const Vec3<Scalar>& v) {
+  return (v.x() - v.x()) + (v.y() - v.y()) + (v.z() - v.z()) == Scalar(0);
+}
 template <class Scalar>
 bool is_finite(const Quat<Scalar>& q) {
-  return is_finite(q.coeffs());
+  return (q.x() - q.x()) + (q.y() - q.y()) + (q.z() - q.z()) + (q.w() - q.w()) == Scalar(0);
+}
+
+/// Whether all components are zero, of either sign.
+template <class Scalar>
+bool is_zero(const Vec3<Scalar>& v) {
+  return v.x() == Scalar(0) && v.y() == Scalar(0) && v.z() == Scalar(0);
+}
+/// Whether all components are equal numbers; NaN equals none.
+template <class Scalar>
+bool is_same(const Vec3<Scalar>& a, const Vec3<Scalar>& b) {
+  return a.x() == b.x() && a.y() == b.y() && a.z() == b.z();
+}
+template <class Scalar>
+bool is_same(const Quat<Scalar>& a, const Quat<Scalar>& b) {
+  return a.x() == b.x() && a.y() == b.y() && a.z() == b.z() && a.w() == b.w();
 }
 
 /// Finite and above zero: what a length, a time or a mass must be that something is divided by.

@@ -4,38 +4,25 @@
 // world; then each blade against the other fencer's body, until somebody is touched. Frame W
 // (salle), SI units.
 
+// First, as in world.hpp.
+#include "batuta/fencing/duel_scene.hpp"
+
 #include "batuta/fencing/detail/referee.hpp"
 
 namespace batuta::fencing {
 
-/// What a duel asks of its scene.
-template <class Scalar, class SearchT, class SceneT>
-struct DuelSceneCheck {
-  static_assert(std::is_base_of_v<DuelScene<Scalar, SearchT>, SceneT> &&
-                    std::is_same_v<typename SceneT::Scalar, Scalar> &&
-                    std::is_same_v<typename SceneT::Search, SearchT>,
-                "Duel: derive its scene from DuelScene with the duel's own Scalar and Search");
-  static_assert(SceneT::kRotation, "Duel: its scene takes kRotation = true: blades turn");
-  static_assert(SceneT::kCapsulesPerBody == 1,
-                "Duel: its scene takes kCapsulesPerBody = 1: a blade is one capsule");
-  /// Nothing above refused the scene.
-  static constexpr bool kIsPossible = true;
-};
-
 /// Built into the library for float and double with Advancement, and with Stepping; a program links
 /// the one that it names. For a scene of one's own, include fencing/duel_definitions.hpp.
-/// @tparam SceneT  DuelScene, or what is derived from it: what it leaves out is absent
-template <class Scalar, class SearchT = Advancement<Scalar>,
-          class SceneT = DuelScene<Scalar, SearchT>>
-class Duel {
-  static_assert(DuelSceneCheck<Scalar, SearchT, SceneT>::kIsPossible);
+/// @tparam SceneT  a DuelScene: what it leaves out is absent
+template <class SceneT = DuelScene<>>
+class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<SceneT> {
+  using Played = typename detail::DuelVerdict<SceneT>::Played;
 
  public:
-  /// The scene as its world runs it.
-  using SceneType = BladesOf<SceneT>;
-  /// What configure() takes.
-  using Settings = DuelSettings<Scalar, SearchT, SceneT>;
-  /// The world of the two blades.
+  using StatedScene = SceneT;  ///< for duel_settings()
+  using Scalar = typename Played::Scalar;
+  using SceneType = BladesOf<Played>;
+  using Settings = DuelSettings<SceneT>;
   using WorldType = World<SceneType>;
 
   /// Not configured: step() does nothing but say so.
@@ -74,28 +61,28 @@ class Duel {
   const WorldType& world() const { return world_; }
   /// The stick of a fencer, as it is after the last step.
   const StickTracker<Scalar>& stick(Side side) const { return at(side).stick; }
-  /// The grip of a fencer on the blade. @pre configured; the scene has kGrip
-  template <class S = SceneT>
+  /// @pre configured; the scene has grip
+  template <class S = Played>
   const Grip<Scalar>& grip(Side side) const {
-    static_assert(S::kGrip, "Duel: without kGrip there is no grip(); a Hand carries each blade");
+    static_assert(S::kGrip, "Duel: without grip there is no grip(); a Hand carries each blade");
     return blade_of(side).controller.carrier;
   }
   const KeyedPose<Scalar>& hand(Side side) const {
     return at(side).hand;
   }  ///< pose and Jacobian of the hand
   /// Where a hand is that holds the blade as it is now; hand() is where the stick wants it.
-  /// @pre configured; the scene has kHaptics
-  template <class S = SceneT>
+  /// @pre configured; the scene has haptics
+  template <class S = Played>
   Pose<Scalar> held_hand_W(Side side) const {
-    static_assert(S::kHaptics, "Duel: without kHaptics there is no held_hand_W()");
+    static_assert(S::kHaptics, "Duel: without haptics there is no held_hand_W()");
     return chained(blade_of(side).body.X_WB, inverse(at(side).weapon.X_HB));
   }
   /// The blade of a fencer as it is now. @pre configured
   Capsule<Scalar> blade_W(Side side) const;
-  /// The body of a fencer as it is now. @pre the scene has kTargets
-  template <class S = SceneT>
+  /// @pre the scene has targets
+  template <class S = Played>
   const BodyShape<Scalar>& body_W(Side side) const {
-    static_assert(S::kTargets, "Duel: without kTargets there is no body_W(); fencers have no body");
+    static_assert(S::kTargets, "Duel: without targets there is no body_W(); fencers have no body");
     return scoring_.body_W(side);
   }
 
@@ -139,12 +126,12 @@ class Duel {
   };
 
   /// A referee is a base: where there is none, it takes no room.
-  struct Scoring : RefereeOf<SceneT> {
+  struct Scoring : RefereeOf<Played> {
     DuelReport report;
 
     template <class ArchiveT>
     void archive(ArchiveT& ar) {
-      RefereeOf<SceneT>::archive(ar);
+      RefereeOf<Played>::archive(ar);
       ar(report);
     }
   };

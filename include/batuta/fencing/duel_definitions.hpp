@@ -3,8 +3,8 @@
 // What a duel does, whatever its search and its scene. The library holds the duels of DuelScene:
 // src/fencing/duel.cpp and duel_stepping.cpp build those of one search each, so that a program
 // links one search only. For a scene of one's own, include this header in one source and name there
-//   template DuelSettings<S, Search, Drill> batuta::duel_settings();
-//   template class batuta::Duel<S, Search, Drill>;
+//   template DuelSettings<Drill> batuta::duel_settings();
+//   template class batuta::Duel<Drill>;
 // or include it wherever such a duel is used.
 
 #include "batuta/fencing/detail/referee_definitions.hpp"
@@ -20,13 +20,15 @@ inline constexpr std::int32_t kLongestWindowUs = 10000000;
 
 }  // namespace detail
 
-template <class Scalar, class SearchT, class SceneT>
-Status validate(const DuelSettings<Scalar, SearchT, SceneT>& settings) {
+template <class SceneT>
+Status validate(const DuelSettings<SceneT>& settings) {
+  using Played = PlayedScene<SceneT>;
+  using Scalar = typename Played::Scalar;
   bool good = settings.step_us >= detail::kShortestStepUs &&
               settings.step_us <= detail::kLongestStepUs && settings.salle.distance > Scalar(0) &&
               settings.salle.distance <= kLargestReach<Scalar> &&
               validate(settings.stick) == Status::kOk && validate(settings.world) == Status::kOk;
-  if constexpr (SceneT::kTargets) {
+  if constexpr (Played::kTargets) {
     good = good && settings.double_window_us >= 0 &&
            settings.double_window_us <= detail::kLongestWindowUs &&
            validate(settings.touch) == Status::kOk;
@@ -34,28 +36,29 @@ Status validate(const DuelSettings<Scalar, SearchT, SceneT>& settings) {
   return good ? Status::kOk : Status::kInvalidArgument;
 }
 
-template <class Scalar, class SearchT, class SceneT>
-DuelSettings<Scalar, SearchT, SceneT> duel_settings() {
-  DuelSettings<Scalar, SearchT, SceneT> settings;
-  if constexpr (kKnowsRest<SceneT>) {
+template <class SceneT>
+DuelSettings<SceneT> duel_settings() {
+  using Played = PlayedScene<SceneT>;
+  using Scalar = typename Played::Scalar;
+  DuelSettings<SceneT> settings;
+  if constexpr (kKnowsRest<Played>) {
     settings.world.rest_speed = Scalar(0.05F);
     settings.world.separation = Scalar(2e-4F);
     settings.world.min_separation_time = Scalar(1e-4F);
   }
-  if constexpr (SceneT::kTargets) {
+  if constexpr (Played::kTargets) {
     settings.target = kAllParts & ~mask_of(BodyPart::kWeaponHand);  // the bell guard covers it
   }
-  if constexpr (SceneT::kTargets && !SearchT::kHasContactTolerance) {
+  if constexpr (Played::kTargets && !Played::Search::kHasContactTolerance) {
     settings.touch.epsilon = Scalar(0.001F);
     settings.touch.unit = EpsilonIn::kMetres;
   }
   return settings;
 }
 
-template <class Scalar, class SearchT, class SceneT>
-Status Duel<Scalar, SearchT, SceneT>::configure(const Settings& settings,
-                                                const Fencer<Scalar>& left,
-                                                const Fencer<Scalar>& right) {
+template <class SceneT>
+Status Duel<SceneT>::configure(const Settings& settings, const Fencer<Scalar>& left,
+                               const Fencer<Scalar>& right) {
   if (validate(settings) != Status::kOk) return Status::kInvalidArgument;
   const auto left_setup = setup_for(left, settings.salle.X_WF(Side::kLeft));
   const auto right_setup = setup_for(right, settings.salle.X_WF(Side::kRight));
@@ -65,7 +68,7 @@ Status Duel<Scalar, SearchT, SceneT>::configure(const Settings& settings,
   settings_ = settings;
   (void)world_.configure(settings.world);
   for (Place& place : places_) (void)world_.remove(place.blade);  // Bound: 2
-  if constexpr (SceneT::kTargets) scoring_.begin();
+  if constexpr (Played::kTargets) scoring_.begin();
   take_place(Side::kLeft, left_setup.value, left.build);
   take_place(Side::kRight, right_setup.value, right.build);
   scoring_.report = {};
@@ -74,10 +77,10 @@ Status Duel<Scalar, SearchT, SceneT>::configure(const Settings& settings,
   return Status::kOk;
 }
 
-template <class Scalar, class SearchT, class SceneT>
-Result<typename Duel<Scalar, SearchT, SceneT>::FencerSetup>
-Duel<Scalar, SearchT, SceneT>::setup_for(const Fencer<Scalar>& fencer, const Pose<Scalar>& X_WF) {
-  if constexpr (SceneT::kTargets) {
+template <class SceneT>
+Result<typename Duel<SceneT>::FencerSetup> Duel<SceneT>::setup_for(const Fencer<Scalar>& fencer,
+                                                                   const Pose<Scalar>& X_WF) {
+  if constexpr (Played::kTargets) {
     if (validate(fencer.build) != Status::kOk)
       return failure<FencerSetup>(Status::kInvalidArgument);
   }
@@ -102,34 +105,34 @@ Duel<Scalar, SearchT, SceneT>::setup_for(const Fencer<Scalar>& fencer, const Pos
 }
 
 /// The blade in the hand.
-template <class Scalar, class SearchT, class SceneT>
-Status Duel<Scalar, SearchT, SceneT>::arm(const Fencer<Scalar>& fencer, FencerSetup& setup) {
+template <class SceneT>
+Status Duel<SceneT>::arm(const Fencer<Scalar>& fencer, FencerSetup& setup) {
   const Pose<Scalar> X_WB = chained(setup.hand.X_WH, setup.weapon.X_HB);
   const auto body = make_body(X_WB, setup.weapon.mass, setup.weapon.moments);
   if (!body.ok()) return body.status;
   setup.blade.body = body.value;
   setup.blade.capsule_B = setup.weapon.blade_B;
-  if constexpr (SceneT::kRestitution) setup.blade.restitution = fencer.weapon.restitution;
+  if constexpr (Played::kRestitution) setup.blade.restitution = fencer.weapon.restitution;
   return setup.blade.controller.take(X_WB, fencer.grip);
 }
 
 /// @pre both blades of the earlier bout are out of the world
-template <class Scalar, class SearchT, class SceneT>
-void Duel<Scalar, SearchT, SceneT>::take_place(Side side, const FencerSetup& setup,
-                                               [[maybe_unused]] const FencerBuild<Scalar>& build) {
+template <class SceneT>
+void Duel<SceneT>::take_place(Side side, const FencerSetup& setup,
+                              [[maybe_unused]] const FencerBuild<Scalar>& build) {
   Place& place = at(side);
   place.grid = setup.grid;
   place.weapon = setup.weapon;
   place.hand = setup.hand;
   (void)place.stick.configure(settings_.stick);
-  if constexpr (SceneT::kTargets) scoring_.place(side, build, setup.X_WF, setup.hand.X_WH);
+  if constexpr (Played::kTargets) scoring_.place(side, build, setup.X_WF, setup.hand.X_WH);
   const auto blade = world_.add(setup.blade);
   BATUTA_INVARIANT(blade.ok());
   place.blade = blade.value;
 }
 
-template <class Scalar, class SearchT, class SceneT>
-Status Duel<Scalar, SearchT, SceneT>::step(const InputSample* left, const InputSample* right) {
+template <class SceneT>
+Status Duel<SceneT>::step(const InputSample* left, const InputSample* right) {
   if (!(dt_ > Scalar(0))) return Status::kInvalidArgument;
   if (bout().is_over()) return Status::kUnavailable;
   move_hand(Side::kLeft, left);
@@ -137,7 +140,7 @@ Status Duel<Scalar, SearchT, SceneT>::step(const InputSample* left, const InputS
   const Status status = world_.step(dt_);
   if (status != Status::kOk) return status;
   add_up();
-  if constexpr (SceneT::kTargets) {
+  if constexpr (Played::kTargets) {
     const auto* left_blade = world_.get(at(Side::kLeft).blade);
     const auto* right_blade = world_.get(at(Side::kRight).blade);
     scoring_.judge({left_blade, right_blade}, settings_, {steps_, dt_}, scoring_.report);
@@ -146,20 +149,20 @@ Status Duel<Scalar, SearchT, SceneT>::step(const InputSample* left, const InputS
   return Status::kOk;
 }
 
-template <class Scalar, class SearchT, class SceneT>
-void Duel<Scalar, SearchT, SceneT>::move_hand(Side side, const InputSample* sample) {
+template <class SceneT>
+void Duel<SceneT>::move_hand(Side side, const InputSample* sample) {
   Place& place = at(side);
   if (sample != nullptr) (void)place.stick.accept(*sample);
   place.stick.advance(dt_);
   place.hand = place.grid.at(place.stick.position());
 
   auto& actor = *world_.get(place.blade);
-  if constexpr (SceneT::kTargets) scoring_.follow(side, place.hand.X_WH, actor.body.X_WB, dt_);
+  if constexpr (Played::kTargets) scoring_.follow(side, place.hand.X_WH, actor.body.X_WB, dt_);
   actor.controller.command(chained(place.hand.X_WH, place.weapon.X_HB), dt_);
 }
 
-template <class Scalar, class SearchT, class SceneT>
-void Duel<Scalar, SearchT, SceneT>::add_up() {
+template <class SceneT>
+void Duel<SceneT>::add_up() {
   const StepReport<Scalar>& step = world_.report();
   scoring_.report.blows += step.collisions;
   scoring_.report.rests += step.separations;
@@ -171,8 +174,8 @@ void Duel<Scalar, SearchT, SceneT>::add_up() {
 
 /// What was read is a state that steps can go on from: as far as an index, a conversion or a
 /// precondition depends on it.
-template <class Scalar, class SearchT, class SceneT>
-bool Duel<Scalar, SearchT, SceneT>::is_sound() const {
+template <class SceneT>
+bool Duel<SceneT>::is_sound() const {
   bool good = validate(settings_) == Status::kOk &&
               dt_ == static_cast<Scalar>(settings_.step_us) * kSecondsPerUs<Scalar>;
   for (const Place& place : places_) {  // Bound: 2
@@ -180,20 +183,20 @@ bool Duel<Scalar, SearchT, SceneT>::is_sound() const {
     good = good && blade != nullptr && is_valid(blade->capsule_B) &&
            place.stick.position().cwiseAbs().maxCoeff() <= Scalar(1);
   }
-  if constexpr (SceneT::kTargets) good = good && scoring_.is_sound(dt_);
+  if constexpr (Played::kTargets) good = good && scoring_.is_sound(dt_);
   const bool both = at(Side::kLeft).blade != at(Side::kRight).blade;
   return good && both && world_.size() == 2;
 }
 
-template <class Scalar, class SearchT, class SceneT>
-const Actor<BladesOf<SceneT>>& Duel<Scalar, SearchT, SceneT>::blade_of(Side side) const {
+template <class SceneT>
+const Actor<typename Duel<SceneT>::SceneType>& Duel<SceneT>::blade_of(Side side) const {
   const auto* blade = world_.get(at(side).blade);
   BATUTA_ASSERT(blade != nullptr);
   return *blade;
 }
 
-template <class Scalar, class SearchT, class SceneT>
-Capsule<Scalar> Duel<Scalar, SearchT, SceneT>::blade_W(Side side) const {
+template <class SceneT>
+auto Duel<SceneT>::blade_W(Side side) const -> Capsule<Scalar> {
   const auto& blade = blade_of(side);
   return to_world(blade.body.X_WB, blade.capsule_B);
 }

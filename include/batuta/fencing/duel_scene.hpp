@@ -3,6 +3,9 @@
 // The scene of a duel, and what its features bring: who drives the blades, and which settings there
 // are. What a scene leaves out is an empty base (world/actor.hpp).
 
+// First, as in world.hpp.
+#include "batuta/world/detail/scene_check.hpp"
+
 #include "batuta/control/stick.hpp"
 #include "batuta/fencing/bout.hpp"
 #include "batuta/fencing/grip.hpp"
@@ -11,34 +14,113 @@
 
 namespace batuta::fencing {
 
-/// Two blades. Derive, and hide what is different:
-///   struct Drill : DuelScene<float, Advancement<float>> { static constexpr bool kTargets = false;
-///   };
-/// Scene::Controller is the duel's own (BladeController) whatever the scene says.
-template <class S, class SearchT>
-struct DuelScene : Scene {
-  /// Of lengths and times.
-  using Scalar = S;
-  /// How blades and touches are found.
-  using Search = SearchT;
-  /// Distance evaluations of one search.
-  static constexpr std::uint32_t kBudget = SearchT::kDefaultBudget;
-  /// Two blades.
-  static constexpr int kMaxBodies = 2;
-  /// One pair.
-  static constexpr int kMaxPairs = 1;
-  /// Contacts answered in one step.
-  static constexpr int kMaxContacts = 8;
-  /// Events kept for reading after a step.
-  static constexpr int kMaxEvents = 16;
-  /// Off: each blade is carried by a Hand, which has whatever strength it takes; Fencer::grip is
-  /// not looked at.
-  static constexpr bool kGrip = true;
-  /// Off: blades only, nobody can be touched; Fencer::build is not looked at.
-  static constexpr bool kTargets = true;
-  /// Off: Duel::held_hand_W() is absent, and what needs it: nothing of room haptics is linked.
-  static constexpr bool kHaptics = true;
+/// Of two blades. In a function that returns them, `DuelOptions scene = two_fencers();` and what is
+/// different.
+struct DuelOptions : SceneOptions {
+  /// Blades are held by a grip that a blow loosens [Kavan eq. 32]. Off: each blade is carried by a
+  /// Hand, which has whatever strength it takes; Fencer::grip is not looked at.
+  bool grip = true;
+  /// Fencers have bodies that can be touched, in a hierarchy of k-DOPs. Off: blades only, nobody
+  /// can be touched; Fencer::build is not looked at.
+  bool targets = true;
+  /// What a hand feels can be asked for (haptics/hand_force.hpp). Off: Duel::held_hand_W() is
+  /// absent, and what needs it: nothing of room haptics is linked.
+  bool haptics = true;
 };
+
+/// The options of the standard duel.
+constexpr DuelOptions two_fencers() {
+  return {};
+}
+
+/// The scene of a Duel. Who drives the blades is the duel's own (BladeController).
+///   constexpr DuelOptions drill() { DuelOptions scene; scene.targets = false; return scene; }
+///   using Drill = DuelScene<drill>;
+/// @tparam kOptions  a constexpr function that returns DuelOptions
+/// @tparam SearchT  how blades and touches are found: Advancement, or the paper's Stepping to
+///   compare it with; its Scalar is the duel's
+template <auto kOptions = two_fencers, class SearchT = Advancement<float>>
+struct DuelScene : batuta::detail::SceneConstants<
+                       DuelOptions, kOptions, SearchT,
+                       FreeFlight<typename batuta::detail::SearchScalar<SearchT>::Type>, SweptBox> {
+  static constexpr bool kGrip = DuelScene::kStated.grip;
+  static constexpr bool kTargets = DuelScene::kStated.targets;
+  static constexpr bool kHaptics = DuelScene::kStated.haptics;
+};
+
+}  // namespace batuta::fencing
+
+namespace batuta::detail {
+
+template <auto kOptions, class SearchT>
+inline constexpr bool kIsNamedScene<fencing::DuelScene<kOptions, SearchT>> = true;
+
+}  // namespace batuta::detail
+
+namespace batuta::fencing {
+
+namespace detail {
+
+template <class SceneT>
+inline constexpr bool kIsDuelScene = false;
+template <auto kOptions, class SearchT>
+inline constexpr bool kIsDuelScene<DuelScene<kOptions, SearchT>> = true;
+
+enum class DuelRule : std::uint8_t { kNone, kNoDuelScene, kRotation, kParts, kHapticEvents };
+
+/// What a duel asks of its scene comes before what every scene is asked.
+template <class SceneT>
+constexpr DuelRule broken_duel_rule() {
+  if constexpr (!kIsDuelScene<SceneT>) {
+    return DuelRule::kNoDuelScene;
+  } else {
+    if (!SceneT::kRotation) return DuelRule::kRotation;
+    if (SceneT::kCapsulesPerBody != 1) return DuelRule::kParts;
+    const bool is_deaf = SceneT::kHaptics && SceneT::kMaxEvents <= 0;
+    return is_deaf ? DuelRule::kHapticEvents : DuelRule::kNone;
+  }
+}
+
+template <class SceneT, bool kIsKept>
+struct PlayedOf {
+  using Played = DuelScene<>;
+};
+template <class SceneT>
+struct PlayedOf<SceneT, true> {
+  static constexpr bool kIsPossible =
+      batuta::detail::KeptScene<SceneT, batuta::detail::broken_rule_of<SceneT>() ==
+                                            batuta::detail::SceneRule::kNone>::kIsPossible;
+  using Played = std::conditional_t<kIsPossible, SceneT, DuelScene<>>;
+};
+
+/// Says what to change. What it answers is in its base: a compiler may leave a class where it finds
+/// the first sentence in it.
+template <class SceneT>
+struct DuelVerdict : PlayedOf<SceneT, broken_duel_rule<SceneT>() == DuelRule::kNone> {
+  static constexpr DuelRule kRule = broken_duel_rule<SceneT>();
+
+  static_assert(kRule != DuelRule::kNoDuelScene,
+                "Duel: name a DuelScene itself: using Drill = DuelScene<my_options>; my_options is "
+                "a constexpr function that returns DuelOptions");
+  static_assert(kRule != DuelRule::kRotation, "DuelScene: rotation = true: blades turn");
+  static_assert(kRule != DuelRule::kParts,
+                "DuelScene: capsules_per_body = 1: a blade is one capsule");
+  static_assert(kRule != DuelRule::kHapticEvents,
+                "DuelScene: haptics takes max_events > 0: events tell the blows that a hand feels");
+};
+
+/// What is to be said of it as of any scene, where nothing was said of it as one of a duel.
+struct NoVerdict {};
+template <class SceneT>
+using OtherVerdict = std::conditional_t<broken_duel_rule<SceneT>() == DuelRule::kNone,
+                                        batuta::detail::SceneVerdict<SceneT>, NoVerdict>;
+
+}  // namespace detail
+
+/// The scene that a duel plays: the one it is given, or the standard one in place of what is
+/// refused, so that nothing else is said.
+template <class SceneT>
+using PlayedScene = typename detail::DuelVerdict<SceneT>::Played;
 
 /// Where a blade was when a contact of the step was answered, for the touches of the same step.
 template <class Scalar>
@@ -121,23 +203,31 @@ struct TouchSettings {
 template <class SceneT>
 using TouchSettingsOf = FeatureIf<SceneT::kTargets, TouchSettings<SceneT>, 17>;
 
-/// What a duel has to be told.
-/// @tparam SearchT  how blades and touches are found: Advancement, or the paper's Stepping to
-///   compare it with
-/// @tparam SceneT  DuelScene, or what is derived from it
-template <class Scalar, class SearchT = Advancement<Scalar>,
-          class SceneT = DuelScene<Scalar, SearchT>>
-struct DuelSettings : TouchSettingsOf<SceneT> {
-  std::int32_t step_us = 1000;            ///< length of a step, us, 100 ... 20000
-  StickSettings stick;                    ///< of both sticks
-  WorldSettings<BladesOf<SceneT>> world;  ///< blades: defaults of duel_settings()
-  Salle<Scalar> salle;                    ///< where the fencers stand
+}  // namespace batuta::fencing
+
+namespace batuta::detail {
+
+template <class SceneT>
+struct SceneVerdict<fencing::BladesOf<SceneT>> : SceneVerdict<SceneT> {
+  using Seen = fencing::BladesOf<SceneT>;
+};
+
+}  // namespace batuta::detail
+
+namespace batuta::fencing {
+
+/// @tparam SceneT  a DuelScene
+template <class SceneT = DuelScene<>>
+struct DuelSettings : TouchSettingsOf<typename detail::DuelVerdict<SceneT>::Played> {
+  std::int32_t step_us = 1000;  ///< length of a step, us, 100 ... 20000
+  StickSettings stick;
+  WorldSettings<BladesOf<PlayedScene<SceneT>>> world;  ///< blades: defaults of duel_settings()
+  Salle<typename PlayedScene<SceneT>::Scalar> salle;
 };
 
 /// Settings that suit the two fencers of the library. For a scene of one's own, include
 /// fencing/duel_definitions.hpp.
-template <class Scalar, class SearchT = Advancement<Scalar>,
-          class SceneT = DuelScene<Scalar, SearchT>>
-DuelSettings<Scalar, SearchT, SceneT> duel_settings();
+template <class SceneT = DuelScene<>>
+DuelSettings<SceneT> duel_settings();
 
 }  // namespace batuta::fencing

@@ -57,7 +57,7 @@ Result<Body<Scalar>> make_body(const Pose<Scalar>& X_WB, Scalar mass, const Vec3
 /// Whether nothing can move or turn it: inverse mass and moments are zero.
 template <class Scalar>
 bool is_fixed(const Body<Scalar>& body) {
-  return body.inverse_mass == Scalar(0) && body.inverse_moments == Vec3<Scalar>::Zero();
+  return body.inverse_mass == Scalar(0) && is_zero(body.inverse_moments);
 }
 
 /// x_W of a point given in B [Kavan eq. 4].

@@ -5,7 +5,7 @@
 
 #include "batuta/core/fixed_list.hpp"
 #include "batuta/mechanics/straight.hpp"
-#include "batuta/world/scene.hpp"
+#include "batuta/world/world_settings.hpp"
 
 namespace batuta {
 
@@ -74,16 +74,17 @@ using FeatureIf = std::conditional_t<kIsOn, Feature, Absent<kNumber>>;
 /// The caller may read or change it between steps. What becomes unusable (not finite, or too far
 /// away to hold its size) is left out of the steps, and counted in StepReport::plans_invalid.
 template <class SceneT>
-struct Actor : ShapeOf<SceneT>,
-               FeatureIf<SceneT::kRotation, Controlled<typename SceneT::Controller>, 0>,
-               FeatureIf<SceneT::kRestitution, Bouncy<typename SceneT::Scalar>, 1>,
-               FeatureIf<SceneT::kFriction, Rough<typename SceneT::Scalar>, 2>,
-               FeatureIf<SceneT::kOwners, Owned, 3>,
-               FeatureIf<SceneT::kFilters, Filtered, 4> {
-  /// The scene's.
-  using Scalar = typename SceneT::Scalar;
+struct Actor
+    : ShapeOf<typename detail::SceneVerdict<SceneT>::Seen>,
+      FeatureIf<detail::SceneFor<SceneT>::kRotation,
+                Controlled<typename detail::SceneFor<SceneT>::Controller>, 0>,
+      FeatureIf<detail::SceneFor<SceneT>::kRestitution, Bouncy<detail::ScalarFor<SceneT>>, 1>,
+      FeatureIf<detail::SceneFor<SceneT>::kFriction, Rough<detail::ScalarFor<SceneT>>, 2>,
+      FeatureIf<detail::SceneFor<SceneT>::kOwners, Owned, 3>,
+      FeatureIf<detail::SceneFor<SceneT>::kFilters, Filtered, 4> {
+  using Scalar = detail::ScalarFor<SceneT>;
 
-  BodyOf<SceneT> body;  ///< where it is, how it moves, and its mass
+  BodyOf<detail::SceneFor<SceneT>> body;
 };
 
 /// The parts of an actor: one, unless the scene says otherwise.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Which volume holds a capsule over a step, for Scene::Bound. What a scene does not name is not
-// linked.
+// Which volume holds a capsule over a step, for the Bound of a Scene. What a scene does not name is
+// not linked.
 
 #include "batuta/detection/swept_volume.hpp"
 

@@ -12,8 +12,8 @@ namespace batuta {
 struct SceneCost {
   std::size_t world = 0;     ///< bytes of World<Scene>, all that the scene needs
   std::size_t body = 0;      ///< of these, for one more body: actor, plan, boxes
-  std::size_t pair = 0;      ///< for one more of kMaxPairs
-  std::size_t event = 0;     ///< for one more of kMaxEvents
+  std::size_t pair = 0;      ///< for one more of max_pairs
+  std::size_t event = 0;     ///< for one more of max_events
   std::uint64_t rounds = 0;  ///< most rounds of a step
   /// Most distance evaluations of a step.
   std::uint64_t evaluations = 0;
@@ -30,11 +30,20 @@ struct Enlarged : SceneT {
   static constexpr int kMaxEvents = SceneT::kMaxEvents > 0 ? SceneT::kMaxEvents + kEvents : 0;
 };
 
+namespace detail {
+
+template <class SceneT, int kBodies, int kPairs, int kEvents>
+struct SceneVerdict<Enlarged<SceneT, kBodies, kPairs, kEvents>> : SceneVerdict<SceneT> {
+  using Seen = Enlarged<SceneT, kBodies, kPairs, kEvents>;
+};
+
+}  // namespace detail
+
 /// Bytes that the enlarged scene takes more, in a world of the same kind.
 template <class SceneT, class Larger>
 constexpr std::size_t more() {
-  if constexpr (detail::kIsLean<SceneT>) {
-    return sizeof(detail::LeanWorld<Larger>) - sizeof(detail::LeanWorld<SceneT>);
+  if constexpr (SceneT::kEngine == Engine::kSmall) {
+    return sizeof(detail::SmallWorld<Larger>) - sizeof(detail::SmallWorld<SceneT>);
   } else {
     return sizeof(detail::GeneralWorld<Larger>) - sizeof(detail::GeneralWorld<SceneT>);
   }

@@ -1,48 +1,59 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Ready-made scenes: derive from one, or read them as examples. The duel is DuelScene
-// (fencing/duel.hpp). What each costs on a part stands in docs/cost.md.
+// Ready-made scenes: a function that starts from the options of one makes another, or read them as
+// examples. The duel is DuelScene (fencing/duel.hpp). What each costs on a part stands in the
+// README.
 
 #include "batuta/world/scene.hpp"
 
 namespace batuta {
 
 /// Up to eight balls that fly straight and bounce off each other; no events, report() counts.
-struct StraightSpheres : Scene {
-  using Search = Spheres<float>;  ///< one closed form for each pair
-  static constexpr std::uint32_t kBudget = Search::kDefaultBudget;   ///< one evaluation
-  static constexpr int kMaxBodies = 8;                               ///< eight balls
-  static constexpr int kMaxPairs = 28;                               ///< all of them
-  static constexpr int kMaxEvents = 0;                               ///< none: report() counts
-  static constexpr bool kRotation = false;                           ///< off: StraightBody
-  static constexpr bool kOwners = false;                             ///< off: all meet all
-  static constexpr RestingContact kResting = RestingContact::kNone;  ///< every blow is answered
-};
+constexpr SceneOptions straight_spheres() {
+  SceneOptions scene;
+  scene.engine = Engine::kSmall;
+  scene.max_bodies = 8;
+  scene.max_pairs = 28;  // all of them
+  scene.max_events = 0;
+  scene.rotation = false;
+  scene.owners = false;
+  scene.resting = RestingContact::kNone;
+  return scene;
+}
+using StraightSpheres = Scene<straight_spheres, Spheres<float>>;
 
 /// Two capsules on plans that the caller knows: events say when and where they meet, and change
 /// nothing.
-struct DetectionOnly : Scene {
-  static constexpr bool kResponse = false;     ///< off: contacts are told and change nothing
-  static constexpr bool kRestitution = false;  ///< off: nothing bounces
-  static constexpr bool kOwners = false;       ///< off: both meet
-  static constexpr RestingContact kResting = RestingContact::kNone;  ///< nothing is moved apart
-};
+constexpr SceneOptions detection_only() {
+  SceneOptions scene;
+  scene.response = false;
+  scene.restitution = false;
+  scene.owners = false;
+  scene.resting = RestingContact::kNone;
+  return scene;
+}
+using DetectionOnly = Scene<detection_only>;
 
 /// Two capsules with impulses and the paper's separation.
-struct TwoBlades : Scene {};
+constexpr SceneOptions two_blades() {
+  return {};
+}
+using TwoBlades = Scene<two_blades>;
 
 /// 64 capsules that fall, rub, pile up and come to rest.
-struct Rack : Scene {
-  static constexpr int kMaxBodies = 64;       ///< 64 capsules
-  static constexpr int kMaxPairs = 256;       ///< four for each body
-  static constexpr int kMaxContacts = 256;    ///< answered in one step
-  static constexpr int kMaxEvents = 256;      ///< kept for reading after a step
-  static constexpr bool kFriction = true;     ///< Coulomb's law
-  static constexpr bool kLineContact = true;  ///< a flat landing does not spin
-  static constexpr bool kGravity = true;      ///< what its momentum moves falls
-  static constexpr bool kSleep = true;        ///< what stays in its place sleeps
-  /// bodies lie on each other
-  static constexpr RestingContact kResting = RestingContact::kSettling;
-};
+constexpr SceneOptions rack() {
+  SceneOptions scene;
+  scene.max_bodies = 64;
+  scene.max_pairs = 256;
+  scene.max_contacts = 256;
+  scene.max_events = 256;
+  scene.friction = true;
+  scene.line_contact = true;
+  scene.gravity = true;
+  scene.sleep = true;
+  scene.resting = RestingContact::kSettling;
+  return scene;
+}
+using Rack = Scene<rack>;
 
 }  // namespace batuta

@@ -13,7 +13,7 @@ namespace batuta::host {
 using namespace fencing;
 namespace {
 
-using DuelType = Duel<float>;
+using DuelType = Duel<>;
 
 Playback play_on(Player& player, DuelType& duel) {
   Playback answer = player.begin<DuelInput>(duel);

@@ -95,13 +95,13 @@ class Loop {
     StageSettings stage;
     stage.gain = {1 / kForceLimit, 1 / kForceLimit};
     good_ = stick_.configure(device()) == Status::kOk && felt_.configure(feel) == Status::kOk &&
-            duel_.configure(duel_settings<float>(), first_fencer<float>(),
-                            second_fencer<float>()) == Status::kOk &&
+            duel_.configure(duel_settings(), first_fencer<float>(), second_fencer<float>()) ==
+                Status::kOk &&
             stage_.configure(stage) == Status::kOk && stage_.enable() == Status::kOk;
   }
 
   bool is_good() const { return good_; }
-  const Duel<float>& duel() const { return duel_; }
+  const Duel<>& duel() const { return duel_; }
   const port_simulated::SimulatedStick& stick() const { return stick_; }
   const OutputStage& stage() const { return stage_; }
 
@@ -122,7 +122,7 @@ class Loop {
   }
 
  private:
-  Duel<float> duel_;
+  Duel<> duel_;
   HandForce<float> felt_;
   port_simulated::SimulatedStick stick_;
   OutputStage stage_;

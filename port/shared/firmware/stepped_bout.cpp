@@ -6,7 +6,7 @@ namespace batuta::firmware {
 using namespace fencing;
 
 Status SteppedBout::start(const BoutSettings& settings) {
-  DuelSettings<float> duel = duel_settings<float>();
+  DuelSettings<> duel = duel_settings();
   duel.step_us = settings.step_us;
   if (validate(settings.force) != Status::kOk) return Status::kInvalidArgument;
   const Status status = duel_.configure(duel, first_fencer<float>(), second_fencer<float>());

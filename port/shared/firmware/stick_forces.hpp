@@ -12,7 +12,7 @@
 
 namespace batuta::firmware {
 
-using DuelType = fencing::Duel<float>;
+using DuelType = fencing::Duel<>;
 
 /// A demand that takes less of the range than this is none: a motor driver of 12 bits would not
 /// show it, and the rounding of poses in hand and blade comes to a tenth of it.

@@ -1,25 +1,39 @@
 // SPDX-License-Identifier: MIT
 // Asks a duel for what its scene leaves out, or for a scene that no duel can have.
-#include "batuta/fencing/duel_definitions.hpp"
+#include "batuta/fencing/duel.hpp"
 
-#ifndef OFF
-#define OFF kSleep
+#ifndef CHANGE
+#define CHANGE scene.sleep = false
 #endif
 #ifndef CALL
 #define CALL steps()
 #endif
-#ifndef CAPSULES
-#define CAPSULES 1
-#endif
-#ifndef SEARCH
-#define SEARCH batuta::Advancement<float>
+#ifndef SCENE
+#define SCENE DuelScene<drill>
 #endif
 
-struct Drill : batuta::DuelScene<float, batuta::Advancement<float>> {
-  static constexpr bool OFF = false;
-  static constexpr int kCapsulesPerBody = CAPSULES;
+namespace {
+
+using namespace batuta;
+
+constexpr DuelOptions drill() {
+  DuelOptions scene = two_fencers();
+  CHANGE;
+  return scene;
+}
+constexpr SceneOptions plain() {
+  return {};
+}
+struct Derived : DuelScene<drill> {
+  static constexpr bool kTargets = false;
 };
+using Drill = SCENE;
 
-void use(const batuta::Duel<float, SEARCH, Drill>& duel) {
+}  // namespace
+
+void use(const Duel<Drill>& duel);
+void use(const Duel<Drill>& duel) {
   (void)duel.CALL;
+  (void)duel.bout();
+  (void)duel.world().events();
 }

@@ -1,70 +1,105 @@
 // SPDX-License-Identifier: MIT
-// A scene made of BASE, which is possible, and what the macros below change in it: ON and OFF name
-// a feature, NUMBER a capacity with its VALUE, RESTING and SEARCH what these are to be, SCALAR a
-// type.
+// A program with a scene made of the options BASE, which are possible, and CHANGE, a statement
+// about `scene`; SEARCH, CONTROLLER and BOUND name the other arguments of the scene.
 #include "batuta/world/world.hpp"
 
 #ifndef BASE
-#define BASE Scene
+#define BASE plain
+#endif
+#ifndef CHANGE
+#define CHANGE static_cast<void>(scene)
+#endif
+#ifndef SEARCH
+#define SEARCH Advancement<float>
+#endif
+#ifndef CONTROLLER
+#define CONTROLLER FreeFlight<SEARCH::Scalar>
+#endif
+#ifndef BOUND
+#define BOUND SweptBox
 #endif
 
 namespace {
 
 using namespace batuta;
 
-struct Straight : Scene {
-  using Search = Translation<float>;
-  static constexpr RestingContact kResting = RestingContact::kNone;
-  static constexpr bool kRotation = false;
+constexpr SceneOptions plain() {
+  return {};
+}
+constexpr SceneOptions unrested() {
+  SceneOptions scene;
+  scene.resting = RestingContact::kNone;
+  return scene;
+}
+constexpr SceneOptions straight() {
+  SceneOptions scene = unrested();
+  scene.rotation = false;
+  return scene;
+}
+constexpr SceneOptions small() {
+  SceneOptions scene = straight();
+  scene.engine = Engine::kSmall;
+  scene.max_events = 0;
+  return scene;
+}
+constexpr SceneOptions silent() {
+  SceneOptions scene = unrested();
+  scene.response = false;
+  scene.restitution = false;
+  return scene;
+}
+constexpr SceneOptions settling() {
+  SceneOptions scene;
+  scene.resting = RestingContact::kSettling;
+  return scene;
+}
+constexpr SceneOptions sleepy() {
+  SceneOptions scene = settling();
+  scene.sleep = true;
+  return scene;
+}
+constexpr SceneOptions crowd() {
+  SceneOptions scene;
+  scene.max_bodies = 1024;
+  scene.max_pairs = 512;
+  return scene;
+}
+constexpr SceneOptions hurried() {
+  SceneOptions scene;
+  scene.turn_per_step = 0.785F;
+  scene.contact_tolerance = 8e-4F;
+  scene.budget = 16;
+  return scene;
+}
+
+// Controllers that lack something. The last one lacks nothing.
+struct WithoutPlan {
+  void on_contact(const Body<float>& body, const Feedback<float>& feedback);
+  void on_step_end(const Body<float>& body, float dt);
 };
-struct Silent : Scene {
-  static constexpr RestingContact kResting = RestingContact::kNone;
-  static constexpr bool kResponse = false;
-  static constexpr bool kRestitution = false;
+struct WithoutContact {
+  PlannedMotion<float> plan(const Body<float>& body, float t, float duration) const;
+  void on_step_end(const Body<float>& body, float dt);
 };
-struct Unrested : Scene {
-  static constexpr RestingContact kResting = RestingContact::kNone;
+struct WithoutStepEnd {
+  PlannedMotion<float> plan(const Body<float>& body, float t, float duration) const;
+  void on_contact(const Body<float>& body, const Feedback<float>& feedback);
 };
-struct Settling : Scene {
-  static constexpr RestingContact kResting = RestingContact::kSettling;
-};
-struct Sleepy : Settling {
-  static constexpr bool kSleep = true;
-};
-struct Spherical : Straight {
-  using Search = Spheres<float>;
-  static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
-};
-struct Crowd : Scene {
-  static constexpr int kMaxBodies = 1024;
+struct Own : WithoutPlan {
+  PlannedMotion<float> plan(const Body<float>& body, float t, float duration) const {
+    return {still(body.X_WB, t + duration), false};
+  }
+  void on_contact(const Body<float>& /*body*/, const Feedback<float>& /*feedback*/) {}
+  void on_step_end(const Body<float>& /*body*/, float /*dt*/) {}
 };
 
-struct MyScene : BASE {
-#ifdef ON
-  static constexpr bool ON = true;
-#endif
-#ifdef OFF
-  static constexpr bool OFF = false;
-#endif
-#ifdef NUMBER
-  static constexpr int NUMBER = VALUE;
-#endif
-#ifdef RESTING
-  static constexpr RestingContact kResting = RestingContact::RESTING;
-#endif
-#ifdef SEARCH
-  using Search = SEARCH<float>;
-  static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
-#endif
-#ifdef SCALAR
-  using Scalar = SCALAR;
-#endif
-};
+constexpr SceneOptions mine() {
+  SceneOptions scene = BASE();
+  CHANGE;
+  return scene;
+}
+using MyScene = Scene<mine, SEARCH, CONTROLLER, BOUND>;
 
 }  // namespace
 
-batuta::Status check();
-batuta::Status check() {
-  batuta::World<MyScene> world;
-  return world.step(1.0F);
-}
+#include "use_scene.inc"

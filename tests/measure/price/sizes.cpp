@@ -2,6 +2,7 @@
 // Sizes as sizes of symbols, so that they can be read without running anything. Never linked.
 
 #include "batuta/fencing/duel.hpp"
+#include "batuta/world/scenes.hpp"
 
 #ifdef BATUTA_PRICE_FIRMWARE
 #include "platforms/mps2/uart.hpp"
@@ -12,7 +13,6 @@ namespace {
 
 using namespace batuta;
 using namespace batuta::fencing;
-struct TwoCapsules : Scene {};
 
 }  // namespace
 
@@ -21,9 +21,9 @@ char price_sizeof_Capsule[sizeof(Capsule<float>)];
 char price_sizeof_Body[sizeof(Body<float>)];
 char price_sizeof_MovingPair[sizeof(MovingPair<float>)];
 char price_sizeof_SearchResult[sizeof(SearchResult<float>)];
-char price_sizeof_World_of_two_capsules[sizeof(World<TwoCapsules>)];
-char price_sizeof_World_of_the_duel[sizeof(World<Duel<float>::SceneType>)];
-char price_sizeof_Duel[sizeof(Duel<float>)];
+char price_sizeof_World_of_two_capsules[sizeof(World<TwoBlades>)];
+char price_sizeof_World_of_the_duel[sizeof(World<Duel<>::SceneType>)];
+char price_sizeof_Duel[sizeof(Duel<>)];
 
 #ifdef BATUTA_PRICE_FIRMWARE
 // What the firmware keeps for bytes on their way in and out: as large as an application wants.

@@ -5,17 +5,20 @@
 #include <cstdio>
 
 #include "batuta/fencing/duel.hpp"
+#include "batuta/world/scenes.hpp"
 
 namespace {
 
 using namespace batuta;
 using namespace batuta::fencing;
 
-struct TwoBlades : Scene {};
-struct Rack : Scene {
-  static constexpr int kMaxBodies = 64;
-  static constexpr int kMaxPairs = 256;
-};
+constexpr SceneOptions room_options() {
+  SceneOptions scene;
+  scene.max_bodies = 64;
+  scene.max_pairs = 256;
+  return scene;
+}
+using Room = Scene<room_options>;
 
 void row(const char* what, std::size_t value, const char* unit) {
   std::printf("| %s | %zu %s |\n", what, value, unit);
@@ -33,8 +36,8 @@ int main() {
   row("`Capsule`", sizeof(Capsule<float>), "B");
   row("`Body`: pose, momenta, inverse mass and moments", sizeof(Body<float>), "B");
   row("`World` of two blades in free flight", sizeof(World<TwoBlades>), "B");
-  row("`World` of 64 bodies, 256 pairs", sizeof(World<Rack>), "B");
-  row("`Duel`: world, two sticks, grids, grips and bodies", sizeof(Duel<float>), "B");
+  row("`World` of 64 bodies, 256 pairs", sizeof(World<Room>), "B");
+  row("`Duel`: world, two sticks, grids, grips and bodies", sizeof(Duel<>), "B");
   row("distance evaluations in the longest step of two blades, default budget",
       longest_step<TwoBlades>(), "");
 }

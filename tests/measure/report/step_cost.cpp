@@ -5,17 +5,14 @@
 #include <benchmark/benchmark.h>
 
 #include "batuta/fencing/duel.hpp"
+#include "batuta/world/scenes.hpp"
 
 namespace batuta {
 using namespace fencing;
 namespace {
 
 template <class S>
-struct BladesScene : Scene {
-  using Scalar = S;
-  using Search = Advancement<S>;
-  using Controller = Hand<S>;
-};
+using BladesScene = Scene<two_blades, Advancement<S>, Hand<S>>;
 
 template <class S>
 Actor<BladesScene<S>> blade(S x, S target_x) {
@@ -68,8 +65,8 @@ BENCHMARK_TEMPLATE(BM_WorldStep_BladesCollide, float);
 BENCHMARK_TEMPLATE(BM_WorldStep_BladesCollide, double);
 
 void BM_DuelStep_OnGuard(benchmark::State& state) {
-  Duel<float> duel;
-  if (duel.configure(duel_settings<float>(), first_fencer<float>(), second_fencer<float>()) !=
+  Duel<> duel;
+  if (duel.configure(duel_settings(), first_fencer<float>(), second_fencer<float>()) !=
       Status::kOk) {
     state.SkipWithError("the duel could not be configured");
     return;

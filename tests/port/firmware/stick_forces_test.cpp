@@ -18,9 +18,8 @@ class ABeat : public ::testing::Test {
   StickForces forces;
 
   void SetUp() override {
-    ASSERT_EQ(
-        duel->configure(duel_settings<float>(), first_fencer<float>(), second_fencer<float>()),
-        Status::kOk);
+    ASSERT_EQ(duel->configure(duel_settings(), first_fencer<float>(), second_fencer<float>()),
+              Status::kOk);
   }
 
   /// One step in which the left stick is at (x, 0) of a sweep that lasts 150 steps.

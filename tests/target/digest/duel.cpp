@@ -10,7 +10,7 @@ namespace batuta::digest {
 using namespace fencing;
 namespace {
 
-using DuelType = Duel<float>;
+using DuelType = Duel<>;
 
 /// The one duel, too large for a stack; made anew for each recording.
 DuelType& new_duel() {
@@ -64,7 +64,7 @@ class Sticks {
 };
 
 Status start(DuelType& duel) {
-  return duel.configure(duel_settings<float>(), first_fencer<float>(), second_fencer<float>());
+  return duel.configure(duel_settings(), first_fencer<float>(), second_fencer<float>());
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ inline void add(Answer& answer, const fencing::DuelReport& report) {
 }
 
 /// One fencer: stick, hand, blade, body.
-inline void add(Answer& answer, const fencing::Duel<float>& duel, fencing::Side side) {
+inline void add(Answer& answer, const fencing::Duel<>& duel, fencing::Side side) {
   answer.add("stick", duel.stick(side).position());
   answer.add("stick_velocity", duel.stick(side).velocity());
   answer.add("stick_stale", duel.stick(side).is_stale());
@@ -60,7 +60,7 @@ inline void add(Answer& answer, const fencing::Duel<float>& duel, fencing::Side 
   for (const Capsule<float>& part : duel.body_W(side)) add(answer, part);  // Bound: kBodyParts
 }
 
-inline void add(Answer& answer, const fencing::Duel<float>& duel) {
+inline void add(Answer& answer, const fencing::Duel<>& duel) {
   answer.add("step", duel.steps());
   add(answer, duel, fencing::Side::kLeft);
   add(answer, duel, fencing::Side::kRight);

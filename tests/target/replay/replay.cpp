@@ -12,7 +12,7 @@ namespace {
 
 using namespace batuta;
 using namespace batuta::fencing;
-using DuelType = Duel<float>;
+using DuelType = Duel<>;
 
 class DebuggerFile final : public ByteSource {
  public:

@@ -18,7 +18,7 @@ class ConfiguredDuel : public ::testing::Test {
   typename DuelT::Settings settings = fresh_settings();
 
   static typename DuelT::Settings fresh_settings() {
-    return fencing::duel_settings<ScalarT, typename DuelT::SceneType::Search>();
+    return fencing::duel_settings<typename DuelT::StatedScene>();
   }
   Status configure() {
     return duel->configure(settings, fencing::first_fencer<ScalarT>(),
@@ -35,11 +35,12 @@ class ConfiguredDuel : public ::testing::Test {
   }
 };
 
-using PaperDuels = ::testing::Types<fencing::Duel<float, Stepping<float>>,
-                                    fencing::Duel<double, Stepping<double>>>;
-using CertifiedDuels = ::testing::Types<fencing::Duel<float>, fencing::Duel<double>>;
-using Duels = ::testing::Types<fencing::Duel<float>, fencing::Duel<double>,
-                               fencing::Duel<float, Stepping<float>>,
-                               fencing::Duel<double, Stepping<double>>>;
+/// The standard duel with one search.
+template <class SearchT>
+using DuelWith = fencing::Duel<fencing::DuelScene<two_fencers, SearchT>>;
+using PaperDuels = ::testing::Types<DuelWith<Stepping<float>>, DuelWith<Stepping<double>>>;
+using CertifiedDuels = ::testing::Types<fencing::Duel<>, DuelWith<Advancement<double>>>;
+using Duels = ::testing::Types<fencing::Duel<>, DuelWith<Advancement<double>>,
+                               DuelWith<Stepping<float>>, DuelWith<Stepping<double>>>;
 
 }  // namespace batuta::test

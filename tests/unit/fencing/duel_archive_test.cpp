@@ -144,16 +144,16 @@ TEST(DuelArchive, OtherScalarOrSearch_IsRefusedAndNothingChanges) {
   const auto make = [](auto duel) {
     using DuelT = typename decltype(duel)::element_type;
     using Scalar = typename DuelT::SceneType::Scalar;
-    EXPECT_EQ(duel->configure(duel_settings<Scalar, typename DuelT::SceneType::Search>(),
-                              first_fencer<Scalar>(), second_fencer<Scalar>()),
+    EXPECT_EQ(duel->configure(duel_settings<typename DuelT::StatedScene>(), first_fencer<Scalar>(),
+                              second_fencer<Scalar>()),
               Status::kOk);
     return duel;
   };
-  const auto duel = make(std::make_unique<Duel<float>>());
+  const auto duel = make(std::make_unique<Duel<>>());
   const std::uint64_t before = hash_of(*duel);
-  EXPECT_EQ(restored(*duel, saved(*make(std::make_unique<Duel<double>>()))),
+  EXPECT_EQ(restored(*duel, saved(*make(std::make_unique<test::DuelWith<Advancement<double>>>()))),
             Restored::kOtherScalar);
-  EXPECT_EQ(restored(*duel, saved(*make(std::make_unique<Duel<float, Stepping<float>>>()))),
+  EXPECT_EQ(restored(*duel, saved(*make(std::make_unique<test::DuelWith<Stepping<float>>>()))),
             Restored::kOtherScene);
   EXPECT_EQ(hash_of(*duel), before);
   EXPECT_EQ(advance(*duel), Status::kOk);
@@ -161,8 +161,8 @@ TEST(DuelArchive, OtherScalarOrSearch_IsRefusedAndNothingChanges) {
 
 /// Every byte wrong under a good check sum: refused, or a state that can go on.
 TEST(DuelArchive, EveryByteForged_IsRefusedOrGoesOn) {
-  const auto duel = std::make_unique<Duel<float>>();
-  ASSERT_EQ(duel->configure(duel_settings<float>(), first_fencer<float>(), second_fencer<float>()),
+  const auto duel = std::make_unique<Duel<>>();
+  ASSERT_EQ(duel->configure(duel_settings(), first_fencer<float>(), second_fencer<float>()),
             Status::kOk);
   for (int i = 0; i < 600; ++i) (void)advance(*duel);
   const Bytes good = saved(*duel);

@@ -12,53 +12,65 @@
 namespace batuta {
 using namespace fencing;
 
-template <class S, class SearchT>
-struct DrillOf : DuelScene<S, SearchT> {
-  static constexpr bool kTargets = false;
-};
-template <class S, class SearchT>
-struct StiffOf : DuelScene<S, SearchT> {
-  static constexpr bool kGrip = false;
-};
-template <class S, class SearchT>
-struct BareOf : DrillOf<S, SearchT> {
-  static constexpr bool kGrip = false;
-};
-/// More contacts, no restitution, nothing to read after a step.
-struct Quiet : DuelScene<float, Advancement<float>> {
-  static constexpr bool kRestitution = false;
-  static constexpr int kMaxContacts = 3;
-  static constexpr int kMaxEvents = 0;
-  static constexpr bool kHaptics = false;
-  static constexpr RestingContact kResting = RestingContact::kNone;
-};
+constexpr DuelOptions drill_options() {
+  DuelOptions scene = two_fencers();
+  scene.targets = false;
+  return scene;
+}
+constexpr DuelOptions stiff_options() {
+  DuelOptions scene = two_fencers();
+  scene.grip = false;
+  return scene;
+}
+constexpr DuelOptions bare_options() {
+  DuelOptions scene = drill_options();
+  scene.grip = false;
+  return scene;
+}
+/// Fewer contacts, no restitution, nothing to read after a step.
+constexpr DuelOptions quiet_options() {
+  DuelOptions scene = two_fencers();
+  scene.restitution = false;
+  scene.max_contacts = 3;
+  scene.max_events = 0;
+  scene.haptics = false;
+  scene.resting = RestingContact::kNone;
+  return scene;
+}
 
-using Search = Advancement<float>;
-using Full = Duel<float>;
-using Drill = Duel<float, Search, DrillOf<float, Search>>;
-using Stiff = Duel<float, Search, StiffOf<float, Search>>;
-using Bare = Duel<float, Search, BareOf<float, Search>>;
+/// Nothing is felt, so that events may be left out.
+constexpr DuelOptions numb_options() {
+  DuelOptions scene = two_fencers();
+  scene.haptics = false;
+  return scene;
+}
+constexpr DuelOptions deaf_options() {
+  DuelOptions scene = numb_options();
+  scene.max_events = 0;
+  return scene;
+}
+
+template <class SearchT>
+using FullOf = Duel<DuelScene<two_fencers, SearchT>>;
+template <class SearchT>
+using DrillOf = Duel<DuelScene<drill_options, SearchT>>;
+using Full = Duel<>;
+using Drill = Duel<DuelScene<drill_options>>;
+using Stiff = Duel<DuelScene<stiff_options>>;
+using Bare = Duel<DuelScene<bare_options>>;
 
 // As a whole, as a user's own source may: no member relies on what is absent.
-template class Duel<float, Search, DrillOf<float, Search>>;
-template class Duel<float, Search, BareOf<float, Search>>;
+template class Duel<DuelScene<drill_options>>;
+template class Duel<DuelScene<bare_options>>;
 
 namespace {
 
 template <class DuelT>
-struct TypesOf;
-template <class S, class SearchT, class SceneT>
-struct TypesOf<Duel<S, SearchT, SceneT>> {
-  using Scalar = S;
-  static DuelSettings<S, SearchT, SceneT> settings() { return duel_settings<S, SearchT, SceneT>(); }
-};
-
-template <class DuelT>
 std::unique_ptr<DuelT> configured() {
-  using S = typename TypesOf<DuelT>::Scalar;
+  using S = typename DuelT::Scalar;
   auto duel = std::make_unique<DuelT>();
-  EXPECT_EQ(duel->configure(TypesOf<DuelT>::settings(), first_fencer<S>(), second_fencer<S>()),
-            Status::kOk);
+  const auto settings = duel_settings<typename DuelT::StatedScene>();
+  EXPECT_EQ(duel->configure(settings, first_fencer<S>(), second_fencer<S>()), Status::kOk);
   return duel;
 }
 
@@ -138,13 +150,15 @@ void expect_same_blades(Script left, Script right, int steps) {
 TEST(DuelFeatures, Drill_MovesItsBladesAsTheDuelDoes) {
   expect_same_blades<Full, Drill>(sway, counter_sway, 5000);
   expect_same_blades<Full, Drill>(hacking, counter_sway, 2000);
-  expect_same_blades<Duel<double>,
-                     Duel<double, Advancement<double>, DrillOf<double, Advancement<double>>>>(
-      sway, counter_sway, 2000);
-  expect_same_blades<Duel<float, Stepping<float>>,
-                     Duel<float, Stepping<float>, DrillOf<float, Stepping<float>>>>(
-      sway, counter_sway, 2000);
+  expect_same_blades<FullOf<Advancement<double>>, DrillOf<Advancement<double>>>(sway, counter_sway,
+                                                                                2000);
+  expect_same_blades<FullOf<Stepping<float>>, DrillOf<Stepping<float>>>(sway, counter_sway, 2000);
   expect_same_blades<Stiff, Bare>(sway, counter_sway, 2000);
+}
+
+TEST(DuelFeatures, BladesWithoutEvents_MoveAsThoseWithThem) {
+  expect_same_blades<Duel<DuelScene<numb_options>>, Duel<DuelScene<deaf_options>>>(
+      sway, counter_sway, 2000);
 }
 
 TEST(DuelFeatures, Drill_GoesOnWhereTheDuelEndsByATouch) {
@@ -201,7 +215,7 @@ TEST(DuelFeatures, WithoutGrip_ALungeStillTouches) {
 }
 
 TEST(DuelFeatures, OtherScenes_KeepTheirCapacities) {
-  using QuietDuel = Duel<float, Search, Quiet>;
+  using QuietDuel = Duel<DuelScene<quiet_options>>;
   static_assert(decltype(QuietDuel::SceneType::Controller::corners)::kCapacity == 3);
   const auto quiet = configured<QuietDuel>();
   double least = 1;
@@ -217,7 +231,7 @@ TEST(DuelFeatures, WhatIsOff_TakesNoRoom) {
   using Way = Corners<float, Full::SceneType::kMaxContacts>;
   constexpr std::size_t kTargetsOf =
       2 * (sizeof(Target<float>) + sizeof(FencerBuild<float>) + sizeof(Way)) + sizeof(Bout<float>) +
-      sizeof(TouchSettings<DuelScene<float, Search>>);
+      sizeof(TouchSettings<DuelScene<>>);
   EXPECT_GE(sizeof(Full), sizeof(Drill) + kTargetsOf);
   EXPECT_GE(sizeof(Stiff), sizeof(Bare) + kTargetsOf);
   constexpr std::size_t kGrips = 2 * (sizeof(Grip<float>) - sizeof(Hand<float>));
@@ -250,13 +264,13 @@ TEST(DuelFeatures, WhatIsOff_HasNoMember) {
 TEST(DuelFeatures, DataOfWhatIsOff_IsNotLookedAt) {
   Fencer<float> odd = first_fencer<float>();
   odd.grip.strength = -1;
-  const auto settings = TypesOf<Stiff>::settings();
+  const auto settings = duel_settings<Stiff::StatedScene>();
   EXPECT_EQ(configured<Stiff>()->configure(settings, odd, odd), Status::kOk);
-  EXPECT_EQ(configured<Full>()->configure(duel_settings<float>(), odd, odd),
-            Status::kInvalidArgument);
+  EXPECT_EQ(configured<Full>()->configure(duel_settings(), odd, odd), Status::kInvalidArgument);
   odd.build.front_leg.bend_F.setZero();
   EXPECT_EQ(configured<Stiff>()->configure(settings, odd, odd), Status::kInvalidArgument);
-  EXPECT_EQ(configured<Bare>()->configure(TypesOf<Bare>::settings(), odd, odd), Status::kOk);
+  EXPECT_EQ(configured<Bare>()->configure(duel_settings<Bare::StatedScene>(), odd, odd),
+            Status::kOk);
 }
 
 template <class DuelT>

@@ -209,7 +209,7 @@ TEST(Duel, BothSearches_TellTheSameBout) {
   const auto play = [](auto duel, Script left, Script right) {
     using DuelT = std::decay_t<decltype(*duel)>;
     using S = typename DuelT::SceneType::Scalar;
-    const auto settings = duel_settings<S, typename DuelT::SceneType::Search>();
+    const auto settings = duel_settings<typename DuelT::StatedScene>();
     EXPECT_EQ(duel->configure(settings, first_fencer<S>(), second_fencer<S>()), Status::kOk);
     for (int k = 0; k < 1000 && !duel->bout().is_over(); ++k) {
       const InputSample l = sample_of(left, k);
@@ -225,8 +225,8 @@ TEST(Duel, BothSearches_TellTheSameBout) {
     return told;
   };
   for (const auto& [left, right] : {std::pair{lunge, guard}, {lunge, late_lunge}, {guard, lunge}}) {
-    const auto paper = play(std::make_unique<Duel<double, Stepping<double>>>(), left, right);
-    const auto ours = play(std::make_unique<Duel<double>>(), left, right);
+    const auto paper = play(std::make_unique<test::DuelWith<Stepping<double>>>(), left, right);
+    const auto ours = play(std::make_unique<test::DuelWith<Advancement<double>>>(), left, right);
     ASSERT_EQ(paper.size(), ours.size());
     for (std::size_t i = 0; i < paper.size(); ++i) EXPECT_NEAR(paper[i], ours[i], 1e-4) << i;
   }
@@ -293,10 +293,9 @@ TYPED_TEST(DuelOf, TimeOfAMoment_IsExactAfterHours) {
 // The same inputs give the same bits.
 TEST(Duel, SameInputs_SameBits) {
   const auto trace = [] {
-    auto duel = std::make_unique<Duel<float>>();
-    EXPECT_EQ(
-        duel->configure(duel_settings<float>(), first_fencer<float>(), second_fencer<float>()),
-        Status::kOk);
+    auto duel = std::make_unique<Duel<>>();
+    EXPECT_EQ(duel->configure(duel_settings(), first_fencer<float>(), second_fencer<float>()),
+              Status::kOk);
     std::uint32_t hash = 2166136261U;
     for (int k = 0; k < 3000; ++k) {
       InputSample l, r;

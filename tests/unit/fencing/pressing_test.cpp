@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "batuta/fencing/grip.hpp"
+#include "batuta/world/scenes.hpp"
 #include "batuta/world/world.hpp"
 
 namespace batuta {
@@ -11,11 +12,7 @@ using namespace fencing;
 namespace {
 
 template <class S>
-struct PressingScene : Scene {
-  using Scalar = S;
-  using Search = Advancement<S>;
-  using Controller = Grip<S>;
-};
+using PressingScene = Scene<two_blades, Advancement<S>, Grip<S>>;
 
 template <class S>
 class Pressing : public ::testing::Test {

@@ -9,7 +9,7 @@ using namespace fencing;
 namespace {
 
 using Event = ContactEvent<float>;
-using DuelEvents = Duel<float>::WorldType::EventList;
+using DuelEvents = Duel<>::WorldType::EventList;
 
 Event blow_at(const Vec3<float>& point_W, const Vec3<float>& normal_BA_W, float impulse) {
   Event event;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "batuta/haptics/coupling.hpp"
+#include "batuta/world/scenes.hpp"
 #include "batuta/world/world.hpp"
 
 namespace batuta {
@@ -12,11 +13,7 @@ using namespace haptics;
 namespace {
 
 template <class S>
-struct WireScene : Scene {
-  using Scalar = S;
-  using Search = Advancement<S>;
-  using Controller = FreeFlight<S>;
-};
+using WireScene = Scene<two_blades, Advancement<S>>;
 
 /// A wire along y at z = 0, and a rod along x above it that a hand holds.
 template <class S>

@@ -127,15 +127,15 @@ TEST(HandForce, SettingsOutOfRange_AreRefused) {
 /// A duel in which the left stick beats to the left, and stays there; the right one holds guard.
 class Beat : public ::testing::Test {
  protected:
-  Duel<double> duel;
+  Duel<DuelScene<two_fencers, Advancement<double>>> duel;
   HandForce<double> left;
   HandForce<double> right;
   InputSample sample;
 
   void SetUp() override {
-    ASSERT_EQ(
-        duel.configure(duel_settings<double>(), first_fencer<double>(), second_fencer<double>()),
-        Status::kOk);
+    ASSERT_EQ(duel.configure(duel_settings<DuelScene<two_fencers, Advancement<double>>>(),
+                             first_fencer<double>(), second_fencer<double>()),
+              Status::kOk);
     ASSERT_EQ(left.configure({}), Status::kOk);
     ASSERT_EQ(right.configure({}), Status::kOk);
   }

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "batuta/world/any_controller.hpp"
+
 namespace batuta {
 namespace {
 

@@ -174,9 +174,13 @@ TYPED_TEST(LeanLimits, RestoredOrRead_GoesOnWithTheSameBits) {
 // --- what does not fit
 
 template <class SceneT>
-struct Narrow : SceneT {
-  static constexpr int kMaxContacts = 1;
-};
+constexpr SceneOptions narrow_options() {
+  SceneOptions scene = SceneT::kStated;
+  scene.max_contacts = 1;
+  return scene;
+}
+template <class SceneT>
+using Narrow = Scene<narrow_options<SceneT>, typename SceneT::Search>;
 
 // 0 hits 1; 1 hits 2, for which there is no room: both stop there. Then 0, which has stopped,
 // stays.

@@ -17,26 +17,29 @@
 namespace batuta::test {
 
 /// All features that a lean scene can have.
+constexpr SceneOptions lean_scene_options() {
+  SceneOptions scene = straight_spheres();
+  scene.max_contacts = 64;
+  scene.owners = true;
+  scene.filters = true;
+  scene.gravity = true;
+  return scene;
+}
 template <template <class> class SearchT, class S>
-struct LeanScene : StraightSpheres {
-  using Scalar = S;
-  using Search = SearchT<S>;
-  static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
-  static constexpr int kMaxContacts = 64;
-  static constexpr bool kOwners = true;
-  static constexpr bool kFilters = true;
-  static constexpr bool kGravity = true;
-};
+using LeanScene = Scene<lean_scene_options, SearchT<S>>;
 /// The same, in a general world.
 template <class SceneT>
-struct Told : SceneT {
-  static constexpr int kMaxEvents = 64;
-};
+constexpr SceneOptions told_options() {
+  SceneOptions scene = SceneT::kStated;
+  scene.engine = Engine::kGeneral;
+  scene.max_events = 64;
+  return scene;
+}
+template <class SceneT>
+using Told = Scene<told_options<SceneT>, typename SceneT::Search>;
 
-static_assert(detail::kIsLean<StraightSpheres>);
-static_assert(detail::kIsLean<LeanScene<Translation, double>>);
-static_assert(!detail::kIsLean<Told<StraightSpheres>> && !detail::kIsLean<TwoBlades>);
-static_assert(std::is_base_of_v<detail::LeanWorld<StraightSpheres>, World<StraightSpheres>>);
+static_assert(std::is_base_of_v<detail::SmallWorld<StraightSpheres>, World<StraightSpheres>>);
+static_assert(std::is_base_of_v<detail::GeneralWorld<TwoBlades>, World<TwoBlades>>);
 static_assert(scene_cost<StraightSpheres>.rounds == 8 + 8 + 1);
 static_assert(scene_cost<StraightSpheres>.evaluations == 17 * 28);
 

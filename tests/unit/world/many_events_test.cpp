@@ -19,19 +19,20 @@ constexpr int kGrid = 4000;  ///< of a step: no graze that changes anything is s
 /// Impulses only, with contact a thousand times nearer than by default: what is left between the
 /// two is rounding and the contact tolerance.
 template <int kParts>
-struct Impulses : Scene {
-  using Scalar = double;
-  using Controller = FreeFlight<double>;
-  using Search = Advancement<double>;
-  static constexpr int kMaxBodies = kBodies;
-  static constexpr int kCapsulesPerBody = kParts;
-  static constexpr int kMaxPairs = kBodies * kBodies * kParts * kParts;
-  static constexpr int kMaxContacts = 64;
-  static constexpr int kMaxEvents = 128;
-  static constexpr bool kOwners = false;
-  static constexpr RestingContact kResting = RestingContact::kNone;
-  static constexpr float kContactTolerance = 1e-10F;
-};
+constexpr SceneOptions impulses_options() {
+  SceneOptions scene;
+  scene.max_bodies = kBodies;
+  scene.capsules_per_body = kParts;
+  scene.max_pairs = kBodies * kBodies * kParts * kParts;
+  scene.max_contacts = 64;
+  scene.max_events = 128;
+  scene.owners = false;
+  scene.resting = RestingContact::kNone;
+  scene.contact_tolerance = 1e-10F;
+  return scene;
+}
+template <int kParts>
+using Impulses = Scene<impulses_options<kParts>, Advancement<double>>;
 
 /// A body about its centre of mass: a capsule, or three that stand out from the centre. These have
 /// unequal moments, large enough that what they turn in a step is well below a radian: their course

@@ -79,14 +79,17 @@ TEST(ManyLimits, CrowdThatClosesInWithLittleRoom_NeverOverlaps) {
 
 /// With little room for everything, so that limits are met as well.
 template <RestingContact kRests, int kParts>
-struct Small : Scene {
-  using Controller = FreeFlight<float>;
-  static constexpr int kMaxBodies = 5;
-  static constexpr int kCapsulesPerBody = kParts;
-  static constexpr int kMaxPairs = 6;
-  static constexpr int kMaxContacts = 4;
-  static constexpr RestingContact kResting = kRests;
-};
+constexpr SceneOptions small_options() {
+  SceneOptions scene;
+  scene.max_bodies = 5;
+  scene.capsules_per_body = kParts;
+  scene.max_pairs = 6;
+  scene.max_contacts = 4;
+  scene.resting = kRests;
+  return scene;
+}
+template <RestingContact kRests, int kParts>
+using Small = Scene<small_options<kRests, kParts>>;
 
 template <class SceneT>
 Actor<SceneT> draw_actor(Draws& draws) {

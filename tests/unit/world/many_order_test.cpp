@@ -72,13 +72,13 @@ TEST(ManyOrder, BodiesAddedInAnotherOrderUnderTheSameNumbers_GoTheSameWay) {
 }
 
 /// Balls that fly straight, in a row.
-struct Row : Scene {
-  using Scalar = double;
-  using Controller = FreeFlight<double>;
-  using Search = Advancement<double>;
-  static constexpr int kMaxBodies = 4;
-  static constexpr int kMaxPairs = 6;
-};
+constexpr SceneOptions row_options() {
+  SceneOptions scene;
+  scene.max_bodies = 4;
+  scene.max_pairs = 6;
+  return scene;
+}
+using Row = Scene<row_options, Advancement<double>>;
 
 Actor<Row> in_row(double x, double v) {
   Actor<Row> actor;
@@ -141,12 +141,14 @@ struct CountedBound {
   }
 };
 
-struct Room : Scene {
-  using Bound = CountedBound;
-  static constexpr int kMaxBodies = 32;
-  static constexpr int kMaxPairs = 64;
-  static constexpr bool kFilters = true;
-};
+constexpr SceneOptions room_options() {
+  SceneOptions scene;
+  scene.max_bodies = 32;
+  scene.max_pairs = 64;
+  scene.filters = true;
+  return scene;
+}
+using Room = Scene<room_options, Advancement<float>, FreeFlight<float>, CountedBound>;
 
 Actor<Room> at(float x, float v, bool fixed = false) {
   Actor<Room> actor;

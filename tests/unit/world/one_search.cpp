@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The smallest program with a scene, for a look at what it links.
+#include "batuta/world/scenes.hpp"
 #include "batuta/world/world.hpp"
 
 namespace {
 
-struct TwoBlades : batuta::Scene {
-  using Search = batuta::SEARCH<float>;
-  static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
-};
+using TwoBlades = batuta::Scene<batuta::two_blades, batuta::SEARCH<float>>;
 
 }  // namespace
 

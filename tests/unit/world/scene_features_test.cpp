@@ -10,49 +10,78 @@ namespace batuta {
 using namespace detail;
 namespace {
 
-struct NoRestitution : TwoBlades {
-  static constexpr bool kRestitution = false;
-};
-struct NoOwners : TwoBlades {
-  static constexpr bool kOwners = false;
-};
-struct WithFilters : TwoBlades {
-  static constexpr bool kFilters = true;
-};
-struct WithGravity : TwoBlades {
-  static constexpr bool kGravity = true;
-};
-struct Settling : TwoBlades {
-  static constexpr RestingContact kResting = RestingContact::kSettling;
-};
-struct Rubbing : Settling {
-  static constexpr bool kFriction = true;
-};
-struct Sleeping : Settling {
-  static constexpr bool kSleep = true;
-};
-struct NoEvents : TwoBlades {
-  static constexpr int kMaxEvents = 0;
-};
-struct Seedless : TwoBlades {
-  using Search = Translation<float>;
-};
-struct Plainest : Seedless {
-  static constexpr RestingContact kResting = RestingContact::kNone;
-  static constexpr bool kRestitution = false;
-  static constexpr bool kOwners = false;
-  static constexpr int kMaxEvents = 0;
-};
-struct Straight : Plainest {
-  static constexpr bool kRotation = false;
-};
-struct Balls : Straight {
-  using Search = Spheres<float>;
-  static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
-};
-struct TwoParts : TwoBlades {
-  static constexpr int kCapsulesPerBody = 2;
-};
+constexpr SceneOptions no_restitution_options() {
+  SceneOptions scene = two_blades();
+  scene.restitution = false;
+  return scene;
+}
+using NoRestitution = Scene<no_restitution_options>;
+constexpr SceneOptions no_owners_options() {
+  SceneOptions scene = two_blades();
+  scene.owners = false;
+  return scene;
+}
+using NoOwners = Scene<no_owners_options>;
+constexpr SceneOptions with_filters_options() {
+  SceneOptions scene = two_blades();
+  scene.filters = true;
+  return scene;
+}
+using WithFilters = Scene<with_filters_options>;
+constexpr SceneOptions with_gravity_options() {
+  SceneOptions scene = two_blades();
+  scene.gravity = true;
+  return scene;
+}
+using WithGravity = Scene<with_gravity_options>;
+constexpr SceneOptions settling_options() {
+  SceneOptions scene = two_blades();
+  scene.resting = RestingContact::kSettling;
+  return scene;
+}
+using Settling = Scene<settling_options>;
+constexpr SceneOptions rubbing_options() {
+  SceneOptions scene = settling_options();
+  scene.friction = true;
+  return scene;
+}
+using Rubbing = Scene<rubbing_options>;
+constexpr SceneOptions sleeping_options() {
+  SceneOptions scene = settling_options();
+  scene.sleep = true;
+  return scene;
+}
+using Sleeping = Scene<sleeping_options>;
+constexpr SceneOptions no_events_options() {
+  SceneOptions scene = two_blades();
+  scene.max_events = 0;
+  return scene;
+}
+using NoEvents = Scene<no_events_options>;
+using Seedless = Scene<two_blades, Translation<float>>;
+constexpr SceneOptions plainest_options() {
+  SceneOptions scene = two_blades();
+  scene.resting = RestingContact::kNone;
+  scene.restitution = false;
+  scene.owners = false;
+  scene.max_events = 0;
+  return scene;
+}
+using Plainest = Scene<plainest_options, Translation<float>>;
+constexpr SceneOptions straight_options() {
+  SceneOptions scene = plainest_options();
+  scene.engine = Engine::kSmall;
+  scene.rotation = false;
+  return scene;
+}
+using Straight = Scene<straight_options, Translation<float>>;
+using Balls = Scene<straight_options, Spheres<float>>;
+constexpr SceneOptions two_parts_options() {
+  SceneOptions scene = two_blades();
+  scene.capsules_per_body = 2;
+  return scene;
+}
+using TwoParts = Scene<two_parts_options>;
 
 template <class SceneT>
 constexpr std::size_t kActor = sizeof(Actor<SceneT>);
@@ -104,10 +133,15 @@ TEST(SceneFeatures, WorldWithoutEvents_HasNoRoomForThem) {
 
 /// A scene with room for some more, written out: what Enlarged is to be.
 template <class SceneT, int kPairs, int kEvents>
-struct Roomier : SceneT {
-  static constexpr int kMaxPairs = SceneT::kMaxPairs + kPairs;
-  static constexpr int kMaxEvents = SceneT::kMaxEvents + kEvents;
-};
+constexpr SceneOptions roomier_options() {
+  SceneOptions scene = SceneT::kStated;
+  scene.max_pairs += kPairs;
+  scene.max_events += kEvents;
+  return scene;
+}
+template <class SceneT, int kPairs, int kEvents>
+using Roomier = Scene<roomier_options<SceneT, kPairs, kEvents>, typename SceneT::Search,
+                      typename SceneT::Controller>;
 
 /// What is stated for one more holds for many: at least what they take, and hardly more.
 void expect_rate(std::size_t stated, std::size_t taken, std::size_t count) {
@@ -133,7 +167,7 @@ TEST(SceneCost, ReadyMadeScenes_CostWhatTheirWorldsTake) {
   expect_cost_is_that_of_the_world<TwoBlades>();
   expect_cost_is_that_of_the_world<DetectionOnly>();
   expect_cost_is_that_of_the_world<Rack>();
-  expect_cost_is_that_of_the_world<Duel<float>::SceneType>();
+  expect_cost_is_that_of_the_world<Duel<>::SceneType>();
   EXPECT_EQ(scene_cost<StraightSpheres>.world, kWorld<StraightSpheres>);
   EXPECT_EQ(scene_cost<StraightSpheres>.event, 0U);
 }

@@ -5,18 +5,16 @@
 
 #include <limits>
 
+#include "batuta/world/scenes.hpp"
+
 namespace batuta {
 namespace {
 
 template <class S, template <class> class SearchT>
-struct SceneOf : Scene {
-  using Scalar = S;
-  using Search = SearchT<S>;
-  static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
-};
+using SceneOf = Scene<two_blades, SearchT<S>>;
 
 TEST(Scene, DefaultSettings_AreValid) {
-  EXPECT_EQ(validate(WorldSettings<Scene>{}), Status::kOk);
+  EXPECT_EQ(validate(WorldSettings<TwoBlades>{}), Status::kOk);
   EXPECT_EQ(validate(WorldSettings<SceneOf<double, Advancement>>{}), Status::kOk);
   EXPECT_EQ(validate(WorldSettings<SceneOf<float, Translation>>{}), Status::kOk);
   EXPECT_EQ(validate(WorldSettings<SceneOf<float, Stepping>>{}), Status::kOk);
@@ -62,20 +60,26 @@ TEST(Scene, SearchBeyondTheScenesBudget_IsRefused) {
   EXPECT_TRUE(refuses<Paper>([](auto& settings) { ++settings.search.halvings; }));
 }
 
-struct SpinScene : Scene {
-  static constexpr std::uint32_t kBudget = 32;
-  static constexpr float kTurnPerStep = 3.0F;
-};
-struct CoarseScene : SpinScene {
-  static constexpr float kContactTolerance = 6e-3F;
-};
+constexpr SceneOptions spin_scene_options() {
+  SceneOptions scene;
+  scene.budget = 32;
+  scene.turn_per_step = 3.0F;
+  return scene;
+}
+using SpinScene = Scene<spin_scene_options>;
+constexpr SceneOptions coarse_scene_options() {
+  SceneOptions scene = spin_scene_options();
+  scene.contact_tolerance = 6e-3F;
+  return scene;
+}
+using CoarseScene = Scene<coarse_scene_options>;
 
 TEST(Scene, TurnAndBudget_GiveTheTolerance) {
   const float contact_tolerance = WorldSettings<SpinScene>{}.search.contact_tolerance;
   EXPECT_EQ(contact_tolerance, contact_tolerance_for(3.0F, 32));
   EXPECT_GT(contact_tolerance, 1e-3F);
   EXPECT_EQ(WorldSettings<CoarseScene>{}.search.contact_tolerance, 6e-3F);
-  EXPECT_EQ(WorldSettings<Scene>{}.search.contact_tolerance,
+  EXPECT_EQ(WorldSettings<TwoBlades>{}.search.contact_tolerance,
             AdvancementOptions<float>{}.contact_tolerance);
 }
 

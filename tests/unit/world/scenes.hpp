@@ -2,19 +2,22 @@
 #pragma once
 // Scenes and bodies that the world's tests share.
 
+#include "batuta/world/any_controller.hpp"
+#include "batuta/world/scenes.hpp"
 #include "batuta/world/world.hpp"
 
 namespace batuta::test {
 
+constexpr SceneOptions flight_scene_options() {
+  SceneOptions scene;
+  scene.max_bodies = 6;
+  scene.max_pairs = 15;
+  return scene;
+}
+template <class S>
+using AnyFlight = AnyController<S, FreeFlight<S>, Fixed<S>, Hand<S>>;
 template <class S, template <class> class SearchT = Advancement>
-struct FlightScene : Scene {
-  using Scalar = S;
-  using Search = SearchT<S>;
-  static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
-  using Controller = AnyController<S, FreeFlight<S>, Fixed<S>, Hand<S>>;
-  static constexpr int kMaxBodies = 6;
-  static constexpr int kMaxPairs = 15;
-};
+using FlightScene = Scene<flight_scene_options, SearchT<S>, AnyFlight<S>>;
 
 template <class S>
 Vec3<S> vec(double x, double y, double z) {

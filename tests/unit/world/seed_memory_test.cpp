@@ -40,10 +40,9 @@ TEST(SeedMemory, SharedPlace_NeverGivesTheNormalOfAnotherPair) {
 }
 
 // A scene whose search takes no seed pays nothing for it.
-struct SlidingScene : Scene {
-  using Search = Translation<float>;
-};
-static_assert(sizeof(World<SlidingScene>) + sizeof(SeedMemory<float, 1>) == sizeof(World<Scene>));
+using SlidingScene = Scene<two_blades, Translation<float>>;
+static_assert(sizeof(World<SlidingScene>) + sizeof(SeedMemory<float, 1>) ==
+              sizeof(World<TwoBlades>));
 
 }  // namespace
 }  // namespace batuta

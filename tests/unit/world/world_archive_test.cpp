@@ -19,12 +19,15 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 /// Everything of a scene that may be saved.
+constexpr SceneOptions full_scene_options() {
+  SceneOptions scene = test::flight_scene_options();
+  scene.filters = true;
+  scene.friction = true;
+  scene.resting = RestingContact::kSettling;
+  return scene;
+}
 template <class S>
-struct FullScene : test::FlightScene<S> {
-  static constexpr bool kFilters = true;
-  static constexpr bool kFriction = true;
-  static constexpr RestingContact kResting = RestingContact::kSettling;
-};
+using FullScene = Scene<full_scene_options, Advancement<S>, test::AnyFlight<S>>;
 
 /// Six bodies between two posts: a hand that swings, balls that bounce, rods that turn.
 template <class SceneT>

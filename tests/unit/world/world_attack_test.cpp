@@ -14,14 +14,18 @@ namespace {
 
 constexpr float kDt = 0.001F;
 
-/// Falls, settles and sleeps; room for one pair, so that a second one holds its bodies.
-struct TightScene : test::FlightScene<float> {
-  static constexpr int kMaxPairs = 1;
-  static constexpr int kSleepSteps = 5;
-  static constexpr bool kGravity = true;
-  static constexpr bool kSleep = true;
-  static constexpr RestingContact kResting = RestingContact::kSettling;
-};
+/// Falls, settles and sleeps; room for two pairs, so that a third one holds its bodies.
+constexpr SceneOptions tight_scene_options() {
+  SceneOptions scene = test::flight_scene_options();
+  scene.max_bodies = 4;
+  scene.max_pairs = 2;
+  scene.sleep_steps = 5;
+  scene.gravity = true;
+  scene.sleep = true;
+  scene.resting = RestingContact::kSettling;
+  return scene;
+}
+using TightScene = Scene<tight_scene_options, Advancement<float>, test::AnyFlight<float>>;
 
 /// Flies past a ball on the post, in a box that holds both.
 Actor<TightScene> passing(float x, float z) {
@@ -76,9 +80,12 @@ TEST(WorldAttack, TooFastASpinUnderGravity_StandsAndGathersNoFall) {
   EXPECT_EQ(after.body.momentum.linear_W.z(), 0);
 }
 
-struct TwoPartScene : test::FlightScene<float> {
-  static constexpr int kCapsulesPerBody = 2;
-};
+constexpr SceneOptions two_part_scene_options() {
+  SceneOptions scene = test::flight_scene_options();
+  scene.capsules_per_body = 2;
+  return scene;
+}
+using TwoPartScene = Scene<two_part_scene_options, Advancement<float>, test::AnyFlight<float>>;
 
 TEST(WorldAttack, PartInContactIsTakenOff_ContactEndsWithoutAnEvent) {
   const auto world = std::make_unique<World<TwoPartScene>>();

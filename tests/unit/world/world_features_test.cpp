@@ -20,17 +20,21 @@ Vec3<S> vec(double x, double y, double z) {
 
 // --- nothing turns
 
-struct Balls : StraightSpheres {
-  static constexpr int kMaxEvents = 8;
-};
-struct ManyBalls : Balls {
-  static constexpr int kMaxBodies = 12;
-  static constexpr int kMaxPairs = 66;
-};
-struct Rods : Balls {
-  using Search = Translation<float>;
-  static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
-};
+constexpr SceneOptions balls_options() {
+  SceneOptions scene = straight_spheres();
+  scene.engine = Engine::kGeneral;
+  scene.max_events = 8;
+  return scene;
+}
+using Balls = Scene<balls_options, Spheres<float>>;
+constexpr SceneOptions many_balls_options() {
+  SceneOptions scene = balls_options();
+  scene.max_bodies = 12;
+  scene.max_pairs = 66;
+  return scene;
+}
+using ManyBalls = Scene<many_balls_options, Spheres<float>>;
+using Rods = Scene<balls_options, Translation<float>>;
 
 /// A gap of up to 144 u S counts as contact (sphere_flight.md; advancement.md has 168 u S), S < 3.5
 /// m here: so much earlier a blow may be, and a velocity changes by up to one and a half times the
@@ -152,9 +156,12 @@ TEST(DetectionOnlyScene, PassingThrough_IsToldOnceAndEnds) {
 
 // --- gravity
 
-struct Falling : Scene {
-  static constexpr bool kGravity = true;
-};
+constexpr SceneOptions falling_options() {
+  SceneOptions scene;
+  scene.gravity = true;
+  return scene;
+}
+using Falling = Scene<falling_options>;
 
 // After n steps of h: v = -g n h; z = -g h^2 n (n + 1) / 2, the sum of what each step falls.
 TEST(GravityScene, FreeFall_IsTheSumOfTheSteps) {
@@ -177,10 +184,13 @@ TEST(GravityScene, WhatHasNoMassOrIsHeld_DoesNotFall) {
   EXPECT_EQ(world.get(id)->body.X_WB.p_W.z(), 0);
 }
 
-struct Crowded : Falling {
-  static constexpr int kMaxBodies = 3;
-  static constexpr int kMaxPairs = 1;
-};
+constexpr SceneOptions crowded_options() {
+  SceneOptions scene = falling_options();
+  scene.max_bodies = 3;
+  scene.max_pairs = 1;
+  return scene;
+}
+using Crowded = Scene<crowded_options>;
 
 // Two pairs of boxes overlap where one has room: the bodies of the other stand still, and must not
 // gather the speed of a fall meanwhile.
@@ -209,9 +219,12 @@ TEST(GravityScene, WhatIsHeldForLackOfRoom_GathersNoSpeed) {
 
 // --- filters
 
-struct Filters : StraightSpheres {
-  static constexpr bool kFilters = true;
-};
+constexpr SceneOptions filters_options() {
+  SceneOptions scene = straight_spheres();
+  scene.filters = true;
+  return scene;
+}
+using Filters = Scene<filters_options, Spheres<float>>;
 
 TEST(FilterScene, PairsThatMayNotMeet_CostNoSearch) {
   const std::array<std::pair<Filter, bool>, 3> cases = {
@@ -235,10 +248,13 @@ TEST(FilterScene, PairsThatMayNotMeet_CostNoSearch) {
 
 // --- bodies of several capsules
 
-struct Guards : Scene {
-  static constexpr int kCapsulesPerBody = 2;
-  static constexpr int kMaxPairs = 4;
-};
+constexpr SceneOptions guards_options() {
+  SceneOptions scene;
+  scene.capsules_per_body = 2;
+  scene.max_pairs = 4;
+  return scene;
+}
+using Guards = Scene<guards_options>;
 
 /// A T: a blade along z and a guard across it, along x.
 Actor<Guards> tee(const Pose<float>& X_WS) {
@@ -294,10 +310,13 @@ TEST(CompoundScene, PartsOfOneBody_NeverMeet) {
 
 // --- order of simultaneous contacts
 
-struct Elastic : Scene {
-  static constexpr int kMaxBodies = 3;
-  static constexpr int kMaxPairs = 3;
-};
+constexpr SceneOptions elastic_options() {
+  SceneOptions scene;
+  scene.max_bodies = 3;
+  scene.max_pairs = 3;
+  return scene;
+}
+using Elastic = Scene<elastic_options>;
 
 // The middle ball is hit from both sides at once; the lower pair is answered first, however the
 // last bits of the two times fall.

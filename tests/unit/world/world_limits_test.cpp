@@ -15,21 +15,30 @@ using test::ball;
 using test::post;
 using test::vec;
 
-struct TightScene : test::FlightScene<double, Stepping> {
-  static constexpr int kMaxBodies = 4;
-  static constexpr int kMaxPairs = 1;
-  static constexpr int kMaxContacts = 1;
-  static constexpr int kMaxEvents = 1;
-};
+constexpr SceneOptions tight_scene_options() {
+  SceneOptions scene = test::flight_scene_options();
+  scene.max_bodies = 3;
+  scene.max_pairs = 1;
+  scene.max_contacts = 1;
+  scene.max_events = 1;
+  return scene;
+}
+using TightScene = Scene<tight_scene_options, Stepping<double>, test::AnyFlight<double>>;
 
-struct OneContactScene : test::FlightScene<double, Stepping> {
-  static constexpr int kMaxContacts = 1;
-};
+constexpr SceneOptions one_contact_scene_options() {
+  SceneOptions scene = test::flight_scene_options();
+  scene.max_contacts = 1;
+  return scene;
+}
+using OneContactScene = Scene<one_contact_scene_options, Stepping<double>, test::AnyFlight<double>>;
 
-struct RoomyScene : test::FlightScene<double, Stepping> {
-  static constexpr int kMaxContacts = 2;
-  static constexpr int kMaxEvents = 1;
-};
+constexpr SceneOptions roomy_scene_options() {
+  SceneOptions scene = test::flight_scene_options();
+  scene.max_contacts = 2;
+  scene.max_events = 1;
+  return scene;
+}
+using RoomyScene = Scene<roomy_scene_options, Stepping<double>, test::AnyFlight<double>>;
 
 template <class SceneT>
 double gap_between(const World<SceneT>& world, std::uint16_t a, std::uint16_t b) {

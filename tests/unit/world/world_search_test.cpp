@@ -146,7 +146,7 @@ TYPED_TEST(SearchOfWorld, WiresWithoutRadius_StayHeldAndCounted) {
   EXPECT_EQ(world.get(world.id_at(0))->body.X_WB.p_W.x(), S(0.5));
 }
 
-struct SlidingScene : FlightScene<double, Translation> {};
+using SlidingScene = FlightScene<double, Translation>;
 
 TEST(WorldSearch, TurningBodyInASceneWithoutRotation_IsHeldAndCounted) {
   World<SlidingScene> world;

@@ -16,7 +16,7 @@ class Referee {
   using Scalar = typename SceneT::Scalar;
   using Search = typename SceneT::Search;
   using Blade = Actor<BladesOf<SceneT>>;
-  using Settings = DuelSettings<Scalar, Search, SceneT>;
+  using Settings = DuelSettings<SceneT>;
 
   /// Nobody is touched.
   void begin() { bout_ = {}; }

@@ -80,9 +80,9 @@ void archive(Archive& ar, Corners<Scalar, N>& way) {
 
 template <class SceneT>
 void archive(Archive& ar, BladeController<SceneT>& controller) {
-  using detail::Nothing;
-  static_assert(detail::takes<BladeController<SceneT>, Nothing, Nothing>() &&
-                    !detail::takes<BladeController<SceneT>, Nothing, Nothing, Nothing>(),
+  using batuta::detail::Nothing;
+  static_assert(batuta::detail::takes<BladeController<SceneT>, Nothing, Nothing>() &&
+                    !batuta::detail::takes<BladeController<SceneT>, Nothing, Nothing, Nothing>(),
                 "archive: BladeController has other bases or members than those listed below");
   ar(static_cast<CornersOf<SceneT>&>(controller), controller.carrier);
 }
@@ -93,13 +93,13 @@ void archive(Archive& ar, TouchSettings<SceneT>& settings) {
   ar(double_window_us, touch, target);
 }
 
-template <class Scalar, class SearchT, class SceneT>
-void archive(Archive& ar, DuelSettings<Scalar, SearchT, SceneT>& settings) {
-  using Settings = DuelSettings<Scalar, SearchT, SceneT>;
-  using detail::Nothing;
+template <class SceneT>
+void archive(Archive& ar, DuelSettings<SceneT>& settings) {
+  using Settings = DuelSettings<SceneT>;
+  using batuta::detail::Nothing;
   static_assert(
-      detail::takes<Settings, Nothing, Nothing, Nothing, Nothing, Nothing>() &&
-          !detail::takes<Settings, Nothing, Nothing, Nothing, Nothing, Nothing, Nothing>(),
+      batuta::detail::takes<Settings, Nothing, Nothing, Nothing, Nothing, Nothing>() &&
+          !batuta::detail::takes<Settings, Nothing, Nothing, Nothing, Nothing, Nothing, Nothing>(),
       "archive: DuelSettings has other bases or members than those listed below");
   ar(static_cast<TouchSettingsOf<SceneT>&>(settings), settings.step_us, settings.stick,
      settings.world, settings.salle);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The events of a step, and the pairs that are between their begin and their end. Empty where
-// Scene::kMaxEvents is 0.
+// SceneOptions::max_events is 0.
 
 #include "batuta/core/fixed_list.hpp"
 #include "batuta/world/detail/candidate_pair.hpp"

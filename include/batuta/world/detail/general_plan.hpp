@@ -50,8 +50,7 @@ template <class SceneT>
 bool GeneralWorld<SceneT>::is_disturbed(std::size_t slot) const {
   const BodyOf<SceneT>& body = actor_at(slot).body;
   return !Kinematics::is_at_start(body, states_[slot].plan.motion) ||
-         body.momentum.linear_W != Vec3<Scalar>::Zero() ||
-         body.momentum.angular_W != Vec3<Scalar>::Zero();
+         !is_zero(body.momentum.linear_W) || !is_zero(body.momentum.angular_W);
 }
 
 /// Plans, bounds and searches what has changed. A pair that finds no room holds its bodies, which

@@ -14,7 +14,6 @@
 #include "batuta/world/detail/candidate_pair.hpp"
 #include "batuta/world/detail/event_book.hpp"
 #include "batuta/world/detail/resolution.hpp"
-#include "batuta/world/detail/scene_check.hpp"
 #include "batuta/world/detail/seed_memory.hpp"
 #include "batuta/world/detail/sleep_book.hpp"
 #include "batuta/world/detail/straight_kinematics.hpp"
@@ -110,12 +109,12 @@ class GeneralWorld : private SeedsOf<SceneT>,
 
   /// What the last step did, and what it left out.
   const StepReport<Scalar>& report() const { return report_; }
-  /// What happened in the step. Where Scene::kMaxEvents is 0, there are none to ask for.
+  /// What happened in the step. Where SceneOptions::max_events is 0, there are none to ask for.
   const EventList& events() const {
-    static_assert(SceneT::kMaxEvents > 0, "Scene: events() takes kMaxEvents > 0");
+    static_assert(SceneT::kMaxEvents > 0, "Scene: events() takes max_events > 0");
     return this->list();
   }
-  /// Whether the body sleeps (Scene::kSleep); false for a stale id.
+  /// Whether the body sleeps (SceneOptions::sleep); false for a stale id.
   bool is_asleep(BodyId id) const {
     const int slot = actors_.index_of(id);
     return slot != PoolBase::kNoIndex && this->sleeps(static_cast<std::size_t>(slot));
@@ -126,8 +125,6 @@ class GeneralWorld : private SeedsOf<SceneT>,
   void archive(Archive& ar);
 
  private:
-  static_assert(SceneCheck<SceneT>::kIsPossible, "Scene: see scene_check.hpp");
-
   using Kinematics = KinematicsOf<SceneT>;
   using Motion = typename Kinematics::MotionType;
   using PairQuery = typename Kinematics::PairQuery;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Who sleeps (Scene::kSleep; src/world/world.md, "Sleep"): a body in contact that has stayed within
-// a distance of one place for a number of steps. Speed is not asked for: a body that rests on a gap
-// falls and is stopped again and again, within that gap.
+// Who sleeps (SceneOptions::sleep; src/world/world.md, "Sleep"): a body in contact that has stayed
+// within a distance of one place for a number of steps. Speed is not asked for: a body that rests
+// on a gap falls and is stopped again and again, within that gap.
 
 #include <array>
 

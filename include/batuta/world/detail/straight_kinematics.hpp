@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Bodies that do not turn, as a World handles them (Scene::kRotation = false): the members of
+// Bodies that do not turn, as a World handles them (without SceneOptions::rotation): the members of
 // TurningKinematics, for balls or capsules that fly straight by their momenta.
 
 #include "batuta/detection/sphere_flight.hpp"
@@ -55,9 +55,9 @@ struct StraightKinematics {
     return {body.p_W, Vec3<Scalar>::Zero(), duration};
   }
   static bool is_immovable(const BodyType& body) { return body.inverse_mass == Scalar(0); }
-  static bool is_still(const MotionType& motion) { return motion.v_W == Vec3<Scalar>::Zero(); }
+  static bool is_still(const MotionType& motion) { return is_zero(motion.v_W); }
   static bool is_at_start(const BodyType& body, const MotionType& motion) {
-    return body.p_W == motion.p_W;
+    return is_same(body.p_W, motion.p_W);
   }
   static void move(BodyType& body, const MotionType& motion, Scalar t) {
     body.p_W = position_at(motion, t);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Bodies that turn, as a World handles them (Scene::kRotation). StraightKinematics
+// Bodies that turn, as a World handles them (SceneOptions::rotation). StraightKinematics
 // (straight_kinematics.hpp) has the same members for bodies that do not.
 
 #include "batuta/response/contact.hpp"
@@ -48,7 +48,8 @@ struct TurningKinematics {
     return is_finite(body.X_WB.p_W) && is_finite(body.X_WB.q_WB) &&
            is_finite(body.momentum.linear_W) && is_finite(body.momentum.angular_W) &&
            is_finite(body.inverse_mass) && body.inverse_mass >= Scalar(0) &&
-           is_finite(body.inverse_moments) && body.inverse_moments.minCoeff() >= Scalar(0);
+           is_finite(body.inverse_moments) && body.inverse_moments.x() >= Scalar(0) &&
+           body.inverse_moments.y() >= Scalar(0) && body.inverse_moments.z() >= Scalar(0);
   }
   /// A body as the caller gave it, made ready. Bound: the parts.
   static void prepare(ActorType& actor) {
@@ -62,7 +63,8 @@ struct TurningKinematics {
   /// controller may take it for one.
   static PlanType ask(const ActorType& actor, Scalar t, Scalar duration) {
     constexpr Scalar kUnitWithin = Scalar(1) / 512;  // of the squared length, as in archive.cpp
-    const Scalar square = actor.body.X_WB.q_WB.squaredNorm();
+    const Quat<Scalar>& q = actor.body.X_WB.q_WB;
+    const Scalar square = (q.x() * q.x() + q.y() * q.y()) + (q.z() * q.z() + q.w() * q.w());
     if (std::abs(square - Scalar(1)) <= kUnitWithin) {
       return actor.controller.plan(actor.body, t, duration);
     }
@@ -75,11 +77,11 @@ struct TurningKinematics {
   }
   static bool is_immovable(const BodyType& body) { return is_fixed(body); }
   static bool is_still(const MotionType& motion) {
-    return motion.twist.v_W == Vec3<Scalar>::Zero() && motion.twist.w_W == Vec3<Scalar>::Zero();
+    return is_zero(motion.twist.v_W) && is_zero(motion.twist.w_W);
   }
   /// Whether the body is where the motion begins.
   static bool is_at_start(const BodyType& body, const MotionType& motion) {
-    return body.X_WB.p_W == motion.X_WB.p_W && body.X_WB.q_WB.coeffs() == motion.X_WB.q_WB.coeffs();
+    return is_same(body.X_WB.p_W, motion.X_WB.p_W) && is_same(body.X_WB.q_WB, motion.X_WB.q_WB);
   }
   static void move(BodyType& body, const MotionType& motion, Scalar t) {
     body.X_WB = pose_at(motion, t);

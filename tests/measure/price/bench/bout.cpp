@@ -7,7 +7,7 @@ namespace batuta::price {
 using namespace fencing;
 namespace {
 
-Duel<float> duel;
+Duel<> duel;
 
 /// Samples in the order of their steps, one record ahead.
 class Sticks {
@@ -47,7 +47,7 @@ class Sticks {
 };
 
 void begin(std::uint32_t step, SampleFile& out) {
-  const auto settings = duel_settings<float>();
+  const auto settings = duel_settings();
   const auto left = first_fencer<float>();
   const auto right = second_fencer<float>();
   Status status = Status::kOk;

@@ -5,7 +5,7 @@
 
 namespace {
 
-batuta::fencing::Duel<float> duel;
+batuta::fencing::Duel<> duel;
 batuta::InputSample samples[2];
 float volatile impulse;
 
@@ -13,7 +13,7 @@ float volatile impulse;
 
 int main() {
   using namespace batuta;
-  const auto settings = duel_settings<float>();
+  const auto settings = duel_settings();
   if (duel.configure(settings, first_fencer<float>(), second_fencer<float>()) != Status::kOk) {
     return 1;
   }

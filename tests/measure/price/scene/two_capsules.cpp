@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A world of two capsules in free flight: detection, impulse, separation, events.
 
+#include "batuta/world/scenes.hpp"
 #include "batuta/world/world.hpp"
 
 namespace {
 
-struct TwoCapsules : batuta::Scene {};
-using Scene = TwoCapsules;
+using Scene = batuta::TwoBlades;
 
 batuta::World<Scene> world;
 float volatile step_s;

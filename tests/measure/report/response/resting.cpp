@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bodies at rest: what D costs and buys where bodies settle (Scene::kResting), and beside it the
-// answer by impulses alone, the micro-collisions of Mirtich and Canny that the paper names.
+// Bodies at rest: what D costs and buys where bodies settle (SceneOptions::resting), and beside it
+// the answer by impulses alone, the micro-collisions of Mirtich and Canny that the paper names.
 
 #include "resting.hpp"
 
@@ -24,10 +24,13 @@ constexpr int kBefore = 500;
 constexpr int kObserved = 4000;
 
 /// Nothing is separated: what approaches gets an impulse, however slow. All else is the same.
+constexpr SceneOptions micro_scene_options() {
+  SceneOptions scene = test::rubbing_scene_options();
+  scene.resting = RestingContact::kNone;
+  return scene;
+}
 template <class S>
-struct MicroScene : test::RubbingScene<S> {
-  static constexpr RestingContact kResting = RestingContact::kNone;
-};
+using MicroScene = Scene<micro_scene_options, Advancement<S>, test::FreeOrHand<S>>;
 
 struct Setup {
   Pile pile = Pile::kAcross;

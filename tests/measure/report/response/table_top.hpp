@@ -44,17 +44,16 @@ struct OpenHand : fencing::Grip<S> {
   }
 };
 
+constexpr SceneOptions table_scene_options() {
+  SceneOptions scene;
+  scene.max_bodies = 3;
+  scene.max_pairs = 3;
+  scene.max_contacts = 32;
+  scene.max_events = 64;
+  return scene;
+}
 template <class SearchT>
-struct TableScene : Scene {
-  using Search = SearchT;
-  using Scalar = typename Search::Scalar;
-  using Controller = OpenHand<Scalar>;
-  static constexpr int kMaxBodies = 3;
-  static constexpr int kMaxPairs = 3;
-  static constexpr int kMaxContacts = 32;
-  static constexpr int kMaxEvents = 64;
-  static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
-};
+using TableScene = Scene<table_scene_options, SearchT, OpenHand<typename SearchT::Scalar>>;
 
 /// A world in one of the plays, with the weight that bodies have in it. Frame W: z up.
 template <class SceneT>

@@ -6,17 +6,20 @@ namespace batuta::worlds {
 namespace {
 
 /// One scene for all plans: whatever a plan may ask for is on, as with the other engine.
-struct Everything : Scene {
-  static constexpr int kMaxBodies = kMostBodies;
-  static constexpr int kMaxPairs = 1024;
-  static constexpr int kMaxContacts = 512;
-  static constexpr int kMaxEvents = 1024;
-  static constexpr bool kFriction = true;
-  static constexpr bool kLineContact = true;
-  static constexpr bool kGravity = true;
-  static constexpr bool kSleep = true;
-  static constexpr RestingContact kResting = RestingContact::kSettling;
-};
+constexpr SceneOptions everything_options() {
+  SceneOptions scene;
+  scene.max_bodies = kMostBodies;
+  scene.max_pairs = 1024;
+  scene.max_contacts = 512;
+  scene.max_events = 1024;
+  scene.friction = true;
+  scene.line_contact = true;
+  scene.gravity = true;
+  scene.sleep = true;
+  scene.resting = RestingContact::kSettling;
+  return scene;
+}
+using Everything = Scene<everything_options>;
 
 Vec3<float> vec(const Triple& x) {
   return Vec3<double>(x[0], x[1], x[2]).cast<float>();

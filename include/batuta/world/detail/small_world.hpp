@@ -2,28 +2,22 @@
 #pragma once
 // The world of a few bodies that fly straight: what GeneralWorld promises, in a fraction of its
 // flash. With so few, nothing is kept from one contact to the next: every round searches all pairs
-// again, from now over the rest of the step, and moves everybody (src/world/detail/lean_world.md).
+// again, from now over the rest of the step, and moves everybody (src/world/detail/small_world.md).
 // Frame W, SI units.
 
 #include "batuta/core/arithmetic.hpp"
 #include "batuta/core/pool.hpp"
 #include "batuta/response/straight_impulse.hpp"
-#include "batuta/world/detail/scene_check.hpp"
+#include "batuta/world/actor.hpp"
 #include "batuta/world/detail/straight_kinematics.hpp"
 #include "batuta/world/event.hpp"
 
 namespace batuta::detail {
 
-/// Scenes whose World is a LeanWorld.
-template <class SceneT>
-inline constexpr bool kIsLean =
-    !SceneT::kRotation && SceneT::kResponse && SceneT::kCapsulesPerBody == 1 &&
-    SceneT::kMaxEvents == 0 && SceneT::kMaxBodies <= 8;
-
-/// Members and statuses are those of GeneralWorld. Scene::kMaxPairs, kBound and kSweepAxis mean
+/// Members and statuses are those of GeneralWorld. The scene's max_pairs, sweep_axis and Bound mean
 /// nothing here: there is room for all pairs, and there are no boxes.
 template <class SceneT>
-class LeanWorld {
+class SmallWorld {
  public:
   using Scalar = typename SceneT::Scalar;
   using Search = typename SceneT::Search;
@@ -38,7 +32,7 @@ class LeanWorld {
 
   /// As GeneralWorld. Of balls, only what a compiler's flags are likely to change is looked at:
   /// products that are not rounded; denormals do not matter to them (sphere_flight.md).
-  explicit LeanWorld(std::uint16_t number = 0) : actors_(number) {
+  explicit SmallWorld(std::uint16_t number = 0) : actors_(number) {
     BATUTA_ASSERT(Search::kForSpheres ? rounds_products<Scalar>()
                                       : rounds_each_operation<Scalar>());
   }
@@ -51,7 +45,7 @@ class LeanWorld {
   const WorldSettings<SceneT>& settings() const { return settings_; }
 
   /// Bound: kMaxBodies.
-  void restore(const LeanWorld& saved) {
+  void restore(const SmallWorld& saved) {
     settings_ = saved.settings_;
     actors_.restore(saved.actors_);
     report_ = saved.report_;
@@ -81,8 +75,6 @@ class LeanWorld {
   }
 
  private:
-  static_assert(SceneCheck<SceneT>::kIsPossible, "Scene: see scene_check.hpp");
-
   using Kinematics = StraightKinematics<SceneT>;
   using PairQuery = typename Kinematics::PairQuery;
   static constexpr std::size_t kSlots = static_cast<std::size_t>(SceneT::kMaxBodies);
@@ -122,7 +114,7 @@ class LeanWorld {
 };
 
 template <class SceneT>
-Status LeanWorld<SceneT>::step(Scalar dt) {
+Status SmallWorld<SceneT>::step(Scalar dt) {
   if (!is_positive(dt)) return Status::kInvalidArgument;
   report_ = {};
   left_ = dt;
@@ -138,7 +130,7 @@ Status LeanWorld<SceneT>::step(Scalar dt) {
 /// The body's own inverse mass where it can take part; 0 where its speed is beyond the numbers, so
 /// that it is held; else kAbsent.
 template <class SceneT>
-typename LeanWorld<SceneT>::Scalar LeanWorld<SceneT>::step_mass(const ActorType& actor) {
+typename SmallWorld<SceneT>::Scalar SmallWorld<SceneT>::step_mass(const ActorType& actor) {
   const StraightBody<Scalar>& body = actor.body;
   const Scalar inverse_mass = body.inverse_mass;
   Scalar zero = inverse_mass - inverse_mass;  // NaN where one is not finite
@@ -156,7 +148,7 @@ typename LeanWorld<SceneT>::Scalar LeanWorld<SceneT>::step_mass(const ActorType&
 
 /// What gravity makes too fast stands still with the momentum that it had.
 template <class SceneT>
-void LeanWorld<SceneT>::begin_body(std::size_t slot) {
+void SmallWorld<SceneT>::begin_body(std::size_t slot) {
   inverse_mass_[slot] = kAbsent;
   ActorType* const actor = actors_.at_index(slot);
   if (actor == nullptr) return;
@@ -181,7 +173,7 @@ void LeanWorld<SceneT>::begin_body(std::size_t slot) {
 
 /// To the first contact, the first search without an answer, or the end of the step.
 template <class SceneT>
-void LeanWorld<SceneT>::run_round() {
+void SmallWorld<SceneT>::run_round() {
   const Meeting meeting = first_meeting();
   // No time, no way: a blow may have left a speed beyond the numbers, whose search is refused.
   const bool moves = meeting.t_free > Scalar(0);
@@ -193,7 +185,7 @@ void LeanWorld<SceneT>::run_round() {
 }
 
 template <class SceneT>
-void LeanWorld<SceneT>::move(std::size_t slot, Scalar t) {
+void SmallWorld<SceneT>::move(std::size_t slot, Scalar t) {
   StraightBody<Scalar>& body = actors_.at(slot).body;
   const Scalar inverse_mass = inverse_mass_[slot];
   for (int i = 0; i < 3; ++i) {  // Bound: 3
@@ -204,7 +196,7 @@ void LeanWorld<SceneT>::move(std::size_t slot, Scalar t) {
 /// The pair that is proven free for the shortest time; of contacts that are near already,
 /// the lowest, at that time (src/world/world.md, "Order").
 template <class SceneT>
-typename LeanWorld<SceneT>::Meeting LeanWorld<SceneT>::first_meeting() {
+typename SmallWorld<SceneT>::Meeting SmallWorld<SceneT>::first_meeting() {
   std::array<Scalar, kSlots * kSlots> near_after;
   Meeting first;
   first.t_free = left_;
@@ -228,14 +220,14 @@ typename LeanWorld<SceneT>::Meeting LeanWorld<SceneT>::first_meeting() {
 
 /// Two that stand still stay as they are, apart or not; and no sum with kAbsent is above zero.
 template <class SceneT>
-bool LeanWorld<SceneT>::may_pair(std::size_t a, std::size_t b) const {
+bool SmallWorld<SceneT>::may_pair(std::size_t a, std::size_t b) const {
   return a < b && inverse_mass_[a] + inverse_mass_[b] > Scalar(0) &&
          may_meet(actors_.at(a), actors_.at(b));
 }
 
 template <class SceneT>
-typename LeanWorld<SceneT>::PairQuery LeanWorld<SceneT>::search(std::size_t a,
-                                                                std::size_t b) const {
+typename SmallWorld<SceneT>::PairQuery SmallWorld<SceneT>::search(std::size_t a,
+                                                                  std::size_t b) const {
   const ActorType& A = actors_.at(a);
   const ActorType& B = actors_.at(b);
   if constexpr (Search::kForSpheres) {
@@ -257,7 +249,7 @@ typename LeanWorld<SceneT>::PairQuery LeanWorld<SceneT>::search(std::size_t a,
 }
 
 template <class SceneT>
-void LeanWorld<SceneT>::resolve(const Meeting& meeting) {
+void SmallWorld<SceneT>::resolve(const Meeting& meeting) {
   const std::size_t a = meeting.pair / kSlots;
   const std::size_t b = meeting.pair % kSlots;
   const bool is_contact = is_of_contact(meeting.outcome);
@@ -274,7 +266,7 @@ void LeanWorld<SceneT>::resolve(const Meeting& meeting) {
 }
 
 template <class SceneT>
-void LeanWorld<SceneT>::hit(ActorType& A, ActorType& B, Outcome outcome) {
+void SmallWorld<SceneT>::hit(ActorType& A, ActorType& B, Outcome outcome) {
   Scalar restitution = 0;
   if constexpr (SceneT::kRestitution) {
     restitution = pair_restitution(A.restitution, B.restitution);

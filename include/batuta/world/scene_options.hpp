@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// What a scene holds and what it answers, as a value with named members. A function returns it, and
+// the function names the scene (scene.hpp):
+//   constexpr SceneOptions rack() {
+//     SceneOptions scene;
+//     scene.max_bodies = 64;
+//     return scene;
+//   }
+//   using Rack = Scene<rack>;
+// What a scene cannot have is refused in one sentence (scene_check.hpp).
+
+#include <cstdint>
+
+namespace batuta {
+
+/// Which world runs a scene.
+enum class Engine : std::uint8_t {
+  /// GeneralWorld: everything that a scene can ask for.
+  kGeneral,
+  /// SmallWorld: up to eight bodies of one capsule or ball each that fly straight, without events,
+  /// in a fraction of the flash. What it cannot do is refused.
+  kSmall,
+};
+
+/// What a scene does about contacts in which nearly nothing approaches [Kavan §4.2].
+enum class RestingContact : std::uint8_t {
+  /// Nothing: every approaching contact is answered by an impulse, however slow.
+  kNone,
+  /// The paper's: the bodies are moved apart to D and stand still for f(D). For what a controller
+  /// holds.
+  kSeparation,
+  /// For bodies that lie on each other: what is left of the approach is taken out by an impulse
+  /// without restitution, the gap is restored to D, and nobody stands still. The
+  /// max_separations-th answer of a pair in a step, of whatever kind, is without restitution and
+  /// freezes the pair for the rest of it.
+  kSettling,
+};
+
+struct SceneOptions {
+  /// Which world runs the scene; no other option chooses it.
+  Engine engine = Engine::kGeneral;
+
+  // Capacities.
+  /// Bodies at the same time, 2 ... 1024.
+  int max_bodies = 2;
+  /// Capsules of one body, 1 ... 255. One: Actor::capsule_B; more: Actor::capsules_B.
+  int capsules_per_body = 1;
+  /// Pairs of capsules whose swept volumes may meet at the same time, at least max_bodies / 2.
+  /// Where more do, the bodies of the surplus pairs are held for the rest of the step, and counted.
+  /// Engine::kSmall has room for all pairs.
+  int max_pairs = 1;
+  /// Contacts answered in one step. Where more happen, the bodies concerned are held for the rest
+  /// of it, and counted.
+  int max_contacts = 8;
+  /// Events kept for reading after a step; a surplus is counted. 0: none, and no pair is followed.
+  int max_events = 16;
+  /// Answers of one pair in one step, the last of which freezes it (kSettling).
+  int max_separations = 4;
+  /// Steps in which a body must not go further than at rest_speed to be put to sleep (sleep), 1
+  /// ... 65535.
+  int sleep_steps = 250;
+
+  // Features. What is off is absent: no member, no code.
+  /// Bodies turn. Off: StraightBody, no quaternion, no inertia; the search is Translation or
+  /// Spheres.
+  bool rotation = true;
+  /// Contacts change the bodies. Off: they are found and told, and everybody moves on.
+  bool response = true;
+  /// Actor::restitution. Off: C = 0.
+  bool restitution = true;
+  /// Actor::friction: Coulomb's law, sticking or sliding (response/friction.hpp).
+  bool friction = false;
+  /// Near-parallel capsules touch at two points (response/line_contact.hpp).
+  bool line_contact = false;
+  RestingContact resting = RestingContact::kSeparation;
+  /// WorldSettings::gravity_W, felt by what its own momentum moves.
+  bool gravity = false;
+  /// What has not left its place for a while is put to sleep until something happens to it.
+  bool sleep = false;
+  /// Actor::owner: bodies of one owner never meet.
+  bool owners = true;
+  /// Actor::filter: who may meet whom.
+  bool filters = false;
+
+  // Searching.
+  /// The axis along which a scene is longest, 0 ... 2: boxes are kept in order along it.
+  int sweep_axis = 0;
+  /// Distance evaluations of one search; 0: the search's own default. Where they do not suffice,
+  /// the bodies are held, and counted.
+  std::uint32_t budget = 0;
+  // A scene may state two of turn_per_step, contact tolerance and budget; detection/budget_law.hpp
+  // gives the third.
+  /// Furthest that a body turns in a step, rad; 0: not stated.
+  float turn_per_step = 0;
+  /// A gap of contact_tolerance S counts as contact (MovingPair::scale); 0: not stated, then what
+  /// the law asks for, and no less than the search's own default.
+  float contact_tolerance = 0;
+};
+
+}  // namespace batuta
