@@ -110,7 +110,8 @@ BATUTA_HOT Query<Scalar> by_value(const Query<Scalar>& q) {
 template <class Scalar>
 BATUTA_RARE void bring_into_window(Query<Scalar>& q) {
   q.scale = window_scale(
-      max_of(largest_component(q.r), max_of(largest_component(q.d_A), largest_component(q.d_B))));
+      max_of(detail::largest_component(q.r),
+             max_of(detail::largest_component(q.d_A), detail::largest_component(q.d_B))));
   q.d_A *= q.scale;
   q.d_B *= q.scale;
   q.r *= q.scale;
@@ -169,7 +170,7 @@ BATUTA_APART Vec3<Scalar> conventional_normal(Query<Scalar> q, Vec3<Scalar> gap)
   if (n.squaredNorm() > kParallel2<Scalar> * q.AA * q.BB) {
     normal = unit(n);
   } else if (q.AA > 0 || q.BB > 0) {
-    normal = perpendicular(q.AA < q.BB ? q.d_B : q.d_A);
+    normal = detail::perpendicular(q.AA < q.BB ? q.d_B : q.d_A);
   }
   if (normal.dot(gap) < 0) normal = -normal;
   return normal;

@@ -85,7 +85,7 @@ template <class Scalar>
 Vec3<Scalar> stopping_impulse(const Touch<Scalar>& touch, const Vec3<Scalar>& n,
                               const Impulse<Scalar>& hit) {
   const Push<Scalar> along = push_along(touch, n);
-  const Vec3<Scalar> tangent = perpendicular(n);
+  const Vec3<Scalar> tangent = detail::perpendicular(n);
   Push<Scalar> first = without(touch, push_along(touch, tangent), along);
   Push<Scalar> second = without(touch, push_along<Scalar>(touch, n.cross(tangent)), along);
   Scalar k = give(touch, first, first);

@@ -74,9 +74,13 @@ using Quat = Eigen::Quaternion<Scalar>;
 template <class Scalar>
 inline constexpr Scalar kRoundOff = std::numeric_limits<Scalar>::epsilon() / 2;
 
+namespace detail {
+
 /// Whether a type is one that the library may be used with: float or double.
 template <class Scalar>
 inline constexpr bool kIsScalar = std::is_same_v<Scalar, float> || std::is_same_v<Scalar, double>;
+
+}  // namespace detail
 
 /// The lesser of two. Comparison forms with one meaning on every compiler, also for signed zeros
 /// and NaN: the first wins a tie. wins a tie.
@@ -117,6 +121,8 @@ bool is_finite(const Quat<Scalar>& q) {
   return (q.x() - q.x()) + (q.y() - q.y()) + (q.z() - q.z()) + (q.w() - q.w()) == Scalar(0);
 }
 
+namespace detail {
+
 /// Whether all components are zero, of either sign.
 template <class Scalar>
 bool is_zero(const Vec3<Scalar>& v) {
@@ -131,6 +137,8 @@ template <class Scalar>
 bool is_same(const Quat<Scalar>& a, const Quat<Scalar>& b) {
   return a.x() == b.x() && a.y() == b.y() && a.z() == b.z() && a.w() == b.w();
 }
+
+}  // namespace detail
 
 /// Finite and above zero: what a length, a time or a mass must be that something is divided by.
 template <class Scalar>

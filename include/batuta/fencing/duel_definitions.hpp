@@ -41,7 +41,7 @@ DuelSettings<SceneT> duel_settings() {
   using Played = PlayedScene<SceneT>;
   using Scalar = typename Played::Scalar;
   DuelSettings<SceneT> settings;
-  if constexpr (kKnowsRest<Played>) {
+  if constexpr (batuta::detail::kKnowsRest<Played>) {
     settings.world.rest_speed = Scalar(0.05F);
     settings.world.separation = Scalar(2e-4F);
     settings.world.min_separation_time = Scalar(1e-4F);

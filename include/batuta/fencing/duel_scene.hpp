@@ -137,7 +137,8 @@ struct Corners {
 /// Corners, in a scene whose fencers can be touched.
 template <class SceneT>
 using CornersOf =
-    FeatureIf<SceneT::kTargets, Corners<typename SceneT::Scalar, SceneT::kMaxContacts>, 16>;
+    batuta::detail::FeatureIf<SceneT::kTargets,
+                              Corners<typename SceneT::Scalar, SceneT::kMaxContacts>, 16>;
 
 /// Grip or hand, which remembers the corners of the blade's way where there is somebody to touch.
 template <class SceneT>
@@ -196,12 +197,12 @@ struct TouchSettings {
   /// A second touch within this time counts as double, us, 0 ... 10000000
   std::int32_t double_window_us = 40000;
   /// Search for touches.
-  typename SceneT::Search::Options touch = SearchOf<SceneT>::options();
+  typename SceneT::Search::Options touch = batuta::detail::SearchOf<SceneT>::options();
   PartMask target = kAllParts;  ///< parts where a touch counts: the weapon's convention
 };
 /// TouchSettings, in a scene whose fencers can be touched.
 template <class SceneT>
-using TouchSettingsOf = FeatureIf<SceneT::kTargets, TouchSettings<SceneT>, 17>;
+using TouchSettingsOf = batuta::detail::FeatureIf<SceneT::kTargets, TouchSettings<SceneT>, 17>;
 
 }  // namespace batuta::fencing
 

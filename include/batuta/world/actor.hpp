@@ -15,6 +15,8 @@ struct Filter {
   std::uint16_t meets = 0xFFFF;  ///< a bit for each group that it meets
 };
 
+namespace detail {
+
 /// The shape of an actor whose scene has spheres alone.
 template <class Scalar>
 struct BallShape {
@@ -70,21 +72,25 @@ using BodyOf = std::conditional_t<SceneT::kRotation, Body<typename SceneT::Scala
 template <bool kIsOn, class Feature, int kNumber>
 using FeatureIf = std::conditional_t<kIsOn, Feature, Absent<kNumber>>;
 
+}  // namespace detail
+
 /// A body of a scene with all that the scene's features ask of it; World::add() takes it.
 /// The caller may read or change it between steps. What becomes unusable (not finite, or too far
 /// away to hold its size) is left out of the steps, and counted in StepReport::plans_invalid.
 template <class SceneT>
 struct Actor
-    : ShapeOf<typename detail::SceneVerdict<SceneT>::Seen>,
-      FeatureIf<detail::SceneFor<SceneT>::kRotation,
-                Controlled<typename detail::SceneFor<SceneT>::Controller>, 0>,
-      FeatureIf<detail::SceneFor<SceneT>::kRestitution, Bouncy<detail::ScalarFor<SceneT>>, 1>,
-      FeatureIf<detail::SceneFor<SceneT>::kFriction, Rough<detail::ScalarFor<SceneT>>, 2>,
-      FeatureIf<detail::SceneFor<SceneT>::kOwners, Owned, 3>,
-      FeatureIf<detail::SceneFor<SceneT>::kFilters, Filtered, 4> {
+    : detail::ShapeOf<typename detail::SceneVerdict<SceneT>::Seen>,
+      detail::FeatureIf<detail::SceneFor<SceneT>::kRotation,
+                        detail::Controlled<typename detail::SceneFor<SceneT>::Controller>, 0>,
+      detail::FeatureIf<detail::SceneFor<SceneT>::kRestitution,
+                        detail::Bouncy<detail::ScalarFor<SceneT>>, 1>,
+      detail::FeatureIf<detail::SceneFor<SceneT>::kFriction,
+                        detail::Rough<detail::ScalarFor<SceneT>>, 2>,
+      detail::FeatureIf<detail::SceneFor<SceneT>::kOwners, detail::Owned, 3>,
+      detail::FeatureIf<detail::SceneFor<SceneT>::kFilters, detail::Filtered, 4> {
   using Scalar = detail::ScalarFor<SceneT>;
 
-  BodyOf<detail::SceneFor<SceneT>> body;
+  detail::BodyOf<detail::SceneFor<SceneT>> body;
 };
 
 /// The parts of an actor: one, unless the scene says otherwise.
@@ -129,6 +135,8 @@ const Vec3<typename SceneT::Scalar>& position_of(const Actor<SceneT>& actor) {
   }
 }
 
+namespace detail {
+
 /// Whether what the features add to an actor is in range, and its parts where they are. Bound: the
 /// parts.
 template <class SceneT>
@@ -164,5 +172,7 @@ bool may_meet(const Actor<SceneT>& A, const Actor<SceneT>& B) {
   }
   return may;
 }
+
+}  // namespace detail
 
 }  // namespace batuta

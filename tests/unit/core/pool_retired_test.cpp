@@ -13,7 +13,7 @@ namespace batuta {
 /// The seam for what counting would take weeks to reach; the same as in pool_test.cpp.
 class PoolTestAccess {
  public:
-  static void set_generation(PoolBase& pool, std::size_t index, std::uint32_t generation) {
+  static void set_generation(detail::PoolBase& pool, std::size_t index, std::uint32_t generation) {
     pool.generations_[index] = generation;
   }
 };

@@ -15,7 +15,7 @@ namespace batuta {
 /// The seam for what counting would take weeks to reach.
 class PoolTestAccess {
  public:
-  static void set_generation(PoolBase& pool, std::size_t index, std::uint32_t generation) {
+  static void set_generation(detail::PoolBase& pool, std::size_t index, std::uint32_t generation) {
     pool.generations_[index] = generation;
   }
 };
@@ -88,7 +88,7 @@ TEST(Pool, NullHandle_IsRefused) {
   Pool<int, 2> pool;
   make_in(pool, 1);
   EXPECT_EQ(pool.get({}), nullptr);
-  EXPECT_EQ(pool.index_of({}), PoolBase::kNoIndex);
+  EXPECT_EQ(pool.index_of({}), detail::PoolBase::kNoIndex);
   EXPECT_EQ(pool.remove({}), Status::kStaleHandle);
   EXPECT_EQ(pool.size(), 1);
 }

@@ -289,7 +289,7 @@ TYPED_TEST(MotionOf, IsValid_RefusesWhatIsNotFiniteOrTurnsTooFar) {
   using Limits = std::numeric_limits<TypeParam>;
   Motion<TypeParam> good;
   good.duration = 1;
-  good.twist.w_W = {0, 0, kMaxAngle<TypeParam>};
+  good.twist.w_W = {0, 0, detail::kMaxAngle<TypeParam>};
   EXPECT_TRUE(is_valid(good));
   EXPECT_EQ(pose_at(good, good.duration).p_W, good.X_WB.p_W);
   for (const TypeParam bad : {Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity()}) {
@@ -321,18 +321,18 @@ TYPED_TEST(MotionOf, HidesSpin_OnlyOfCapsulesOnTheOddAxisOfAnAxisymmetricBody) {
   const Capsule<S> beside{{Vec3<S>(-1, S(0.001), 0), Vec3<S>(2, 0, 0)}, S(0.1)};
   Body<S> body;
   body.inverse_moments = Vec3<S>(8, 1, 1);
-  EXPECT_TRUE(hides_spin(body, along_x));
-  EXPECT_FALSE(hides_spin(body, along_z));
-  EXPECT_FALSE(hides_spin(body, beside));
+  EXPECT_TRUE(detail::hides_spin(body, along_x));
+  EXPECT_FALSE(detail::hides_spin(body, along_z));
+  EXPECT_FALSE(detail::hides_spin(body, beside));
   body.inverse_moments = Vec3<S>(4, 4, 1);
-  EXPECT_TRUE(hides_spin(body, along_z));
-  EXPECT_FALSE(hides_spin(body, along_x));
+  EXPECT_TRUE(detail::hides_spin(body, along_z));
+  EXPECT_FALSE(detail::hides_spin(body, along_x));
   body.inverse_moments = Vec3<S>(4, 1, 4);
-  EXPECT_FALSE(hides_spin(body, along_x));
+  EXPECT_FALSE(detail::hides_spin(body, along_x));
   body.inverse_moments = Vec3<S>(3, 2, 1);
-  EXPECT_FALSE(hides_spin(body, along_x));
+  EXPECT_FALSE(detail::hides_spin(body, along_x));
   body.inverse_moments = Vec3<S>(0, 0, 1);
-  EXPECT_FALSE(hides_spin(body, along_z));
+  EXPECT_FALSE(detail::hides_spin(body, along_z));
 }
 
 }  // namespace

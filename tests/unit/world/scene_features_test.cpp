@@ -108,7 +108,7 @@ TEST(SceneFeatures, PlainestActor_IsABodyAndItsShape) {
 TEST(SceneFeatures, Settings_HoldWhatTheSceneKnows) {
   using Search = AdvancementOptions<float>;
   EXPECT_EQ(kSettings<Plainest>, sizeof(Search));
-  EXPECT_EQ(kSettings<TwoBlades>, sizeof(RestSettings<float>) + sizeof(Search));
+  EXPECT_EQ(kSettings<TwoBlades>, sizeof(detail::RestSettings<float>) + sizeof(Search));
   EXPECT_EQ(kSettings<WithGravity>, sizeof(Vec3<float>) + kSettings<TwoBlades>);
   EXPECT_EQ(kSettings<Balls>, sizeof(float));
 }

@@ -26,7 +26,6 @@ struct CandidatePair {
 constexpr bool precedes(ProxyPair P, ProxyPair Q) {
   return P.first < Q.first || (P.first == Q.first && P.second < Q.second);
 }
-using batuta::is_same;  // of vectors: the one below would hide it
 constexpr bool is_same(ProxyPair P, ProxyPair Q) {
   return P.first == Q.first && P.second == Q.second;
 }
