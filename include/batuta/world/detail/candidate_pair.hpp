@@ -72,6 +72,7 @@ struct CandidateOrder {
 template <class PairQuery, class Scalar, bool kMany>
 class EarliestQuery {
  public:
+  [[gnu::noinline]] EarliestQuery() {}
   /// first == second: unknown.
   ProxyPair pair() const { return pair_; }
   PairQuery& earliest() { return queries_[kept_]; }

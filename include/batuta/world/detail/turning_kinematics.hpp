@@ -44,7 +44,8 @@ struct TurningKinematics {
   /// One side of a pair: a part and how it moves from now on.
   using Mover = MovingCapsule<Scalar>;
 
-  static bool is_usable(const BodyType& body) {
+  /// Kept apart: some calls, and no copies.
+  [[gnu::noinline]] static bool is_usable(const BodyType& body) {
     return is_finite(body.X_WB.p_W) && is_finite(body.X_WB.q_WB) &&
            is_finite(body.momentum.linear_W) && is_finite(body.momentum.angular_W) &&
            is_finite(body.inverse_mass) && body.inverse_mass >= Scalar(0) &&
