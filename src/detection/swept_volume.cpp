@@ -46,18 +46,18 @@ struct Wave {
 
 /// Lowest and highest value, m.
 template <class Scalar>
-struct Extent {
+struct ArcExtent {
   Scalar low = 0;
   Scalar high = 0;
 };
 
 template <class Scalar>
-Extent<Scalar> joined(const Extent<Scalar>& P, const Extent<Scalar>& Q) {
+ArcExtent<Scalar> joined(const ArcExtent<Scalar>& P, const ArcExtent<Scalar>& Q) {
   return {min_of(P.low, Q.low), max_of(P.high, Q.high)};
 }
 
 template <class Scalar>
-Extent<Scalar> shifted(const Extent<Scalar>& x, Scalar by) {
+ArcExtent<Scalar> shifted(const ArcExtent<Scalar>& x, Scalar by) {
   return {x.low + by, x.high + by};
 }
 
@@ -120,7 +120,7 @@ EndWave<Scalar> end_wave(const detail::CapsuleSweep<Scalar>& sweep,
 
 /// Over the start and the end of the motion, relative to the start.
 template <class Scalar>
-Extent<Scalar> ends_of(const detail::CapsuleSweep<Scalar>& sweep, const Wave<Scalar>& wave) {
+ArcExtent<Scalar> ends_of(const detail::CapsuleSweep<Scalar>& sweep, const Wave<Scalar>& wave) {
   const Scalar turned = wave.sine * sweep.at_end.sin - (Scalar(1) - sweep.at_end.cos) * wave.cosine;
   const Scalar last = wave.travel + turned;
   const Scalar slip =
@@ -141,7 +141,7 @@ Scalar amplitude_of(const Wave<Scalar>& wave) {
 
 /// Over whole circles carried along.
 template <class Scalar>
-Extent<Scalar> circles_of(const Wave<Scalar>& wave, Scalar amplitude) {
+ArcExtent<Scalar> circles_of(const Wave<Scalar>& wave, Scalar amplitude) {
   return {min_of(Scalar(0), wave.travel) - wave.cosine - amplitude,
           max_of(Scalar(0), wave.travel) - wave.cosine + amplitude};
 }
@@ -162,38 +162,40 @@ bool is_monotone(const detail::CapsuleSweep<Scalar>& sweep, const Wave<Scalar>& 
 /// the compiler's call graph does not see it.
 struct ExactExtent {
   template <class Scalar>
-  static Extent<Scalar> of(const detail::CapsuleSweep<Scalar>& sweep, const EndWave<Scalar>& end);
+  static ArcExtent<Scalar> of(const detail::CapsuleSweep<Scalar>& sweep,
+                              const EndWave<Scalar>& end);
 };
 struct CoarseExtent {
   template <class Scalar>
-  static Extent<Scalar> of(const detail::CapsuleSweep<Scalar>& sweep, const EndWave<Scalar>& end);
+  static ArcExtent<Scalar> of(const detail::CapsuleSweep<Scalar>& sweep,
+                              const EndWave<Scalar>& end);
 };
 
 template <class Scalar>
-Extent<Scalar> ExactExtent::of(const detail::CapsuleSweep<Scalar>& sweep,
-                               const EndWave<Scalar>& end) {
+ArcExtent<Scalar> ExactExtent::of(const detail::CapsuleSweep<Scalar>& sweep,
+                                  const EndWave<Scalar>& end) {
   if (!(sweep.turn <= detail::kMaxAngle<Scalar>)) {
     return shifted(circles_of(end.wave, amplitude_of(end.wave)), end.first);
   }
-  const Extent<Scalar> ends = ends_of(sweep, end.wave);
+  const ArcExtent<Scalar> ends = ends_of(sweep, end.wave);
   if (is_monotone(sweep, end.wave)) return shifted(ends, end.first);
   const Crests<Scalar> crests = crests_of(end.wave, sweep.turn);
-  const Extent<Scalar> inner{-crest(crests, Scalar(-1), sweep.turn),
-                             crest(crests, Scalar(1), sweep.turn)};
+  const ArcExtent<Scalar> inner{-crest(crests, Scalar(-1), sweep.turn),
+                                crest(crests, Scalar(1), sweep.turn)};
   return shifted(joined(ends, inner), end.first);
 }
 
 /// Chord and sagitta, or the whole circle carried along, whichever is less.
 template <class Scalar>
-Extent<Scalar> CoarseExtent::of(const detail::CapsuleSweep<Scalar>& sweep,
-                                const EndWave<Scalar>& end) {
+ArcExtent<Scalar> CoarseExtent::of(const detail::CapsuleSweep<Scalar>& sweep,
+                                   const EndWave<Scalar>& end) {
   const Scalar amplitude = amplitude_of(end.wave);
-  const Extent<Scalar> circles = circles_of(end.wave, amplitude);
+  const ArcExtent<Scalar> circles = circles_of(end.wave, amplitude);
   if (!(sweep.turn < kLongTurn<Scalar>)) return shifted(circles, end.first);
-  const Extent<Scalar> ends = ends_of(sweep, end.wave);
+  const ArcExtent<Scalar> ends = ends_of(sweep, end.wave);
   const Scalar sagitta = sweep.turn * sweep.turn * amplitude / 8;
-  const Extent<Scalar> tighter{max_of(circles.low, ends.low - sagitta),
-                               min_of(circles.high, ends.high + sagitta)};
+  const ArcExtent<Scalar> tighter{max_of(circles.low, ends.low - sagitta),
+                                  min_of(circles.high, ends.high + sagitta)};
   return shifted(tighter, end.first);
 }
 
@@ -216,7 +218,8 @@ Kdop<Scalar, K> unbounded() {
 /// Of both ends along `direction`, relative to start_W.
 /// @tparam EndExtent  ExactExtent or CoarseExtent
 template <class EndExtent, class Scalar>
-Extent<Scalar> extent_of(const detail::CapsuleSweep<Scalar>& sweep, const Vec3<Scalar>& direction) {
+ArcExtent<Scalar> extent_of(const detail::CapsuleSweep<Scalar>& sweep,
+                            const Vec3<Scalar>& direction) {
   return joined(EndExtent::of(sweep, end_wave(sweep, sweep.path.ends[0], direction)),
                 EndExtent::of(sweep, end_wave(sweep, sweep.path.ends[1], direction)));
 }
@@ -228,7 +231,7 @@ Kdop<Scalar, K> kdop_over(const MovingCapsule<Scalar>& moving) {
   Kdop<Scalar, K> swept;
   for (int i = 0; i < Kdop<Scalar, K>::kDirections; ++i) {  // Bound: K / 2
     const Vec3<Scalar> up = detail::kdop_direction<Scalar, K>(i);
-    const Extent<Scalar> along = shifted(extent_of<EndExtent>(sweep, up), up.dot(sweep.start_W));
+    const ArcExtent<Scalar> along = shifted(extent_of<EndExtent>(sweep, up), up.dot(sweep.start_W));
     const auto k = static_cast<std::size_t>(i);
     swept.low[k] = along.low;
     swept.high[k] = along.high;
@@ -269,7 +272,7 @@ template <class Scalar>
 Scalar detail::swept_support(const detail::CapsuleSweep<Scalar>& sweep,
                              const Vec3<Scalar>& direction) {
   if (!sweep.is_bounded) return std::numeric_limits<Scalar>::max();
-  const Extent<Scalar> extent = extent_of<ExactExtent>(sweep, direction);
+  const ArcExtent<Scalar> extent = extent_of<ExactExtent>(sweep, direction);
   const Scalar margin = length(direction) * (sweep.path.radius + sweep.outward);
   return direction.dot(sweep.start_W) + (extent.high + margin);
 }

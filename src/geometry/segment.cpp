@@ -179,12 +179,12 @@ BATUTA_APART Vec3<Scalar> conventional_normal(Query<Scalar> q, Vec3<Scalar> gap)
 /// A point of a segment, measured from the nearer end: exact at the ends, and half the rounding
 /// error elsewhere.
 template <class Scalar>
-struct Place {
+struct PointOnAxis {
   const Vec3<Scalar>* end;
   Scalar from_end;
 };
 template <class Scalar>
-BATUTA_HOT Place<Scalar> place(const Ends<Scalar>& A, Scalar s) {
+BATUTA_HOT PointOnAxis<Scalar> place(const Ends<Scalar>& A, Scalar s) {
   if (s > Scalar(0.5)) return {A.b, s - 1};
   return {A.a, s};
 }
@@ -203,8 +203,8 @@ template <class Scalar>
 BATUTA_HOT ClosestPoints<Scalar> result_of(const Query<Scalar>& q, const Ends<Scalar>& A,
                                            const Ends<Scalar>& B, const Parameters<Scalar>& x,
                                            bool swapped) {
-  const Place<Scalar> at_A = place(A, x.s);
-  const Place<Scalar> at_B = place(B, x.u);
+  const PointOnAxis<Scalar> at_A = place(A, x.s);
+  const PointOnAxis<Scalar> at_B = place(B, x.u);
   Vec3<Scalar> to_A = at_A.from_end * q.d_A;
   Vec3<Scalar> to_B = at_B.from_end * q.d_B;
   Vec3<Scalar> between_ends = *at_B.end - *at_A.end;

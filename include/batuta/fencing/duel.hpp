@@ -102,7 +102,7 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
  private:
   using BodyId = typename WorldType::BodyId;
 
-  struct Place {
+  struct DuelSide {
     StickTracker<Scalar> stick;
     FencerGrid<Scalar> grid;
     WeaponBody<Scalar> weapon;
@@ -136,8 +136,8 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
     }
   };
 
-  Place& at(Side side) { return places_[index_of(side)]; }
-  const Place& at(Side side) const { return places_[index_of(side)]; }
+  DuelSide& at(Side side) { return places_[index_of(side)]; }
+  const DuelSide& at(Side side) const { return places_[index_of(side)]; }
   static Result<FencerSetup> setup_for(const Fencer<Scalar>& fencer, const Pose<Scalar>& X_WF);
   static Status arm(const Fencer<Scalar>& fencer, FencerSetup& setup);
   void take_place(Side side, const FencerSetup& setup, const FencerBuild<Scalar>& build);
@@ -148,7 +148,7 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
 
   Settings settings_;
   WorldType world_;
-  std::array<Place, 2> places_;
+  std::array<DuelSide, 2> places_;
   Scoring scoring_;
   std::uint32_t steps_ = 0;
   Scalar dt_ = 0;  ///< s; 0: not configured

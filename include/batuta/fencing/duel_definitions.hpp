@@ -67,7 +67,7 @@ Status Duel<SceneT>::configure(const Settings& settings, const Fencer<Scalar>& l
   // From here on nothing can be refused.
   settings_ = settings;
   (void)world_.configure(settings.world);
-  for (Place& place : places_) (void)world_.remove(place.blade);  // Bound: 2
+  for (DuelSide& place : places_) (void)world_.remove(place.blade);  // Bound: 2
   if constexpr (Played::kTargets) scoring_.begin();
   take_place(Side::kLeft, left_setup.value, left.build);
   take_place(Side::kRight, right_setup.value, right.build);
@@ -120,7 +120,7 @@ Status Duel<SceneT>::arm(const Fencer<Scalar>& fencer, FencerSetup& setup) {
 template <class SceneT>
 void Duel<SceneT>::take_place(Side side, const FencerSetup& setup,
                               [[maybe_unused]] const FencerBuild<Scalar>& build) {
-  Place& place = at(side);
+  DuelSide& place = at(side);
   place.grid = setup.grid;
   place.weapon = setup.weapon;
   place.hand = setup.hand;
@@ -151,7 +151,7 @@ Status Duel<SceneT>::step(const InputSample* left, const InputSample* right) {
 
 template <class SceneT>
 void Duel<SceneT>::move_hand(Side side, const InputSample* sample) {
-  Place& place = at(side);
+  DuelSide& place = at(side);
   if (sample != nullptr) (void)place.stick.accept(*sample);
   place.stick.advance(dt_);
   place.hand = place.grid.at(place.stick.position());
@@ -178,7 +178,7 @@ template <class SceneT>
 bool Duel<SceneT>::is_sound() const {
   bool good = validate(settings_) == Status::kOk &&
               dt_ == static_cast<Scalar>(settings_.step_us) * kSecondsPerUs<Scalar>;
-  for (const Place& place : places_) {  // Bound: 2
+  for (const DuelSide& place : places_) {  // Bound: 2
     const auto* blade = world_.get(place.blade);
     good = good && blade != nullptr && is_valid(blade->capsule_B) &&
            place.stick.position().cwiseAbs().maxCoeff() <= Scalar(1);

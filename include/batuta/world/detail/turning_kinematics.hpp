@@ -26,7 +26,7 @@ struct TurningKinematics {
   using ActorType = Actor<SceneT>;
 
   /// What a search saw of a pair.
-  struct PairQuery {
+  struct TurningQuery {
     SearchResult<Scalar> search;
     Vec3<Scalar> origin_W = Vec3<Scalar>::Zero();
     Scalar scale = 0;        ///< S of the pair, m
@@ -41,6 +41,7 @@ struct TurningKinematics {
     }
     std::uint32_t evaluations() const { return search.evaluations; }
   };
+  using PairQuery = TurningQuery;
   /// One side of a pair: a part and how it moves from now on.
   using Mover = MovingCapsule<Scalar>;
 
