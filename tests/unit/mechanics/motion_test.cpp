@@ -34,12 +34,12 @@ void expect_same_bits(const Pose<Scalar>& X, const Pose<Scalar>& Y) {
 
 /// Torque-free rotation by Euler's equations: q' = w q / 2 with w = R J^-1 R^T b, b constant;
 /// classical Runge-Kutta in long double. It knows nothing of symmetry.
-Quat<Real> integrated(Quat<Real> q, const Vec3<Real>& b_W, const Vec3<Real>& inverse_moments,
+Quat<Real> integrated(Quat<Real> q, const Vec3<Real>& angular_W, const Vec3<Real>& inverse_moments,
                       Real duration, int steps) {
   using Coefficients = Eigen::Matrix<Real, 4, 1>;
   const auto rate = [&](const Coefficients& c) {
     const Quat<Real> unit = Quat<Real>(c).normalized();
-    const Vec3<Real> b_B = unit.conjugate() * b_W;
+    const Vec3<Real> b_B = unit.conjugate() * angular_W;
     const Vec3<Real> w_W = unit * Vec3<Real>(inverse_moments.cwiseProduct(b_B));
     return Coefficients((Quat<Real>(0, w_W.x(), w_W.y(), w_W.z()) * unit).coeffs() / 2);
   };

@@ -45,7 +45,7 @@ const std::array<Shape, 3>& shapes() {
 struct Flight {
   Vec3<double> moments;
   Quat<double> q_WB;
-  Vec3<double> b_W;  ///< kg m^2/s
+  Vec3<double> angular_W;  ///< kg m^2/s
   Spin end;          ///< by the reference
 };
 
