@@ -12,13 +12,15 @@
 
 namespace batuta {
 
+namespace detail {
 /// The seam for what counting would take weeks to reach.
 class PoolTestAccess {
  public:
-  static void set_generation(detail::PoolBase& pool, std::size_t index, std::uint32_t generation) {
+  static void set_generation(PoolBase& pool, std::size_t index, std::uint32_t generation) {
     pool.generations_[index] = generation;
   }
 };
+}  // namespace detail
 
 namespace {
 
@@ -195,7 +197,7 @@ TEST(Pool, Clear_MakesEveryHandleStale) {
 
 TEST(Pool, LastGeneration_RetiresTheSlot) {
   Pool<int, 2> pool;
-  PoolTestAccess::set_generation(pool, 0, kLastGeneration - 1);
+  detail::PoolTestAccess::set_generation(pool, 0, kLastGeneration - 1);
   const auto last = make_in(pool, 1);
   EXPECT_EQ(last.generation, kLastGeneration);
   EXPECT_EQ(*pool.get(last), 1);
@@ -209,7 +211,7 @@ TEST(Pool, LastGeneration_RetiresTheSlot) {
 
 TEST(Pool, LastGeneration_RetiresTheSlotInClearToo) {
   Pool<int, 1> pool;
-  PoolTestAccess::set_generation(pool, 0, kLastGeneration - 1);
+  detail::PoolTestAccess::set_generation(pool, 0, kLastGeneration - 1);
   make_in(pool, 1);
   pool.clear();
   EXPECT_EQ(pool.usable_capacity(), 0);

@@ -15,9 +15,9 @@ using samples::Source;
 using samples::u;
 
 template <class Scalar>
-class detail::BodyOf : public ::testing::Test {};
+class BodyOf : public ::testing::Test {};
 using Scalars = ::testing::Types<float, double>;
-TYPED_TEST_SUITE(detail::BodyOf, Scalars);
+TYPED_TEST_SUITE(BodyOf, Scalars);
 
 template <class Scalar>
 constexpr Scalar kInfinity = std::numeric_limits<Scalar>::infinity();
@@ -53,7 +53,7 @@ void expect_same(const Body<Scalar>& A, const Body<Scalar>& B) {
   EXPECT_EQ(A.momentum.angular_W, B.momentum.angular_W);
 }
 
-TYPED_TEST(detail::BodyOf, MakeBody_KeepsTheInverses) {
+TYPED_TEST(BodyOf, MakeBody_KeepsTheInverses) {
   const auto body = make_body<TypeParam>({}, 2, {4, 8, kInfinity<TypeParam>});
   ASSERT_TRUE(body.ok());
   EXPECT_EQ(body.value.inverse_mass, TypeParam(0.5));
@@ -62,7 +62,7 @@ TYPED_TEST(detail::BodyOf, MakeBody_KeepsTheInverses) {
   EXPECT_EQ(kinetic_energy(body.value), TypeParam(0));
 }
 
-TYPED_TEST(detail::BodyOf, MakeBodyOfInfiniteMassAndMoments_IsFixed) {
+TYPED_TEST(BodyOf, MakeBodyOfInfiniteMassAndMoments_IsFixed) {
   const Vec3<TypeParam> endless = Vec3<TypeParam>::Constant(kInfinity<TypeParam>);
   const auto body = make_body<TypeParam>({}, kInfinity<TypeParam>, endless);
   ASSERT_TRUE(body.ok());
@@ -71,7 +71,7 @@ TYPED_TEST(detail::BodyOf, MakeBodyOfInfiniteMassAndMoments_IsFixed) {
   EXPECT_FALSE(is_fixed(make_body<TypeParam>({}, kInfinity<TypeParam>, {1, 1, 1}).value));
 }
 
-TYPED_TEST(detail::BodyOf, MakeBodyWithBadNumbers_IsRefused) {
+TYPED_TEST(BodyOf, MakeBodyWithBadNumbers_IsRefused) {
   const TypeParam subnormal = std::numeric_limits<TypeParam>::denorm_min();
   const Vec3<TypeParam> ones = Vec3<TypeParam>::Ones();
   for (const TypeParam bad : {TypeParam(0), TypeParam(-1), kNaN<TypeParam>, subnormal}) {
@@ -92,7 +92,7 @@ TYPED_TEST(detail::BodyOf, MakeBodyWithBadNumbers_IsRefused) {
   }
 }
 
-TYPED_TEST(detail::BodyOf, MakeBody_RenewsTheQuaternion) {
+TYPED_TEST(BodyOf, MakeBody_RenewsTheQuaternion) {
   Pose<TypeParam> X;
   X.q_WB = Quat<TypeParam>(3, 0, 4, 0);
   const auto body = make_body(X, TypeParam(1), Vec3<TypeParam>(Vec3<TypeParam>::Ones()));
@@ -101,7 +101,7 @@ TYPED_TEST(detail::BodyOf, MakeBody_RenewsTheQuaternion) {
   EXPECT_NEAR(body.value.X_WB.q_WB.y(), 0.8, 4 * u<TypeParam>);
 }
 
-TYPED_TEST(detail::BodyOf, ToWorldAndBack_IsTheSamePoint) {
+TYPED_TEST(BodyOf, ToWorldAndBack_IsTheSamePoint) {
   Source<TypeParam> source(1);
   for (int i = 0; i < 10000; ++i) {
     const Pose<TypeParam> X = random_pose(source);
@@ -113,7 +113,7 @@ TYPED_TEST(detail::BodyOf, ToWorldAndBack_IsTheSamePoint) {
   }
 }
 
-TYPED_TEST(detail::BodyOf, CapsuleToWorld_HasTheEndsInTheWorld) {
+TYPED_TEST(BodyOf, CapsuleToWorld_HasTheEndsInTheWorld) {
   Source<TypeParam> source(2);
   const Pose<TypeParam> X = random_pose(source);
   const Capsule<TypeParam> capsule = {{source.vector(1), source.vector(1)}, TypeParam(0.3)};
@@ -123,7 +123,7 @@ TYPED_TEST(detail::BodyOf, CapsuleToWorld_HasTheEndsInTheWorld) {
   EXPECT_EQ(moved.radius, capsule.radius);
 }
 
-TYPED_TEST(detail::BodyOf, InverseInertia_IsSymmetricAndTurnedIntoTheWorld) {
+TYPED_TEST(BodyOf, InverseInertia_IsSymmetricAndTurnedIntoTheWorld) {
   Source<TypeParam> source(3);
   for (int i = 0; i < 5000; ++i) {
     const Body<TypeParam> body = random_body(source, 1e6);
@@ -136,7 +136,7 @@ TYPED_TEST(detail::BodyOf, InverseInertia_IsSymmetricAndTurnedIntoTheWorld) {
   }
 }
 
-TYPED_TEST(detail::BodyOf, Twist_IsMomentumOverMassAndInertia) {
+TYPED_TEST(BodyOf, Twist_IsMomentumOverMassAndInertia) {
   Source<TypeParam> source(4);
   for (int i = 0; i < 10000; ++i) {
     const Body<TypeParam> body = random_body(source, 100);
@@ -152,7 +152,7 @@ TYPED_TEST(detail::BodyOf, Twist_IsMomentumOverMassAndInertia) {
   }
 }
 
-TYPED_TEST(detail::BodyOf, MomentumOfTwist_GivesBackTheMomentumAlsoAtAnisotropyOneMillion) {
+TYPED_TEST(BodyOf, MomentumOfTwist_GivesBackTheMomentumAlsoAtAnisotropyOneMillion) {
   Source<TypeParam> source(5);
   for (int i = 0; i < 10000; ++i) {
     Body<TypeParam> body = random_body(source, 1e6);
@@ -170,7 +170,7 @@ TYPED_TEST(detail::BodyOf, MomentumOfTwist_GivesBackTheMomentumAlsoAtAnisotropyO
   }
 }
 
-TYPED_TEST(detail::BodyOf, TwistInItsOwnAxes_LosesNothingAtAnisotropyOneMillion) {
+TYPED_TEST(BodyOf, TwistInItsOwnAxes_LosesNothingAtAnisotropyOneMillion) {
   const Vec3<TypeParam> moments(TypeParam(1e-6), 1, 1);
   Body<TypeParam> body = make_body<TypeParam>({}, 1, moments).value;
   body.momentum.angular_W = {TypeParam(1e-6), 3, -2};
@@ -182,7 +182,7 @@ TYPED_TEST(detail::BodyOf, TwistInItsOwnAxes_LosesNothingAtAnisotropyOneMillion)
   EXPECT_NEAR(b.x(), 1e-6, 8e-6 * u<TypeParam>);
 }
 
-TYPED_TEST(detail::BodyOf, FixedBody_HasNoTwistNoMomentumAndNoEnergy) {
+TYPED_TEST(BodyOf, FixedBody_HasNoTwistNoMomentumAndNoEnergy) {
   Body<TypeParam> wall;
   wall.momentum = {{1, 2, 3}, {4, 5, 6}};
   const Vec3<TypeParam> zero = Vec3<TypeParam>::Zero();
@@ -194,7 +194,7 @@ TYPED_TEST(detail::BodyOf, FixedBody_HasNoTwistNoMomentumAndNoEnergy) {
   EXPECT_EQ(kinetic_energy(wall), TypeParam(0));
 }
 
-TYPED_TEST(detail::BodyOf, VelocityAt_IsTheDerivativeOfThePath) {
+TYPED_TEST(BodyOf, VelocityAt_IsTheDerivativeOfThePath) {
   Source<TypeParam> source(6);
   for (int i = 0; i < 2000; ++i) {
     const Pose<TypeParam> X = random_pose(source);
@@ -211,13 +211,13 @@ TYPED_TEST(detail::BodyOf, VelocityAt_IsTheDerivativeOfThePath) {
   }
 }
 
-TYPED_TEST(detail::BodyOf, Torque_IsArmCrossForce) {
+TYPED_TEST(BodyOf, Torque_IsArmCrossForce) {
   const Pose<TypeParam> X = {{1, 0, 0}, Quat<TypeParam>::Identity()};
   const Vec3<TypeParam> torque = torque_of(X, Vec3<TypeParam>(0, 3, 0), Vec3<TypeParam>(3, 0, 0));
   EXPECT_EQ(torque, Vec3<TypeParam>(0, 0, 6));
 }
 
-TYPED_TEST(detail::BodyOf, Apply_AddsForceAndTorqueOverTime) {
+TYPED_TEST(BodyOf, Apply_AddsForceAndTorqueOverTime) {
   Body<TypeParam> body = make_body<TypeParam>({}, 2, {1, 1, 1}).value;
   EXPECT_EQ(apply<TypeParam>(body, {4, 0, 0}, {0, 8, 0}, TypeParam(0.25)), Status::kOk);
   EXPECT_EQ(apply<TypeParam>(body, {0, 0, 4}, {0, 8, 0}, TypeParam(0.25)), Status::kOk);
@@ -225,7 +225,7 @@ TYPED_TEST(detail::BodyOf, Apply_AddsForceAndTorqueOverTime) {
   EXPECT_EQ(body.momentum.angular_W, Vec3<TypeParam>(0, 4, 0));
 }
 
-TYPED_TEST(detail::BodyOf, ApplyWithBadNumbers_ChangesNothing) {
+TYPED_TEST(BodyOf, ApplyWithBadNumbers_ChangesNothing) {
   Source<TypeParam> source(7);
   Body<TypeParam> body = random_body(source, 10);
   const Body<TypeParam> before = body;
@@ -245,7 +245,7 @@ TYPED_TEST(detail::BodyOf, ApplyWithBadNumbers_ChangesNothing) {
   expect_same(body, before);
 }
 
-TYPED_TEST(detail::BodyOf, ApplyOnWhatCannotMove_ChangesNothing) {
+TYPED_TEST(BodyOf, ApplyOnWhatCannotMove_ChangesNothing) {
   Body<TypeParam> wall;
   EXPECT_EQ(apply<TypeParam>(wall, {1, 2, 3}, {1, 2, 3}, 1), Status::kOk);
   EXPECT_EQ(apply_impulse<TypeParam>(wall, {1, 2, 3}, {3, 2, 1}), Status::kOk);
@@ -257,7 +257,7 @@ TYPED_TEST(detail::BodyOf, ApplyOnWhatCannotMove_ChangesNothing) {
   EXPECT_EQ(hinged.momentum.angular_W, Vec3<TypeParam>(1, 2, 3));
 }
 
-TYPED_TEST(detail::BodyOf, Impulse_ChangesTheVelocityOfItsPointByTheCollisionMatrix) {
+TYPED_TEST(BodyOf, Impulse_ChangesTheVelocityOfItsPointByTheCollisionMatrix) {
   // dv(x) = (1/m + (I^-1 (r x J)) x r): [Kavan eq. 12-15] put into eq. 6.
   Source<TypeParam> source(8);
   for (int i = 0; i < 2000; ++i) {
@@ -277,7 +277,7 @@ TYPED_TEST(detail::BodyOf, Impulse_ChangesTheVelocityOfItsPointByTheCollisionMat
   }
 }
 
-TYPED_TEST(detail::BodyOf, KineticEnergy_IsHalfMomentumTimesTwist) {
+TYPED_TEST(BodyOf, KineticEnergy_IsHalfMomentumTimesTwist) {
   Source<TypeParam> source(9);
   for (int i = 0; i < 5000; ++i) {
     const Body<TypeParam> body = random_body(source, 1e6);

@@ -167,7 +167,7 @@ TEST(SceneCost, ReadyMadeScenes_CostWhatTheirWorldsTake) {
   expect_cost_is_that_of_the_world<TwoBlades>();
   expect_cost_is_that_of_the_world<DetectionOnly>();
   expect_cost_is_that_of_the_world<Rack>();
-  expect_cost_is_that_of_the_world<Duel<>::SceneType>();
+  expect_cost_is_that_of_the_world<fencing::Duel<>::SceneType>();
   EXPECT_EQ(scene_cost<StraightSpheres>.world, kWorld<StraightSpheres>);
   EXPECT_EQ(scene_cost<StraightSpheres>.event, 0U);
 }
