@@ -28,7 +28,7 @@ LoadedRecording load(const std::string& text) {
   return host::parse_recording(text, "any", "");
 }
 
-bool detail::is_same(const InputSample& a, const InputSample& b) {
+bool is_same(const InputSample& a, const InputSample& b) {
   return a.time == b.time && a.x == b.x && a.y == b.y && a.buttons == b.buttons &&
          a.sequence == b.sequence;
 }
@@ -42,7 +42,7 @@ void require_same(const LoadedRecording& one, const LoadedRecording& other, cons
               a.losses == b.losses && a.device == b.device,
           what);
   for (std::size_t i = 0; i < a.samples.size(); ++i) {
-    require(detail::is_same(a.samples[i], b.samples[i]), what);
+    require(is_same(a.samples[i], b.samples[i]), what);
   }
 }
 
