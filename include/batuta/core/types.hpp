@@ -83,7 +83,7 @@ inline constexpr bool kIsScalar = std::is_same_v<Scalar, float> || std::is_same_
 }  // namespace detail
 
 /// The lesser of two. Comparison forms with one meaning on every compiler, also for signed zeros
-/// and NaN: the first wins a tie. wins a tie.
+/// and NaN: the first wins a tie.
 template <class Scalar>
 constexpr Scalar min_of(Scalar a, Scalar b) {
   return b < a ? b : a;
@@ -116,6 +116,7 @@ template <class Scalar>
 bool is_finite(const Vec3<Scalar>& v) {
   return (v.x() - v.x()) + (v.y() - v.y()) + (v.z() - v.z()) == Scalar(0);
 }
+/// False where a component is NaN or infinite.
 template <class Scalar>
 bool is_finite(const Quat<Scalar>& q) {
   return (q.x() - q.x()) + (q.y() - q.y()) + (q.z() - q.z()) + (q.w() - q.w()) == Scalar(0);

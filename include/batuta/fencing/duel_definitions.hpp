@@ -3,8 +3,8 @@
 // What a duel does, whatever its search and its scene. The library holds the duels of DuelScene:
 // src/fencing/duel.cpp and duel_stepping.cpp build those of one search each, so that a program
 // links one search only. For a scene of one's own, include this header in one source and name there
-//   template DuelSettings<Drill> batuta::duel_settings();
-//   template class batuta::Duel<Drill>;
+//   template DuelSettings<Drill> batuta::fencing::duel_settings();
+//   template class batuta::fencing::Duel<Drill>;
 // or include it wherever such a duel is used.
 
 #include "batuta/fencing/detail/referee_definitions.hpp"
@@ -14,12 +14,17 @@ namespace batuta::fencing {
 
 namespace detail {
 
+/// Least DuelSettings::step_us.
 inline constexpr std::int32_t kShortestStepUs = 100;
+/// Largest DuelSettings::step_us.
 inline constexpr std::int32_t kLongestStepUs = 20000;
+/// Largest TouchSettings::double_window_us.
 inline constexpr std::int32_t kLongestWindowUs = 10000000;
 
 }  // namespace detail
 
+/// @returns kOk | kInvalidArgument: a setting out of its range (DuelSettings, TouchSettings), or a
+/// distance of the fencers that is not positive or too large
 template <class SceneT>
 Status validate(const DuelSettings<SceneT>& settings) {
   using Played = PlayedScene<SceneT>;

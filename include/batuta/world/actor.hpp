@@ -39,21 +39,21 @@ template <class Controller>
 struct Controlled {
   Controller controller{};  ///< who moves it
 };
-/// Of an actor in a scene with kRestitution.
+/// Of an actor in a scene with restitution.
 template <class Scalar>
 struct Bouncy {
   Scalar restitution = 0;  ///< C, in [0, 1]; a pair takes pair_restitution() of its two
 };
-/// Of an actor in a scene with kFriction.
+/// Of an actor in a scene with friction.
 template <class Scalar>
 struct Rough {
   Scalar friction = 0;  ///< mu, >= 0; a pair takes pair_friction() of its two
 };
-/// Of an actor in a scene with kOwners.
+/// Of an actor in a scene with owners.
 struct Owned {
   std::uint16_t owner = 0;  ///< bodies of one owner other than 0 never meet
 };
-/// Of an actor in a scene with kFilters.
+/// Of an actor in a scene with filters.
 struct Filtered {
   Filter filter;  ///< who it may meet
 };
@@ -88,8 +88,10 @@ struct Actor
                         detail::Rough<detail::ScalarFor<SceneT>>, 2>,
       detail::FeatureIf<detail::SceneFor<SceneT>::kOwners, detail::Owned, 3>,
       detail::FeatureIf<detail::SceneFor<SceneT>::kFilters, detail::Filtered, 4> {
+  /// The scene's.
   using Scalar = detail::ScalarFor<SceneT>;
 
+  /// Mass, place and momenta: Body, or StraightBody where the scene has no rotation.
   detail::BodyOf<detail::SceneFor<SceneT>> body;
 };
 

@@ -62,6 +62,7 @@ struct WorldSettings
                          detail::RestSettings<detail::ScalarFor<SceneT>>, detail::Absent<0>>,
       std::conditional_t<detail::SceneFor<SceneT>::kGravity,
                          detail::GravitySettings<detail::ScalarFor<SceneT>>, detail::Absent<1>> {
+  /// The scene's.
   using Scalar = detail::ScalarFor<SceneT>;
 
   /// Those of the scene's search, within SceneOptions::budget evaluations.
