@@ -33,7 +33,7 @@ constexpr SceneOptions paper_options() {
 }
 template <class S>
 using Paper = Scene<paper_options, Stepping<S>>;
-/// Nothing turns, few bodies: the lean world.
+/// Nothing turns, few bodies: the small world.
 constexpr SceneOptions balls_options() {
   SceneOptions scene = straight_spheres();
   scene.gravity = true;

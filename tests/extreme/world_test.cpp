@@ -240,7 +240,7 @@ TYPED_TEST(HostileWorld, AnySpeed_IsStoppedAtTheContactOrCounted) {
   }
 }
 
-// Nobody else is there to be searched for. The lean world, whose flash counts, lets it go and
+// Nobody else is there to be searched for. The small world, whose flash counts, lets it go and
 // counts it from the next step on.
 TYPED_TEST(HostileWorld, LoneBodyBeyondTheNumbers_IsHeldAndCounted) {
   using S = typename TypeParam::Scalar;

@@ -1,34 +1,34 @@
 // SPDX-License-Identifier: MIT
 // The world of a few bodies that fly straight: against the general one, and against what must hold.
 
-#include "lean_scenes.hpp"
+#include "small_scenes.hpp"
 
 namespace batuta {
 namespace {
 
 using namespace test;
 
-TYPED_TEST_SUITE(Lean, LeanScenes);
+TYPED_TEST_SUITE(Small, SmallScenes);
 
 // A blow amplifies rounding by no more than a few times, and few follow each other in a step.
-TYPED_TEST(Lean, ThousandScenes_SameBlowsAsInTheGeneralWorld) {
+TYPED_TEST(Small, ThousandScenes_SameBlowsAsInTheGeneralWorld) {
   using S = typename TypeParam::Scalar;
   std::uint32_t blows = 0;
   for (unsigned seed = 0; seed < 1000; ++seed) {
     Draw draw(seed);
-    World<TypeParam> lean;
+    World<TypeParam> small;
     World<Told<TypeParam>> general;
     for (const auto& actor : draw.actors<TypeParam>(2 + static_cast<int>(seed % 7))) {
-      ASSERT_TRUE(lean.add(actor).ok());
+      ASSERT_TRUE(small.add(actor).ok());
       ASSERT_TRUE(general.add(told(actor)).ok());
     }
-    ASSERT_EQ(lean.step(S(0.1)), Status::kOk);
+    ASSERT_EQ(small.step(S(0.1)), Status::kOk);
     ASSERT_EQ(general.step(S(0.1)), Status::kOk);
-    ASSERT_TRUE(lean.report().complete());
-    ASSERT_EQ(lean.report().collisions, general.report().collisions) << "seed " << seed;
-    blows += lean.report().collisions;
-    for (std::uint16_t slot = 0; slot < lean.size(); ++slot) {
-      const auto& mine = lean.get(lean.id_at(slot))->body;
+    ASSERT_TRUE(small.report().complete());
+    ASSERT_EQ(small.report().collisions, general.report().collisions) << "seed " << seed;
+    blows += small.report().collisions;
+    for (std::uint16_t slot = 0; slot < small.size(); ++slot) {
+      const auto& mine = small.get(small.id_at(slot))->body;
       const auto& theirs = general.get(general.id_at(slot))->body;
       ASSERT_NEAR((mine.p_W - theirs.p_W).norm(), 0, TestFixture::kSame) << "seed " << seed;
       ASSERT_NEAR((mine.momentum_W - theirs.momentum_W).norm(), 0, 10 * TestFixture::kSame)
@@ -39,7 +39,7 @@ TYPED_TEST(Lean, ThousandScenes_SameBlowsAsInTheGeneralWorld) {
 }
 
 // The gap at a contact is at least what a search resolves; then every pose is rounded.
-TYPED_TEST(Lean, CrowdOfEight_NeverOverlaps) {
+TYPED_TEST(Small, CrowdOfEight_NeverOverlaps) {
   using S = typename TypeParam::Scalar;
   for (unsigned seed = 0; seed < 50; ++seed) {
     Draw draw(seed);
@@ -52,7 +52,7 @@ TYPED_TEST(Lean, CrowdOfEight_NeverOverlaps) {
   }
 }
 
-TYPED_TEST(Lean, ElasticCrowdWithoutGravity_KeepsMomentumAndEnergy) {
+TYPED_TEST(Small, ElasticCrowdWithoutGravity_KeepsMomentumAndEnergy) {
   using S = typename TypeParam::Scalar;
   for (unsigned seed = 0; seed < 50; ++seed) {
     World<TypeParam> world;
@@ -81,7 +81,7 @@ TYPED_TEST(Lean, ElasticCrowdWithoutGravity_KeepsMomentumAndEnergy) {
 }
 
 // Elastic, 1 kg against 3 kg: v1' = -v / 2, v3' = v / 2.
-TYPED_TEST(Lean, ElasticBlow_FollowsTheTextbook) {
+TYPED_TEST(Small, ElasticBlow_FollowsTheTextbook) {
   World<TypeParam> world;
   WorldSettings<TypeParam> settings;
   settings.gravity_W.setZero();
@@ -97,7 +97,7 @@ TYPED_TEST(Lean, ElasticBlow_FollowsTheTextbook) {
 }
 
 // Falls by g dt^2 n (n + 1) / 2; what is fixed does not.
-TYPED_TEST(Lean, FreeFall_IsTheSumOfTheSteps) {
+TYPED_TEST(Small, FreeFall_IsTheSumOfTheSteps) {
   using S = typename TypeParam::Scalar;
   World<TypeParam> world;
   const auto falling = world.add(ball<TypeParam>(0, 0, 2)).value;
@@ -110,7 +110,7 @@ TYPED_TEST(Lean, FreeFall_IsTheSumOfTheSteps) {
 
 // The middle one is hit from both sides at once: the lower pair first, whatever the last bits say.
 // 1 kg at 1 m/s, 1 kg, 3 kg at -1 m/s: 0 gives all to 1; 1 takes all from 2, and gives it to 0.
-TYPED_TEST(Lean, ContactsAtTheSameTime_AreAnsweredByTheirNames) {
+TYPED_TEST(Small, ContactsAtTheSameTime_AreAnsweredByTheirNames) {
   using S = typename TypeParam::Scalar;
   for (const int ulps : {-1, 0, 1}) {
     World<TypeParam> world;
@@ -129,7 +129,7 @@ TYPED_TEST(Lean, ContactsAtTheSameTime_AreAnsweredByTheirNames) {
   }
 }
 
-TYPED_TEST(Lean, TouchingAndParting_IsLeftAlone) {
+TYPED_TEST(Small, TouchingAndParting_IsLeftAlone) {
   World<TypeParam> world;
   ASSERT_TRUE(world.add(ball<TypeParam>(0, -1)).ok());
   ASSERT_TRUE(world.add(ball<TypeParam>(0.2, 1)).ok());

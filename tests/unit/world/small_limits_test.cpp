@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The lean world at its limits: bad input, speeds beyond the numbers, and what does not fit.
+// The small world at its limits: bad input, speeds beyond the numbers, and what does not fit.
 
-#include "lean_scenes.hpp"
+#include "small_scenes.hpp"
 
 namespace batuta {
 namespace {
@@ -9,10 +9,10 @@ namespace {
 using namespace test;
 
 template <class SceneT>
-class LeanLimits : public Lean<SceneT> {};
-TYPED_TEST_SUITE(LeanLimits, LeanScenes);
+class SmallLimits : public Small<SceneT> {};
+TYPED_TEST_SUITE(SmallLimits, SmallScenes);
 
-TYPED_TEST(LeanLimits, BadInput_IsRefusedAndChangesNothing) {
+TYPED_TEST(SmallLimits, BadInput_IsRefusedAndChangesNothing) {
   using S = typename TypeParam::Scalar;
   World<TypeParam> world;
   const auto id = world.add(ball<TypeParam>(0, 1)).value;
@@ -46,7 +46,7 @@ TYPED_TEST(LeanLimits, BadInput_IsRefusedAndChangesNothing) {
   EXPECT_FALSE(world.is_asleep(id));
 }
 
-TYPED_TEST(LeanLimits, BodyBrokenByTheCaller_IsLeftOutAndCounted) {
+TYPED_TEST(SmallLimits, BodyBrokenByTheCaller_IsLeftOutAndCounted) {
   using S = typename TypeParam::Scalar;
   World<TypeParam> world;
   const auto broken = world.add(ball<TypeParam>(0, 2)).value;
@@ -60,7 +60,7 @@ TYPED_TEST(LeanLimits, BodyBrokenByTheCaller_IsLeftOutAndCounted) {
 }
 
 // 1 kg at 1 m/s against what stands there: at 0.8 m they touch.
-TYPED_TEST(LeanLimits, SpeedThatOverflows_IsRefusedOrHeldWhereOthersMeetIt) {
+TYPED_TEST(SmallLimits, SpeedThatOverflows_IsRefusedOrHeldWhereOthersMeetIt) {
   using S = typename TypeParam::Scalar;
   World<TypeParam> world;
   WorldSettings<TypeParam> settings;
@@ -81,7 +81,7 @@ TYPED_TEST(LeanLimits, SpeedThatOverflows_IsRefusedOrHeldWhereOthersMeetIt) {
   EXPECT_GT(least_gap(world), -TestFixture::kRounding);
 }
 
-TYPED_TEST(LeanLimits, GravityThatOverflows_HoldsTheBodyWithItsMomentum) {
+TYPED_TEST(SmallLimits, GravityThatOverflows_HoldsTheBodyWithItsMomentum) {
   using S = typename TypeParam::Scalar;
   World<TypeParam> world;
   auto heavy = ball<TypeParam>(1, 0);
@@ -98,7 +98,7 @@ TYPED_TEST(LeanLimits, GravityThatOverflows_HoldsTheBodyWithItsMomentum) {
 }
 
 // A heavy one at the largest speed hits a light one, which would have to be twice as fast.
-TYPED_TEST(LeanLimits, BlowBeyondTheNumbers_LeavesEveryPlaceANumber) {
+TYPED_TEST(SmallLimits, BlowBeyondTheNumbers_LeavesEveryPlaceANumber) {
   using S = typename TypeParam::Scalar;
   const S most = std::numeric_limits<S>::max();
   World<TypeParam> world;
@@ -121,7 +121,7 @@ TYPED_TEST(LeanLimits, BlowBeyondTheNumbers_LeavesEveryPlaceANumber) {
   EXPECT_GT(least_gap(world), -TestFixture::kRounding);
 }
 
-TYPED_TEST(LeanLimits, NinthBody_FindsNoRoom) {
+TYPED_TEST(SmallLimits, NinthBody_FindsNoRoom) {
   World<TypeParam> world;
   for (int i = 0; i < 8; ++i) ASSERT_TRUE(world.add(ball<TypeParam>(i, 0)).ok());
   EXPECT_EQ(world.add(ball<TypeParam>(9, 0)).status, Status::kPoolFull);
@@ -134,7 +134,7 @@ TYPED_TEST(LeanLimits, NinthBody_FindsNoRoom) {
   ASSERT_EQ(world.step(1), Status::kOk);
 }
 
-TYPED_TEST(LeanLimits, IdsOfAnotherWorld_NameNothing) {
+TYPED_TEST(SmallLimits, IdsOfAnotherWorld_NameNothing) {
   World<TypeParam> one(1);
   World<TypeParam> two(2);
   const auto id = one.add(ball<TypeParam>(0, 0)).value;
@@ -143,7 +143,7 @@ TYPED_TEST(LeanLimits, IdsOfAnotherWorld_NameNothing) {
   EXPECT_EQ(two.get(id), nullptr);
 }
 
-TYPED_TEST(LeanLimits, RestoredOrRead_GoesOnWithTheSameBits) {
+TYPED_TEST(SmallLimits, RestoredOrRead_GoesOnWithTheSameBits) {
   using S = typename TypeParam::Scalar;
   std::uint32_t blows = 0;
   for (unsigned seed = 0; seed < 20; ++seed) {
@@ -184,7 +184,7 @@ using Narrow = Scene<narrow_options<SceneT>, typename SceneT::Search>;
 
 // 0 hits 1; 1 hits 2, for which there is no room: both stop there. Then 0, which has stopped,
 // stays.
-TYPED_TEST(LeanLimits, SecondContactOfOne_HoldsItsPairAndIsCounted) {
+TYPED_TEST(SmallLimits, SecondContactOfOne_HoldsItsPairAndIsCounted) {
   using Scene = Narrow<TypeParam>;
   using S = typename TypeParam::Scalar;
   World<Scene> world;
@@ -202,7 +202,7 @@ TYPED_TEST(LeanLimits, SecondContactOfOne_HoldsItsPairAndIsCounted) {
   EXPECT_NEAR(world.get(world.id_at(2))->body.p_W.x(), 1.1, 1e-4);
 }
 
-TYPED_TEST(LeanLimits, CrowdsWithRoomForOneContact_NeverOverlapAndEnd) {
+TYPED_TEST(SmallLimits, CrowdsWithRoomForOneContact_NeverOverlapAndEnd) {
   using Scene = Narrow<TypeParam>;
   using S = typename TypeParam::Scalar;
   std::uint32_t dropped = 0;
@@ -220,7 +220,7 @@ TYPED_TEST(LeanLimits, CrowdsWithRoomForOneContact_NeverOverlapAndEnd) {
 }
 
 // Placed in each other by the caller and driven together: stopped by the blow, and told.
-TYPED_TEST(LeanLimits, OverlapAtTheStart_IsToldWithItsDepth) {
+TYPED_TEST(SmallLimits, OverlapAtTheStart_IsToldWithItsDepth) {
   World<TypeParam> world;
   ASSERT_TRUE(world.add(ball<TypeParam>(0, 1)).ok());
   ASSERT_TRUE(world.add(ball<TypeParam>(0.15, -1)).ok());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Scenes, bodies and draws that the tests of the lean world share.
+// Scenes, bodies and draws that the tests of the small world share.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@
 
 namespace batuta::test {
 
-/// All features that a lean scene can have.
+/// All features that a small scene can have.
 constexpr SceneOptions lean_scene_options() {
   SceneOptions scene = straight_spheres();
   scene.max_contacts = 64;
@@ -165,14 +165,14 @@ Actor<Told<SceneT>> told(const Actor<SceneT>& actor) {
 }
 
 template <class SceneT>
-class Lean : public ::testing::Test {
+class Small : public ::testing::Test {
  protected:
   static constexpr bool kIsFloat = std::is_same_v<typename SceneT::Scalar, float>;
   static constexpr double kRounding = kIsFloat ? 1e-6 : 1e-14;
   /// Capsules are answered within a contact tolerance, and not at one instant.
   static constexpr double kSame = kIsFloat ? 2e-3 : SceneT::Search::kForSpheres ? 1e-9 : 1e-4;
 };
-using LeanScenes = ::testing::Types<LeanScene<Spheres, float>, LeanScene<Spheres, double>,
-                                    LeanScene<Translation, float>, LeanScene<Translation, double>>;
+using SmallScenes = ::testing::Types<LeanScene<Spheres, float>, LeanScene<Spheres, double>,
+                                     LeanScene<Translation, float>, LeanScene<Translation, double>>;
 
 }  // namespace batuta::test
