@@ -38,18 +38,18 @@ struct Fencing {
   firmware::Application application{{clock, uart, nullptr, &force}, last_fault()};
 };
 
-Fencing fencing;
+Fencing bout;
 
 }  // namespace
 
 int main() {
   if (!rounds_each_operation<float>()) give_up(kArithmetic);
   cortex_m::start_systick(cortex_m::millisecond(mps2::kBoard.clock_hz));
-  if (!fencing.uart.start(kBitsPerSecond)) give_up(kUartRate);
-  if (fencing.application.start({}) != Status::kOk) give_up(kApplicationSettings);
+  if (!bout.uart.start(kBitsPerSecond)) give_up(kUartRate);
+  if (bout.application.start({}) != Status::kOk) give_up(kApplicationSettings);
   std::uint32_t tick = cortex_m::period_count();
   while (true) {
     tick = cortex_m::next_period(tick);
-    fencing.application.tick(tick);
+    bout.application.tick(tick);
   }
 }

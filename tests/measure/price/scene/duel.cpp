@@ -13,6 +13,7 @@ float volatile impulse;
 
 int main() {
   using namespace batuta;
+  using namespace batuta::fencing;
   const auto settings = duel_settings();
   if (duel.configure(settings, first_fencer<float>(), second_fencer<float>()) != Status::kOk) {
     return 1;
