@@ -31,7 +31,7 @@ batuta_must_compile(Control_Scene_EightSmallBodies ${scene} ${use} -DBASE=small 
                     "-DCHANGE=scene.max_bodies = 8" -DWITHOUT_EVENTS)
 batuta_must_compile(Control_Scene_HalfAsManyPairs ${scene} ${use}
                     "-DCHANGE=(scene.max_bodies = 9, scene.max_pairs = 4)")
-batuta_must_compile(Control_Scene_OwnController ${scene} ${use} -DDRIVER=Own)
+batuta_must_compile(Control_Scene_OwnController ${scene} ${use} -DCONTROLLER=Own)
 batuta_must_compile(Control_Scene_CoarseBox ${scene} ${use} -DBOUND=CoarseBox)
 batuta_must_compile(Control_Scene_IsNamed no_scene.cpp ${use})
 
@@ -53,11 +53,11 @@ endforeach()
 batuta_no_scene(SearchLeftOut no_scene.cpp "its second argument is a search" -DSEARCH_LEFT_OUT)
 
 # Controllers and scalars.
-batuta_no_scene(ControllerWithoutPlan ${scene} "its controller lacks PlannedMotion<Scalar> plan" -DDRIVER=WithoutPlan)
-batuta_no_scene(ControllerWithoutContact ${scene} "its controller lacks void on_contact" -DDRIVER=WithoutContact)
-batuta_no_scene(ControllerWithoutStepEnd ${scene} "its controller lacks void on_step_end" -DDRIVER=WithoutStepEnd)
-batuta_no_scene(ControllerOfAnotherScalar ${scene} "its controller and its search take different scalars" -DDRIVER=FreeFlight<double>)
-batuta_no_scene(OwnControllerOfAnotherScalar ${scene} "its controller and its search take different scalars" -DDRIVER=Own
+batuta_no_scene(ControllerWithoutPlan ${scene} "its controller lacks PlannedMotion<Scalar> plan" -DCONTROLLER=WithoutPlan)
+batuta_no_scene(ControllerWithoutContact ${scene} "its controller lacks void on_contact" -DCONTROLLER=WithoutContact)
+batuta_no_scene(ControllerWithoutStepEnd ${scene} "its controller lacks void on_step_end" -DCONTROLLER=WithoutStepEnd)
+batuta_no_scene(ControllerOfAnotherScalar ${scene} "its controller and its search take different scalars" -DCONTROLLER=FreeFlight<double>)
+batuta_no_scene(OwnControllerOfAnotherScalar ${scene} "its controller and its search take different scalars" -DCONTROLLER=Own
                 -DSEARCH=Advancement<double>)
 batuta_no_scene(OfIntegers ${scene} "its search is one of float or double" -DSEARCH=Advancement<int>)
 batuta_no_scene(BoundThatIsNone ${scene} "its fourth argument is SweptBox or CoarseBox" -DBOUND=int)

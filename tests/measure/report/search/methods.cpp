@@ -120,7 +120,7 @@ void append_baselines(std::vector<Method<Scalar>>& all) {
                   no_gap<Scalar>, true},
                  {1, 2, 4, 8});
   append<Scalar>(all,
-                 {"conservative", "contact_tolerance",
+                 {"conservative", "contact tolerance",
                   [](const Pair<Scalar>& pair, double contact_tolerance) {
                     return search_conservative(pair, static_cast<Scalar>(contact_tolerance),
                                                kConservativeBudget);
@@ -132,7 +132,7 @@ void append_baselines(std::vector<Method<Scalar>>& all) {
 template <class Scalar>
 void append_advancement(std::vector<Method<Scalar>>& all) {
   append<Scalar>(all,
-                 {"advancement", "contact_tolerance",
+                 {"advancement", "contact tolerance",
                   [](const Pair<Scalar>& pair, double contact_tolerance) {
                     return search_advancement(pair, tolerance_options<Scalar>(contact_tolerance));
                   },
@@ -150,7 +150,7 @@ void append_advancement(std::vector<Method<Scalar>>& all) {
 template <class Scalar>
 void append_translation(std::vector<Method<Scalar>>& all) {
   append<Scalar>(all,
-                 {"translation", "contact_tolerance",
+                 {"translation", "contact tolerance",
                   [](const Pair<Scalar>& pair, double contact_tolerance) {
                     return search_translation(pair, tolerance_options<Scalar>(contact_tolerance));
                   },
