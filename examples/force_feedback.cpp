@@ -3,7 +3,6 @@
 // spring between where the hand wants the ball and where it is becomes the force on the stick,
 // through the output stage, until the emergency stop. The stick is simulated: no hardware.
 #include <cstdio>
-#include <limits>
 
 #include "batuta/control/stick.hpp"
 #include "batuta/haptics/coupling.hpp"
@@ -17,7 +16,6 @@ using namespace batuta;
 
 using Lead = Hand<float>;  // carries a body to a target by the end of each step
 using Touch = Scene<two_blades, Advancement<float>, AnyController<float, Fixed<float>, Lead>>;
-constexpr float kStep = 1e-3F;  // s
 constexpr float kScale = 0.2F;  // m that the ball moves for each unit of the stick
 
 struct Loop {
@@ -29,19 +27,18 @@ struct Loop {
 
   bool configure() {
     port_simulated::StickSettings device;
-    device.x = {1e-3, 0.01, 0.05, 0, 0, 5, 0.05};  // an arm leads it with 5 N m for each unit
-    device.y = device.x;
-    device.force_limit = 10;  // N m for each unit
-    haptics::StageSettings settings;
-    settings.gain = {0.1F, 0.1F};  // 1 / force_limit
-    auto mover = make_actor<Touch>(Capsule<float>::sphere({0, 0, 0}, 0.02F), 1000.0F, {});
-    mover.value.controller = Lead{{}, kStep};
-    const float fixed = std::numeric_limits<float>::infinity();
-    const auto post = make_actor<Touch>({{{0.14F, 0, -1}, {0.14F, 0, 1}}, 0.02F}, fixed, {});
+    device.x.mass = 0.01;
+    device.x.damping = 0.05;
+    device.x.hand_stiffness = 5;  // of the arm that leads it, N m for each unit
+    device.x.hand_damping = 0.05;
+    device.force_limit = 100;  // N m for each unit: what the stage's default gain is made for
+    const auto mover = make_actor<Touch>(Capsule<float>::sphere({0, 0, 0}, 0.02F), 1000.0F, {});
     ball = world.add(mover.value).value;
-    return mover.ok() && world.get(ball) != nullptr && world.add(post.value).ok() &&
+    Actor<Touch> post;  // of no inverse mass: nothing moves it
+    post.capsule_B = {{{0.14F, 0, -1}, {0.14F, 0, 1}}, 0.02F};
+    return mover.ok() && world.get(ball) != nullptr && world.add(post).ok() &&
            stick.configure(device) == Status::kOk && tracker.configure({}) == Status::kOk &&
-           stage.configure(settings) == Status::kOk && stage.enable() == Status::kOk;
+           stage.configure({}) == Status::kOk && stage.enable() == Status::kOk;
   }
 
   // What a firmware does each millisecond.
@@ -51,14 +48,12 @@ struct Loop {
     input.time = stick.now();
     input.fresh_sample = stick.input().read(stick.now(), sample) == Status::kOk;
     if (input.fresh_sample) (void)tracker.accept(sample);  // what it refuses, its report() counts
-    tracker.advance(kStep);
+    tracker.advance(1e-3F);
     input.position = tracker.position();
     input.velocity = tracker.velocity();
-
-    haptics::MovingFrame<float> wanted;
-    wanted.X_W.p_W.x() = kScale * input.position.x();
-    world.get(ball)->controller = Lead{wanted.X_W, kStep};
-    if (world.step(kStep) != Status::kOk || !world.report().complete()) return Status::kDegenerate;
+    const haptics::MovingFrame<float> wanted = {{{kScale * input.position.x(), 0, 0}}, {}};
+    world.get(ball)->controller = Lead{wanted.X_W, 1e-3F};
+    if (world.step(1e-3F) != Status::kOk || !world.report().complete()) return Status::kDegenerate;
     const Body<float>& body = world.get(ball)->body;
     const haptics::CouplingSettings<float> spring{200, 0};  // N/m, and no damper
     const auto wrench = coupling_wrench(spring, wanted, {body.X_WB, twist_of(body)});
@@ -82,5 +77,4 @@ int main() {
     }
     if (ms == 3000) loop.stage.stop(loop.stick.now());
   }
-  return 0;
 }
