@@ -69,7 +69,7 @@ int main() {
   for (int ms = 1; ms <= 5000; ++ms) {  // the arm goes further than the post lets the ball go
     loop.stick.advance({ms < 1000 ? 0.8e-3 * ms : 0.8, 0});
     if (loop.tick() != (ms <= 3000 ? Status::kOk : Status::kUnavailable)) return 1;
-    if (ms == 500 || ms == 3000 || ms == 5000) {
+    if (ms == 500 || ms == 3000 || ms == 3001 || ms == 5000) {
       std::printf("%4d ms: stick at %.4f, ball at %.4f m, force %.4f N m for each unit\n", ms,
                   loop.stick.x().position(),
                   static_cast<double>(loop.world.get(loop.ball)->body.X_WB.p_W.x()),

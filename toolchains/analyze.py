@@ -16,11 +16,11 @@ import subprocess
 import sys
 import time
 
-FORMATTED = ("include", "src", "port", "tests")
-ANALYZED = ("src", "port", "tests/support")
+FORMATTED = ("include", "src", "port", "examples", "tests")
+ANALYZED = ("src", "port", "examples", "tests/support")
 CANARIES = ("tests/static/canary",)
 STEPS = ("format", "database", "sources", "canaries", "cppcheck", "tidy")
-SOURCES = ("src", "port", "tests")  # of which every .cpp is in a compile database, but for:
+SOURCES = ("src", "port", "examples", "tests")  # of which every .cpp is in a compile database, but for:
 IN_NO_DATABASE = {
     "port/programs/live/open_sdl_absent.cpp": "is compiled where SDL is missing",
     "tests/compile_fail/cases/": "must not compile",
