@@ -94,19 +94,19 @@ Taps<Scalar> taps_at(Scalar stick, int count) {
 /// The surface through the key points and its two partial derivatives.
 template <class Scalar>
 struct Surface {
-  KeyPoint<Scalar> value = KeyPoint<Scalar>::Zero();
+  detail::KeyPoint<Scalar> value = detail::KeyPoint<Scalar>::Zero();
   StickJacobian<Scalar> rate = StickJacobian<Scalar>::Zero();
 };
 
 template <class Scalar>
-Surface<Scalar> surface_at(const KeyGridView<Scalar>& grid, const Vec2<Scalar>& stick) {
+Surface<Scalar> surface_at(const detail::KeyGridView<Scalar>& grid, const Vec2<Scalar>& stick) {
   const Taps<Scalar> x = taps_at(stick.x(), grid.columns);
   const Taps<Scalar> y = taps_at(stick.y(), grid.rows);
   Surface<Scalar> surface;
   for (std::size_t j = 0; j < y.index.size(); ++j) {  // Bound: kTaps
-    KeyPoint<Scalar> row = KeyPoint<Scalar>::Zero();
-    KeyPoint<Scalar> row_rate = KeyPoint<Scalar>::Zero();
-    const KeyPoint<Scalar>* keys = grid.keys + y.index[j] * grid.columns;
+    detail::KeyPoint<Scalar> row = detail::KeyPoint<Scalar>::Zero();
+    detail::KeyPoint<Scalar> row_rate = detail::KeyPoint<Scalar>::Zero();
+    const detail::KeyPoint<Scalar>* keys = grid.keys + y.index[j] * grid.columns;
     for (std::size_t i = 0; i < x.index.size(); ++i) {  // Bound: kTaps
       row += x.weight[i] * keys[x.index[i]];
       row_rate += x.rate[i] * keys[x.index[i]];
@@ -122,26 +122,28 @@ Surface<Scalar> surface_at(const KeyGridView<Scalar>& grid, const Vec2<Scalar>& 
 
 template <class Scalar>
 Twist<Scalar> hand_twist(const StickJacobian<Scalar>& jacobian, const Vec2<Scalar>& stick_rate) {
-  const KeyPoint<Scalar> rate = jacobian * stick_rate;
+  const detail::KeyPoint<Scalar> rate = jacobian * stick_rate;
   return {rate.template head<3>(), rate.template tail<3>()};
 }
 
 template <class Scalar>
-Status relate_keys(const Pose<Scalar>* poses, const Quat<Scalar>& q_ref, KeyPoint<Scalar>* points,
-                   int count) {
+Status detail::relate_keys(const Pose<Scalar>* poses, const Quat<Scalar>& q_ref,
+                           detail::KeyPoint<Scalar>* points, int count) {
   for (int i = 0; i < count; ++i) {  // Bound: `count` keys
     const Pose<Scalar>& key = poses[i];
     if (!is_finite(key.p_W) || !is_finite(key.q_WB)) return Status::kInvalidArgument;
-    if (largest_component(key.p_W) > kLargestCoordinate<Scalar>) return Status::kInvalidArgument;
+    if (detail::largest_component(key.p_W) > kLargestCoordinate<Scalar>)
+      return Status::kInvalidArgument;
     const Vec3<Scalar> turn = log_map<Scalar>(q_ref.conjugate() * renewed(key.q_WB));
-    if (!(turn.norm() <= kMaxKeyTurn<Scalar>)) return Status::kInvalidArgument;
+    if (!(turn.norm() <= detail::kMaxKeyTurn<Scalar>)) return Status::kInvalidArgument;
     points[i] << key.p_W, turn;
   }
   return Status::kOk;
 }
 
 template <class Scalar>
-KeyedPose<Scalar> pose_on(const KeyGridView<Scalar>& grid, const Vec2<Scalar>& stick) {
+KeyedPose<Scalar> detail::pose_on(const detail::KeyGridView<Scalar>& grid,
+                                  const Vec2<Scalar>& stick) {
   BATUTA_ASSERT(is_finite(stick) && grid.columns >= 2 && grid.rows >= 2);
   const Surface<Scalar> surface = surface_at(grid, stick);
   const Vec3<Scalar> turn = surface.value.template tail<3>();
@@ -150,15 +152,16 @@ KeyedPose<Scalar> pose_on(const KeyGridView<Scalar>& grid, const Vec2<Scalar>& s
   result.X_WH.p_W = surface.value.template head<3>();
   result.X_WH.q_WB = renewed<Scalar>(grid.q_ref * exp_map(turn));
   result.jacobian.template topRows<3>() = surface.rate.template topRows<3>();
-  result.jacobian.template bottomRows<3>() =
-      to_matrix(grid.q_ref) * left_jacobian(turn) * surface.rate.template bottomRows<3>();
+  result.jacobian.template bottomRows<3>() = detail::to_matrix(grid.q_ref) *
+                                             detail::left_jacobian(turn) *
+                                             surface.rate.template bottomRows<3>();
   return result;
 }
 
-#define BATUTA_INSTANTIATE(S)                                                     \
-  template Twist<S> hand_twist(const StickJacobian<S>&, const Vec2<S>&);          \
-  template Status relate_keys(const Pose<S>*, const Quat<S>&, KeyPoint<S>*, int); \
-  template KeyedPose<S> pose_on(const KeyGridView<S>&, const Vec2<S>&);
+#define BATUTA_INSTANTIATE(S)                                                                     \
+  template Twist<S> hand_twist(const StickJacobian<S>&, const Vec2<S>&);                          \
+  template Status detail::relate_keys(const Pose<S>*, const Quat<S>&, detail::KeyPoint<S>*, int); \
+  template KeyedPose<S> detail::pose_on(const detail::KeyGridView<S>&, const Vec2<S>&);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 

@@ -15,14 +15,15 @@ std::size_t lowest_bit(std::uint32_t word) {
 
 }  // namespace
 
-int PoolBase::find(std::uint16_t index1, std::uint16_t pool, std::uint32_t generation) const {
+int detail::PoolBase::find(std::uint16_t index1, std::uint16_t pool,
+                           std::uint32_t generation) const {
   if (index1 == 0 || pool != number_) return kNoIndex;
   const std::size_t index = index1 - std::size_t{1};
   if (!is_live(index) || generations_[index] != generation) return kNoIndex;
   return static_cast<int>(index);
 }
 
-int PoolBase::acquire() {
+int detail::PoolBase::acquire() {
   for (std::size_t i = 0; i < capacity_; ++i) {  // Bound: N
     if (is_live(i) || generations_[i] == kLastGeneration) continue;
     ++generations_[i];
@@ -33,13 +34,13 @@ int PoolBase::acquire() {
   return kNoIndex;
 }
 
-void PoolBase::release(std::size_t index) {
+void detail::PoolBase::release(std::size_t index) {
   live_[index / kBitsPerWord] &= ~bit_of(index);
   --size_;
   if (generations_[index] == kLastGeneration) ++retired_;
 }
 
-void PoolBase::copy_slots(const PoolBase& other) {
+void detail::PoolBase::copy_slots(const detail::PoolBase& other) {
   const std::size_t words = words_for(capacity_);
   // Bound: N.
   for (std::size_t i = 0; i < capacity_; ++i) generations_[i] = other.generations_[i];
@@ -50,7 +51,7 @@ void PoolBase::copy_slots(const PoolBase& other) {
   number_ = other.number_;
 }
 
-bool PoolBase::settle() {
+bool detail::PoolBase::settle() {
   const std::size_t words = words_for(capacity_);
   bool good = true;
   size_ = 0;
@@ -70,7 +71,7 @@ bool PoolBase::settle() {
   return good;
 }
 
-std::size_t PoolBase::next_live(std::size_t index) const {
+std::size_t detail::PoolBase::next_live(std::size_t index) const {
   if (index >= capacity_) return capacity_;
   std::size_t word = index / kBitsPerWord;
   std::uint32_t bits = live_[word] & ~(bit_of(index) - 1U);
@@ -79,7 +80,7 @@ std::size_t PoolBase::next_live(std::size_t index) const {
   return bits == 0 ? capacity_ : word * kBitsPerWord + lowest_bit(bits);
 }
 
-void PoolBase::clear() {
+void detail::PoolBase::clear() {
   for (std::size_t i = next_live(0); i < capacity_; i = next_live(i + 1)) release(i);  // Bound: N
 }
 

@@ -10,7 +10,7 @@ SearchResult<Scalar> search_advancement(const MovingPair<Scalar>& pair,
                                         const AdvancementOptions<Scalar>& options,
                                         const Vec3<Scalar>& seed_AB) {
   if (!can_be_searched(pair, options)) return {};
-  return search_inflated(pair, options, seed_AB, kInflation<Scalar>);
+  return search_inflated(pair, options, seed_AB, detail::kInflation<Scalar>);
 }
 
 #define BATUTA_INSTANTIATE(S)                                                                     \

@@ -27,12 +27,12 @@ template <class Scalar>
 Scalar contact_tolerance_of(const MovingPair<Scalar>& pair,
                             const AdvancementOptions<Scalar>& options) {
   return max_of(options.contact_tolerance * pair.scale,
-                kLeastContactTolerance<Scalar> * query_length(pair));
+                detail::kLeastContactTolerance<Scalar> * query_length(pair));
 }
 
 template <class Scalar>
-Scalar inflation_of(const MovingPair<Scalar>& pair) {
-  return kInflation<Scalar> * query_length(pair);
+Scalar detail::inflation_of(const MovingPair<Scalar>& pair) {
+  return detail::kInflation<Scalar> * query_length(pair);
 }
 
 template <class Scalar>
@@ -45,7 +45,7 @@ bool can_be_searched(const MovingPair<Scalar>& pair, const AdvancementOptions<Sc
 #define BATUTA_INSTANTIATE(S)                                                          \
   template Status validate(const AdvancementOptions<S>&);                              \
   template S contact_tolerance_of(const MovingPair<S>&, const AdvancementOptions<S>&); \
-  template S inflation_of(const MovingPair<S>&);                                       \
+  template S detail::inflation_of(const MovingPair<S>&);                               \
   template bool can_be_searched(const MovingPair<S>&, const AdvancementOptions<S>&);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE

@@ -126,8 +126,8 @@ class AdvancementSearch {
  private:
   /// An upper bound of both arms; rounding has changed them by some u of the
   /// reach.
-  static Scalar arm(const CapsulePath<Scalar>& path) {
-    return path.longest_arm + kInflation<Scalar> * path.bounding_radius;
+  static Scalar arm(const detail::CapsulePath<Scalar>& path) {
+    return path.longest_arm + detail::kInflation<Scalar> * path.bounding_radius;
   }
 
   static TermBounds<Scalar> inflated(const TermBounds<Scalar>& size, Scalar inflation) {
@@ -173,9 +173,9 @@ class AdvancementSearch {
 /// other; or zero.
 template <class Scalar>
 Vec3<Scalar> direction_of(const Vec3<Scalar>& seed, const Vec3<Scalar>& other) {
-  const bool seeded = is_finite(seed) && largest_component(seed) > Scalar(0);
+  const bool seeded = is_finite(seed) && detail::largest_component(seed) > Scalar(0);
   const Vec3<Scalar>& line = seeded ? seed : other;
-  return largest_component(line) > Scalar(0) ? unit(line) : line;
+  return detail::largest_component(line) > Scalar(0) ? unit(line) : line;
 }
 
 /// How a advancement ended, and its last witness.

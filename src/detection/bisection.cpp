@@ -4,9 +4,10 @@
 namespace batuta {
 
 template <class Scalar>
-Bracket<Scalar> bisect(const MovingPair<Scalar>& pair, const Bracket<Scalar>& start, int halvings) {
-  Bracket<Scalar> bracket = start;
-  for (int i = 0; i < halvings && i < kMaxHalvings; ++i) {  // Bound: kMaxHalvings
+detail::Bracket<Scalar> detail::bisect(const MovingPair<Scalar>& pair,
+                                       const detail::Bracket<Scalar>& start, int halvings) {
+  detail::Bracket<Scalar> bracket = start;
+  for (int i = 0; i < halvings && i < detail::kMaxHalvings; ++i) {  // Bound: kMaxHalvings
     const Scalar middle = bracket.t_free + (bracket.t_hit - bracket.t_free) / 2;
     if (!(bracket.t_free < middle && middle < bracket.t_hit)) break;  // neighbouring numbers
     const CapsuleGap<Scalar> gap = gap_at(pair, middle);
@@ -24,7 +25,7 @@ Bracket<Scalar> bisect(const MovingPair<Scalar>& pair, const Bracket<Scalar>& st
 }
 
 #define BATUTA_INSTANTIATE(S) \
-  template Bracket<S> bisect(const MovingPair<S>&, const Bracket<S>&, int);
+  template detail::Bracket<S> detail::bisect(const MovingPair<S>&, const detail::Bracket<S>&, int);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 

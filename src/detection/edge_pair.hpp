@@ -84,7 +84,7 @@ inline constexpr Scalar kLeastSharp = Scalar(1) / 64;
 template <class Scalar>
 Vec3<Scalar> sharpened(const Vec3<Scalar>& n, const EdgePair<Scalar>& edges) {
   const Vec3<Scalar> along_edges = edges.solve(edges.along_a, edges.along_b);
-  if (!(largest_component(along_edges) > kSharp<Scalar>)) return n;
+  if (!(detail::largest_component(along_edges) > kSharp<Scalar>)) return n;
   const Vec3<Scalar> sharp = n - along_edges;
   const Scalar square = sharp.squaredNorm();
   if (!(square > kLeastSharp<Scalar>)) return n;

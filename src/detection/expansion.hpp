@@ -61,8 +61,8 @@ template <class Scalar>
 bool can_be_searched(const MovingPair<Scalar>& pair, const AdvancementOptions<Scalar>& options);
 
 template <class Scalar>
-void to_units(CapsulePath<Scalar>& path, Scalar duration, Scalar scale) {
-  for (EndPath<Scalar>& end : path.ends) {  // Bound: two ends
+void to_units(detail::CapsulePath<Scalar>& path, Scalar duration, Scalar scale) {
+  for (detail::EndPath<Scalar>& end : path.ends) {  // Bound: two ends
     end.start *= scale;
     end.arm *= scale;
     end.side *= scale;
@@ -144,12 +144,13 @@ inline Vec3<Scalar> between(const std::array<Vec3<Scalar>, 2>& ends, Scalar s) {
 /// for A
 /// @param angle  that it has turned by
 template <class Scalar>
-void set_state(AxisState<Scalar>& state, const CapsulePath<Scalar>& path,
+void set_state(AxisState<Scalar>& state, const detail::CapsulePath<Scalar>& path,
                const Vec3<Scalar>& travelled, Scalar angle) {
-  const SinCos<Scalar> at = angle > Scalar(0) ? sin_cos(angle) : SinCos<Scalar>{};
+  const detail::SinCos<Scalar> at =
+      angle > Scalar(0) ? detail::sin_cos(angle) : detail::SinCos<Scalar>{};
   const Scalar versine = 1 - at.cos;
   for (std::size_t i = 0; i < 2; ++i) {  // Bound: two ends
-    const EndPath<Scalar>& end = path.ends[i];
+    const detail::EndPath<Scalar>& end = path.ends[i];
     const Vec3<Scalar> turned = at.sin * end.side - versine * end.arm;
     const Vec3<Scalar> arm = end.arm + turned;
     const Vec3<Scalar> side = at.cos * end.side - at.sin * end.arm;

@@ -8,20 +8,21 @@ namespace batuta {
 namespace {
 
 template <class Scalar>
-Vec3<Scalar> end_at(const EndPath<Scalar>& end, const SinCos<Scalar>& turn,
+Vec3<Scalar> end_at(const detail::EndPath<Scalar>& end, const detail::SinCos<Scalar>& turn,
                     const Vec3<Scalar>& travel) {
   return end.start + (travel + (turn.sin * end.side - (Scalar(1) - turn.cos) * end.arm));
 }
 
 template <class Scalar>
-SinCos<Scalar> turn_at(const CapsulePath<Scalar>& path, Scalar t) {
-  return path.turn_rate == Scalar(0) ? SinCos<Scalar>{} : sin_cos(path.turn_rate * t);
+detail::SinCos<Scalar> turn_at(const detail::CapsulePath<Scalar>& path, Scalar t) {
+  return path.turn_rate == Scalar(0) ? detail::SinCos<Scalar>{}
+                                     : detail::sin_cos(path.turn_rate * t);
 }
 
 /// Velocity of the axis point with parameter s at time t.
 template <class Scalar>
-Vec3<Scalar> axis_velocity(const CapsulePath<Scalar>& path, Scalar s, Scalar t) {
-  const SinCos<Scalar> turn = turn_at(path, t);
+Vec3<Scalar> axis_velocity(const detail::CapsulePath<Scalar>& path, Scalar s, Scalar t) {
+  const detail::SinCos<Scalar> turn = turn_at(path, t);
   const Vec3<Scalar> arm = path.ends[0].arm + s * (path.ends[1].arm - path.ends[0].arm);
   const Vec3<Scalar> side = path.ends[0].side + s * (path.ends[1].side - path.ends[0].side);
   return path.v + path.turn_rate * (turn.cos * side - turn.sin * arm);
@@ -48,12 +49,12 @@ bool is_usable(const MovingCapsule<Scalar>& moving) {
                           lost(motion.twist.v_W) + lost(motion.twist.w_W) + lost(motion.duration);
   const Vec3<Scalar> turn = motion.duration * motion.twist.w_W;
   return all_lost == Scalar(0) && capsule.radius >= Scalar(0) && motion.duration >= Scalar(0) &&
-         turn.squaredNorm() <= kMaxAngle<Scalar> * kMaxAngle<Scalar>;
+         turn.squaredNorm() <= detail::kMaxAngle<Scalar> * detail::kMaxAngle<Scalar>;
 }
 
 /// @param axis  of rotation; @returns the length of the arm
 template <class Scalar>
-Scalar set_arm(EndPath<Scalar>& end, const Vec3<Scalar>& lever, const Vec3<Scalar>& axis) {
+Scalar set_arm(detail::EndPath<Scalar>& end, const Vec3<Scalar>& lever, const Vec3<Scalar>& axis) {
   const Vec3<Scalar> arm = lever - axis * axis.dot(lever);
   end.arm = arm;
   end.side = axis.cross(arm);
@@ -62,7 +63,7 @@ Scalar set_arm(EndPath<Scalar>& end, const Vec3<Scalar>& lever, const Vec3<Scala
 
 /// capsule_path() in place. @pre `path` is as it was made
 template <class Scalar>
-void set_path(CapsulePath<Scalar>& path, const MovingCapsule<Scalar>& moving,
+void set_path(detail::CapsulePath<Scalar>& path, const MovingCapsule<Scalar>& moving,
               const Vec3<Scalar>& origin_W, const Vec3<Scalar>& origin_v_W) {
   const Pose<Scalar>& X_WB = moving.motion.X_WB;
   const Segment<Scalar>& axis_B = moving.capsule_B.axis;
@@ -85,16 +86,17 @@ void set_path(CapsulePath<Scalar>& path, const MovingCapsule<Scalar>& moving,
 }  // namespace
 
 template <class Scalar>
-CapsulePath<Scalar> capsule_path(const MovingCapsule<Scalar>& moving, const Vec3<Scalar>& origin_W,
-                                 const Vec3<Scalar>& origin_v_W) {
-  CapsulePath<Scalar> path;
+detail::CapsulePath<Scalar> detail::capsule_path(const MovingCapsule<Scalar>& moving,
+                                                 const Vec3<Scalar>& origin_W,
+                                                 const Vec3<Scalar>& origin_v_W) {
+  detail::CapsulePath<Scalar> path;
   set_path(path, moving, origin_W, origin_v_W);
   return path;
 }
 
 template <class Scalar>
-Capsule<Scalar> capsule_at(const CapsulePath<Scalar>& path, Scalar t) {
-  const SinCos<Scalar> turn = turn_at(path, t);
+Capsule<Scalar> detail::capsule_at(const detail::CapsulePath<Scalar>& path, Scalar t) {
+  const detail::SinCos<Scalar> turn = turn_at(path, t);
   const Vec3<Scalar> travel = path.v * t;
   return {{end_at(path.ends[0], turn, travel), end_at(path.ends[1], turn, travel)}, path.radius};
 }
@@ -124,13 +126,13 @@ Result<MovingPair<Scalar>> make_moving_pair(const MovingCapsule<Scalar>& A,
 }
 
 template <class Scalar>
-CapsulesAt<Scalar> capsules_at(const MovingPair<Scalar>& pair, Scalar t) {
-  return {capsule_at(pair.A, t), capsule_at(pair.B, t)};
+detail::CapsulesAt<Scalar> detail::capsules_at(const MovingPair<Scalar>& pair, Scalar t) {
+  return {detail::capsule_at(pair.A, t), detail::capsule_at(pair.B, t)};
 }
 
 template <class Scalar>
 CapsuleGap<Scalar> gap_at(const MovingPair<Scalar>& pair, Scalar t) {
-  const CapsulesAt<Scalar> capsules = capsules_at(pair, t);
+  const detail::CapsulesAt<Scalar> capsules = detail::capsules_at(pair, t);
   if (!is_valid(capsules.A) || !is_valid(capsules.B)) return {};
   return gap_at(pair, closest_points(capsules.A.axis, capsules.B.axis), t);
 }
@@ -148,23 +150,24 @@ CapsuleGap<Scalar> gap_at(const MovingPair<Scalar>& pair, const ClosestPoints<Sc
 }
 
 template <class Scalar>
-Scalar gap_rate_at(const MovingPair<Scalar>& pair, const CapsuleGap<Scalar>& witness, Scalar t) {
+Scalar detail::gap_rate_at(const MovingPair<Scalar>& pair, const CapsuleGap<Scalar>& witness,
+                           Scalar t) {
   const Vec3<Scalar> v_A = axis_velocity(pair.A, witness.axes.s, t);
   const Vec3<Scalar> v_B = axis_velocity(pair.B, witness.axes.u, t);
   return witness.axes.normal_AB.dot(v_B - v_A);
 }
 
-#define BATUTA_INSTANTIATE(Scalar)                                                             \
-  template CapsulePath<Scalar> capsule_path(const MovingCapsule<Scalar>&, const Vec3<Scalar>&, \
-                                            const Vec3<Scalar>&);                              \
-  template Capsule<Scalar> capsule_at(const CapsulePath<Scalar>&, Scalar);                     \
-  template Result<MovingPair<Scalar>> make_moving_pair(const MovingCapsule<Scalar>&,           \
-                                                       const MovingCapsule<Scalar>&);          \
-  template CapsulesAt<Scalar> capsules_at(const MovingPair<Scalar>&, Scalar);                  \
-  template CapsuleGap<Scalar> gap_at(const MovingPair<Scalar>&, Scalar);                       \
-  template CapsuleGap<Scalar> gap_at(const MovingPair<Scalar>&, const ClosestPoints<Scalar>&,  \
-                                     Scalar);                                                  \
-  template Scalar gap_rate_at(const MovingPair<Scalar>&, const CapsuleGap<Scalar>&, Scalar);
+#define BATUTA_INSTANTIATE(Scalar)                                                            \
+  template detail::CapsulePath<Scalar> detail::capsule_path(                                  \
+      const MovingCapsule<Scalar>&, const Vec3<Scalar>&, const Vec3<Scalar>&);                \
+  template Capsule<Scalar> detail::capsule_at(const detail::CapsulePath<Scalar>&, Scalar);    \
+  template Result<MovingPair<Scalar>> make_moving_pair(const MovingCapsule<Scalar>&,          \
+                                                       const MovingCapsule<Scalar>&);         \
+  template detail::CapsulesAt<Scalar> detail::capsules_at(const MovingPair<Scalar>&, Scalar); \
+  template CapsuleGap<Scalar> gap_at(const MovingPair<Scalar>&, Scalar);                      \
+  template CapsuleGap<Scalar> gap_at(const MovingPair<Scalar>&, const ClosestPoints<Scalar>&, \
+                                     Scalar);                                                 \
+  template Scalar detail::gap_rate_at(const MovingPair<Scalar>&, const CapsuleGap<Scalar>&, Scalar);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 

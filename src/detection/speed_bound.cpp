@@ -10,12 +10,12 @@ namespace {
 /// Largest speed that turning gives an end of the axis, and so any of its points, to within
 /// kRoundUp.
 template <class Scalar>
-Scalar turning_speed(const CapsulePath<Scalar>& path) {
+Scalar turning_speed(const detail::CapsulePath<Scalar>& path) {
   return path.turn_rate * path.longest_arm;
 }
 
 template <class Scalar>
-bool moves(const CapsulePath<Scalar>& path) {
+bool moves(const detail::CapsulePath<Scalar>& path) {
   return path.turn_rate > Scalar(0) || path.v != Vec3<Scalar>::Zero();
 }
 
@@ -31,7 +31,8 @@ Scalar rounded_up(Scalar speed) {
 template <class Scalar>
 Scalar speed_bound(const MovingCapsule<Scalar>& moving) {
   const Vec3<Scalar> at_rest = Vec3<Scalar>::Zero();
-  const CapsulePath<Scalar> path = capsule_path(moving, moving.motion.X_WB.p_W, at_rest);
+  const detail::CapsulePath<Scalar> path =
+      detail::capsule_path(moving, moving.motion.X_WB.p_W, at_rest);
   if (!moves(path)) return Scalar(0);
   return rounded_up(length(path.v) + turning_speed(path) + path.turn_rate * path.radius);
 }

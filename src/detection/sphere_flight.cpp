@@ -85,7 +85,7 @@ SphereResult<Scalar> search_spheres(const SphereFlight<Scalar>& flight, Scalar c
 }
 
 template <class Scalar>
-Scalar contact_gap_of(const SphereFlight<Scalar>& flight, Scalar contact_tolerance) {
+Scalar detail::contact_gap_of(const SphereFlight<Scalar>& flight, Scalar contact_tolerance) {
   const Vec3<Scalar>& start = flight.between;
   const Vec3<Scalar> travel = flight.v * flight.duration;
   const Scalar length = std::sqrt(travel.squaredNorm());
@@ -95,7 +95,7 @@ Scalar contact_gap_of(const SphereFlight<Scalar>& flight, Scalar contact_toleran
 }
 
 template <class Scalar>
-Aabb<Scalar> sphere_aabb(const StraightMotion<Scalar>& center, Scalar radius) {
+Aabb<Scalar> detail::sphere_aabb(const detail::StraightMotion<Scalar>& center, Scalar radius) {
   Aabb<Scalar> box;
   for (int i = 0; i < 3; ++i) {  // Bound: 3
     const SweptExtent<Scalar> extent =
@@ -108,8 +108,8 @@ Aabb<Scalar> sphere_aabb(const StraightMotion<Scalar>& center, Scalar radius) {
 
 #define BATUTA_INSTANTIATE(Scalar)                                                   \
   template SphereResult<Scalar> search_spheres(const SphereFlight<Scalar>&, Scalar); \
-  template Scalar contact_gap_of(const SphereFlight<Scalar>&, Scalar);               \
-  template Aabb<Scalar> sphere_aabb(const StraightMotion<Scalar>&, Scalar);
+  template Scalar detail::contact_gap_of(const SphereFlight<Scalar>&, Scalar);       \
+  template Aabb<Scalar> detail::sphere_aabb(const detail::StraightMotion<Scalar>&, Scalar);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 

@@ -11,9 +11,9 @@ namespace batuta {
 /// The furthest that an axis reaches along a direction, without its steady
 /// motion.
 template <class Scalar>
-Scalar swing_support(const CapsulePath<Scalar>& path, const Vec3<Scalar>& direction) {
+Scalar swing_support(const detail::CapsulePath<Scalar>& path, const Vec3<Scalar>& direction) {
   Scalar furthest = std::numeric_limits<Scalar>::lowest();
-  for (const EndPath<Scalar>& end : path.ends) {  // Bound: two ends
+  for (const detail::EndPath<Scalar>& end : path.ends) {  // Bound: two ends
     const Scalar along_arm = direction.dot(end.arm);
     const Scalar along_side = direction.dot(end.side);
     const Scalar amplitude = std::sqrt(along_arm * along_arm + along_side * along_side);

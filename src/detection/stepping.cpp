@@ -47,7 +47,7 @@ Steps<Scalar> steps_for(const MovingPair<Scalar>& pair, Scalar epsilon) {
 /// bracket is not valid where a gap could not be told.
 template <class Scalar>
 struct SteppingSearch {
-  Bracket<Scalar> bracket;
+  detail::Bracket<Scalar> bracket;
   bool hit = false;
 };
 
@@ -76,14 +76,14 @@ SteppingSearch<Scalar> run_search(const MovingPair<Scalar>& pair, const Steps<Sc
 
 template <class Scalar>
 SearchResult<Scalar> result_of(const MovingPair<Scalar>& pair, Outcome outcome,
-                               const Bracket<Scalar>& bracket) {
+                               const detail::Bracket<Scalar>& bracket) {
   if (!bracket.valid) return {};
   SearchResult<Scalar> result;
   result.outcome = outcome;
   result.t_free = bracket.t_free;
   result.t_hit = bracket.t_hit;
   result.witness = bracket.witness;
-  result.gap_rate = gap_rate_at(pair, bracket.witness, bracket.t_free);
+  result.gap_rate = detail::gap_rate_at(pair, bracket.witness, bracket.t_free);
   result.evaluations = bracket.evaluations;
   return result;
 }
@@ -99,7 +99,7 @@ template <class Scalar>
 Status validate(const SteppingOptions<Scalar>& options) {
   const bool good = is_positive(options.epsilon) && options.unit <= EpsilonIn::kMetres &&
                     options.max_steps >= 1 && options.halvings >= 0 &&
-                    options.halvings <= kMaxHalvings;
+                    options.halvings <= detail::kMaxHalvings;
   return good ? Status::kOk : Status::kInvalidArgument;
 }
 
@@ -120,7 +120,8 @@ SearchResult<Scalar> search_stepping(const MovingPair<Scalar>& pair,
   const Steps<Scalar> steps = steps_for(pair, epsilon);
   SteppingSearch<Scalar> search = run_search(pair, steps, first, options.max_steps);
   if (search.hit) {
-    return result_of(pair, Outcome::kContact, bisect(pair, search.bracket, options.halvings));
+    return result_of(pair, Outcome::kContact,
+                     detail::bisect(pair, search.bracket, options.halvings));
   }
   const bool complete = !(steps.count > static_cast<Scalar>(options.max_steps));
   search.bracket.t_hit = pair.duration;

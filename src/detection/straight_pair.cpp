@@ -15,7 +15,7 @@ Scalar bounding_radius_of(const Capsule<Scalar>& capsule_B) {
 
 /// @pre `path` is as it was made
 template <class Scalar>
-void set_straight_path(CapsulePath<Scalar>& path, const Capsule<Scalar>& capsule_B,
+void set_straight_path(detail::CapsulePath<Scalar>& path, const Capsule<Scalar>& capsule_B,
                        const Vec3<Scalar>& start, Scalar bounding_radius) {
   path.ends[0].start = start + capsule_B.axis.a;
   path.ends[1].start = start + capsule_B.axis.b;
@@ -26,10 +26,10 @@ void set_straight_path(CapsulePath<Scalar>& path, const Capsule<Scalar>& capsule
 }  // namespace
 
 template <class Scalar>
-Result<MovingPair<Scalar>> make_straight_pair(const Capsule<Scalar>& A_B,
-                                              const StraightMotion<Scalar>& A,
-                                              const Capsule<Scalar>& B_B,
-                                              const StraightMotion<Scalar>& B) {
+Result<MovingPair<Scalar>> detail::make_straight_pair(const Capsule<Scalar>& A_B,
+                                                      const detail::StraightMotion<Scalar>& A,
+                                                      const Capsule<Scalar>& B_B,
+                                                      const detail::StraightMotion<Scalar>& B) {
   Result<MovingPair<Scalar>> made;
   const bool is_usable = is_valid(A_B) && is_valid(B_B) && A.duration >= Scalar(0);
   if (!is_usable || A.duration != B.duration) return made;
@@ -55,7 +55,8 @@ Result<MovingPair<Scalar>> make_straight_pair(const Capsule<Scalar>& A_B,
 }
 
 template <class Scalar>
-Aabb<Scalar> straight_aabb(const Capsule<Scalar>& capsule_B, const StraightMotion<Scalar>& motion) {
+Aabb<Scalar> detail::straight_aabb(const Capsule<Scalar>& capsule_B,
+                                   const detail::StraightMotion<Scalar>& motion) {
   Aabb<Scalar> box;
   for (int i = 0; i < 3; ++i) {  // Bound: 3
     const Scalar a = capsule_B.axis.a[i];
@@ -69,10 +70,11 @@ Aabb<Scalar> straight_aabb(const Capsule<Scalar>& capsule_B, const StraightMotio
   return box;
 }
 
-#define BATUTA_INSTANTIATE(S)                                                                     \
-  template Result<MovingPair<S>> make_straight_pair(const Capsule<S>&, const StraightMotion<S>&,  \
-                                                    const Capsule<S>&, const StraightMotion<S>&); \
-  template Aabb<S> straight_aabb(const Capsule<S>&, const StraightMotion<S>&);
+#define BATUTA_INSTANTIATE(S)                                                 \
+  template Result<MovingPair<S>> detail::make_straight_pair(                  \
+      const Capsule<S>&, const detail::StraightMotion<S>&, const Capsule<S>&, \
+      const detail::StraightMotion<S>&);                                      \
+  template Aabb<S> detail::straight_aabb(const Capsule<S>&, const detail::StraightMotion<S>&);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 

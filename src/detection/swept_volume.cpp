@@ -46,18 +46,18 @@ struct Wave {
 
 /// Lowest and highest value, m.
 template <class Scalar>
-struct Extent {
+struct ArcExtent {
   Scalar low = 0;
   Scalar high = 0;
 };
 
 template <class Scalar>
-Extent<Scalar> joined(const Extent<Scalar>& P, const Extent<Scalar>& Q) {
+ArcExtent<Scalar> joined(const ArcExtent<Scalar>& P, const ArcExtent<Scalar>& Q) {
   return {min_of(P.low, Q.low), max_of(P.high, Q.high)};
 }
 
 template <class Scalar>
-Extent<Scalar> shifted(const Extent<Scalar>& x, Scalar by) {
+ArcExtent<Scalar> shifted(const ArcExtent<Scalar>& x, Scalar by) {
   return {x.low + by, x.high + by};
 }
 
@@ -93,8 +93,8 @@ Scalar crest(const Crests<Scalar>& at, Scalar sign, Scalar turn) {
   const Scalar slope = sign * at.slope;
   const Scalar cosine = sign * at.cosine;
   const Scalar sine = sign * at.sine;
-  const Scalar nearest =
-      arc_tangent(sine * at.steepness + cosine * slope, cosine * at.steepness - sine * slope);
+  const Scalar nearest = detail::arc_tangent(sine * at.steepness + cosine * slope,
+                                             cosine * at.steepness - sine * slope);
   Scalar angle = nearest < Scalar(0) ? nearest + kFullTurn<Scalar> : nearest;
   if (angle > turn) return Scalar(0);
   if (slope > Scalar(0)) {
@@ -112,15 +112,15 @@ struct EndWave {
 };
 
 template <class Scalar>
-EndWave<Scalar> end_wave(const CapsuleSweep<Scalar>& sweep, const EndPath<Scalar>& end,
-                         const Vec3<Scalar>& direction) {
+EndWave<Scalar> end_wave(const detail::CapsuleSweep<Scalar>& sweep,
+                         const detail::EndPath<Scalar>& end, const Vec3<Scalar>& direction) {
   return {direction.dot(end.start),
           {direction.dot(sweep.travel_W), direction.dot(end.arm), direction.dot(end.side)}};
 }
 
 /// Over the start and the end of the motion, relative to the start.
 template <class Scalar>
-Extent<Scalar> ends_of(const CapsuleSweep<Scalar>& sweep, const Wave<Scalar>& wave) {
+ArcExtent<Scalar> ends_of(const detail::CapsuleSweep<Scalar>& sweep, const Wave<Scalar>& wave) {
   const Scalar turned = wave.sine * sweep.at_end.sin - (Scalar(1) - sweep.at_end.cos) * wave.cosine;
   const Scalar last = wave.travel + turned;
   const Scalar slip =
@@ -141,14 +141,14 @@ Scalar amplitude_of(const Wave<Scalar>& wave) {
 
 /// Over whole circles carried along.
 template <class Scalar>
-Extent<Scalar> circles_of(const Wave<Scalar>& wave, Scalar amplitude) {
+ArcExtent<Scalar> circles_of(const Wave<Scalar>& wave, Scalar amplitude) {
   return {min_of(Scalar(0), wave.travel) - wave.cosine - amplitude,
           max_of(Scalar(0), wave.travel) - wave.cosine + amplitude};
 }
 
 /// Whether the slope keeps its sign, by its values at both ends and its second derivative.
 template <class Scalar>
-bool is_monotone(const CapsuleSweep<Scalar>& sweep, const Wave<Scalar>& wave) {
+bool is_monotone(const detail::CapsuleSweep<Scalar>& sweep, const Wave<Scalar>& wave) {
   const Scalar turn = sweep.turn;
   const Scalar first = wave.travel + turn * wave.sine;
   const Scalar last =
@@ -162,36 +162,40 @@ bool is_monotone(const CapsuleSweep<Scalar>& sweep, const Wave<Scalar>& wave) {
 /// the compiler's call graph does not see it.
 struct ExactExtent {
   template <class Scalar>
-  static Extent<Scalar> of(const CapsuleSweep<Scalar>& sweep, const EndWave<Scalar>& end);
+  static ArcExtent<Scalar> of(const detail::CapsuleSweep<Scalar>& sweep,
+                              const EndWave<Scalar>& end);
 };
 struct CoarseExtent {
   template <class Scalar>
-  static Extent<Scalar> of(const CapsuleSweep<Scalar>& sweep, const EndWave<Scalar>& end);
+  static ArcExtent<Scalar> of(const detail::CapsuleSweep<Scalar>& sweep,
+                              const EndWave<Scalar>& end);
 };
 
 template <class Scalar>
-Extent<Scalar> ExactExtent::of(const CapsuleSweep<Scalar>& sweep, const EndWave<Scalar>& end) {
-  if (!(sweep.turn <= kMaxAngle<Scalar>)) {
+ArcExtent<Scalar> ExactExtent::of(const detail::CapsuleSweep<Scalar>& sweep,
+                                  const EndWave<Scalar>& end) {
+  if (!(sweep.turn <= detail::kMaxAngle<Scalar>)) {
     return shifted(circles_of(end.wave, amplitude_of(end.wave)), end.first);
   }
-  const Extent<Scalar> ends = ends_of(sweep, end.wave);
+  const ArcExtent<Scalar> ends = ends_of(sweep, end.wave);
   if (is_monotone(sweep, end.wave)) return shifted(ends, end.first);
   const Crests<Scalar> crests = crests_of(end.wave, sweep.turn);
-  const Extent<Scalar> inner{-crest(crests, Scalar(-1), sweep.turn),
-                             crest(crests, Scalar(1), sweep.turn)};
+  const ArcExtent<Scalar> inner{-crest(crests, Scalar(-1), sweep.turn),
+                                crest(crests, Scalar(1), sweep.turn)};
   return shifted(joined(ends, inner), end.first);
 }
 
 /// Chord and sagitta, or the whole circle carried along, whichever is less.
 template <class Scalar>
-Extent<Scalar> CoarseExtent::of(const CapsuleSweep<Scalar>& sweep, const EndWave<Scalar>& end) {
+ArcExtent<Scalar> CoarseExtent::of(const detail::CapsuleSweep<Scalar>& sweep,
+                                   const EndWave<Scalar>& end) {
   const Scalar amplitude = amplitude_of(end.wave);
-  const Extent<Scalar> circles = circles_of(end.wave, amplitude);
+  const ArcExtent<Scalar> circles = circles_of(end.wave, amplitude);
   if (!(sweep.turn < kLongTurn<Scalar>)) return shifted(circles, end.first);
-  const Extent<Scalar> ends = ends_of(sweep, end.wave);
+  const ArcExtent<Scalar> ends = ends_of(sweep, end.wave);
   const Scalar sagitta = sweep.turn * sweep.turn * amplitude / 8;
-  const Extent<Scalar> tighter{max_of(circles.low, ends.low - sagitta),
-                               min_of(circles.high, ends.high + sagitta)};
+  const ArcExtent<Scalar> tighter{max_of(circles.low, ends.low - sagitta),
+                                  min_of(circles.high, ends.high + sagitta)};
   return shifted(tighter, end.first);
 }
 
@@ -214,19 +218,20 @@ Kdop<Scalar, K> unbounded() {
 /// Of both ends along `direction`, relative to start_W.
 /// @tparam EndExtent  ExactExtent or CoarseExtent
 template <class EndExtent, class Scalar>
-Extent<Scalar> extent_of(const CapsuleSweep<Scalar>& sweep, const Vec3<Scalar>& direction) {
+ArcExtent<Scalar> extent_of(const detail::CapsuleSweep<Scalar>& sweep,
+                            const Vec3<Scalar>& direction) {
   return joined(EndExtent::of(sweep, end_wave(sweep, sweep.path.ends[0], direction)),
                 EndExtent::of(sweep, end_wave(sweep, sweep.path.ends[1], direction)));
 }
 
 template <class Scalar, int K, class EndExtent>
 Kdop<Scalar, K> kdop_over(const MovingCapsule<Scalar>& moving) {
-  const CapsuleSweep<Scalar> sweep = capsule_sweep(moving);
+  const detail::CapsuleSweep<Scalar> sweep = detail::capsule_sweep(moving);
   if (!sweep.is_bounded) return unbounded<Scalar, K>();
   Kdop<Scalar, K> swept;
   for (int i = 0; i < Kdop<Scalar, K>::kDirections; ++i) {  // Bound: K / 2
-    const Vec3<Scalar> up = kdop_direction<Scalar, K>(i);
-    const Extent<Scalar> along = shifted(extent_of<EndExtent>(sweep, up), up.dot(sweep.start_W));
+    const Vec3<Scalar> up = detail::kdop_direction<Scalar, K>(i);
+    const ArcExtent<Scalar> along = shifted(extent_of<EndExtent>(sweep, up), up.dot(sweep.start_W));
     const auto k = static_cast<std::size_t>(i);
     swept.low[k] = along.low;
     swept.high[k] = along.high;
@@ -237,7 +242,7 @@ Kdop<Scalar, K> kdop_over(const MovingCapsule<Scalar>& moving) {
 }  // namespace
 
 template <class Scalar>
-SweptSphere<Scalar> swept_sphere(const MovingCapsule<Scalar>& moving) {
+detail::SweptSphere<Scalar> detail::swept_sphere(const MovingCapsule<Scalar>& moving) {
   const Vec3<Scalar>& start_W = moving.motion.X_WB.p_W;
   const Vec3<Scalar> travel = moving.motion.twist.v_W * moving.motion.duration;
   const Scalar radius = bounding_radius_of(moving) + moving.capsule_B.radius;
@@ -246,14 +251,15 @@ SweptSphere<Scalar> swept_sphere(const MovingCapsule<Scalar>& moving) {
 }
 
 template <class Scalar>
-CapsuleSweep<Scalar> capsule_sweep(const MovingCapsule<Scalar>& moving) {
+detail::CapsuleSweep<Scalar> detail::capsule_sweep(const MovingCapsule<Scalar>& moving) {
   const Scalar duration = moving.motion.duration;
-  CapsuleSweep<Scalar> sweep;
+  detail::CapsuleSweep<Scalar> sweep;
   sweep.start_W = moving.motion.X_WB.p_W;
-  sweep.path = capsule_path(moving, sweep.start_W, Vec3<Scalar>::Zero().eval());
+  sweep.path = detail::capsule_path(moving, sweep.start_W, Vec3<Scalar>::Zero().eval());
   sweep.travel_W = sweep.path.v * duration;
   sweep.turn = sweep.path.turn_rate * duration;
-  if (sweep.turn > Scalar(0) && sweep.turn <= kMaxAngle<Scalar>) sweep.at_end = sin_cos(sweep.turn);
+  if (sweep.turn > Scalar(0) && sweep.turn <= detail::kMaxAngle<Scalar>)
+    sweep.at_end = detail::sin_cos(sweep.turn);
   // Where a sum of lengths may overflow, 0 * infinity could make a face vanish.
   const Scalar local = bounding_radius_of(moving) + length(sweep.travel_W);
   const Scalar other = length(sweep.start_W) + sweep.path.radius;
@@ -263,35 +269,36 @@ CapsuleSweep<Scalar> capsule_sweep(const MovingCapsule<Scalar>& moving) {
 }
 
 template <class Scalar>
-Scalar swept_support(const CapsuleSweep<Scalar>& sweep, const Vec3<Scalar>& direction) {
+Scalar detail::swept_support(const detail::CapsuleSweep<Scalar>& sweep,
+                             const Vec3<Scalar>& direction) {
   if (!sweep.is_bounded) return std::numeric_limits<Scalar>::max();
-  const Extent<Scalar> extent = extent_of<ExactExtent>(sweep, direction);
+  const ArcExtent<Scalar> extent = extent_of<ExactExtent>(sweep, direction);
   const Scalar margin = length(direction) * (sweep.path.radius + sweep.outward);
   return direction.dot(sweep.start_W) + (extent.high + margin);
 }
 
 template <class Scalar, int K>
-Kdop<Scalar, K> swept_kdop(const MovingCapsule<Scalar>& moving) {
+Kdop<Scalar, K> detail::swept_kdop(const MovingCapsule<Scalar>& moving) {
   return kdop_over<Scalar, K, ExactExtent>(moving);
 }
 
 template <class Scalar, int K>
-Kdop<Scalar, K> coarse_swept_kdop(const MovingCapsule<Scalar>& moving) {
+Kdop<Scalar, K> detail::coarse_swept_kdop(const MovingCapsule<Scalar>& moving) {
   return kdop_over<Scalar, K, CoarseExtent>(moving);
 }
 
 template <class Scalar>
 Aabb<Scalar> swept_aabb(const MovingCapsule<Scalar>& moving) {
-  return swept_kdop<Scalar, 6>(moving);
+  return detail::swept_kdop<Scalar, 6>(moving);
 }
 
 template <class Scalar>
-Aabb<Scalar> coarse_swept_aabb(const MovingCapsule<Scalar>& moving) {
-  return coarse_swept_kdop<Scalar, 6>(moving);
+Aabb<Scalar> detail::coarse_swept_aabb(const MovingCapsule<Scalar>& moving) {
+  return detail::coarse_swept_kdop<Scalar, 6>(moving);
 }
 
 template <class Scalar>
-bool overlaps(const SweptSphere<Scalar>& P, const SweptSphere<Scalar>& Q) {
+bool overlaps(const detail::SweptSphere<Scalar>& P, const detail::SweptSphere<Scalar>& Q) {
   const Vec3<Scalar> travel_P = P.end_W - P.start_W;
   const Vec3<Scalar> travel_Q = Q.end_W - Q.start_W;
   const Vec3<Scalar> between = Q.start_W - P.start_W;
@@ -303,20 +310,20 @@ bool overlaps(const SweptSphere<Scalar>& P, const SweptSphere<Scalar>& Q) {
   return !(apart > kRoundUp<Scalar> * (P.radius + Q.radius));
 }
 
-#define BATUTA_INSTANTIATE_K(Scalar, K)                              \
-  template Kdop<Scalar, K> swept_kdop(const MovingCapsule<Scalar>&); \
-  template Kdop<Scalar, K> coarse_swept_kdop(const MovingCapsule<Scalar>&);
-#define BATUTA_INSTANTIATE(Scalar)                                                 \
-  template SweptSphere<Scalar> swept_sphere(const MovingCapsule<Scalar>&);         \
-  template CapsuleSweep<Scalar> capsule_sweep(const MovingCapsule<Scalar>&);       \
-  template Scalar swept_support(const CapsuleSweep<Scalar>&, const Vec3<Scalar>&); \
-  template Aabb<Scalar> swept_aabb(const MovingCapsule<Scalar>&);                  \
-  template Aabb<Scalar> coarse_swept_aabb(const MovingCapsule<Scalar>&);           \
-  BATUTA_INSTANTIATE_K(Scalar, 6)                                                  \
-  BATUTA_INSTANTIATE_K(Scalar, 14)                                                 \
-  BATUTA_INSTANTIATE_K(Scalar, 18)                                                 \
-  BATUTA_INSTANTIATE_K(Scalar, 26)                                                 \
-  template bool overlaps(const SweptSphere<Scalar>&, const SweptSphere<Scalar>&);
+#define BATUTA_INSTANTIATE_K(Scalar, K)                                      \
+  template Kdop<Scalar, K> detail::swept_kdop(const MovingCapsule<Scalar>&); \
+  template Kdop<Scalar, K> detail::coarse_swept_kdop(const MovingCapsule<Scalar>&);
+#define BATUTA_INSTANTIATE(Scalar)                                                                 \
+  template detail::SweptSphere<Scalar> detail::swept_sphere(const MovingCapsule<Scalar>&);         \
+  template detail::CapsuleSweep<Scalar> detail::capsule_sweep(const MovingCapsule<Scalar>&);       \
+  template Scalar detail::swept_support(const detail::CapsuleSweep<Scalar>&, const Vec3<Scalar>&); \
+  template Aabb<Scalar> swept_aabb(const MovingCapsule<Scalar>&);                                  \
+  template Aabb<Scalar> detail::coarse_swept_aabb(const MovingCapsule<Scalar>&);                   \
+  BATUTA_INSTANTIATE_K(Scalar, 6)                                                                  \
+  BATUTA_INSTANTIATE_K(Scalar, 14)                                                                 \
+  BATUTA_INSTANTIATE_K(Scalar, 18)                                                                 \
+  BATUTA_INSTANTIATE_K(Scalar, 26)                                                                 \
+  template bool overlaps(const detail::SweptSphere<Scalar>&, const detail::SweptSphere<Scalar>&);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 #undef BATUTA_INSTANTIATE_K

@@ -53,8 +53,8 @@ Vec3<Scalar> tracking_rate(const Clearances<Scalar>& f, const Vec3<Scalar>& n,
 /// Whether its powers are harmless.
 template <class Scalar>
 bool can_be_followed(const NormalMotion<Scalar>& N) {
-  return largest_component(N.m) <= kFastest<Scalar> &&
-         largest_component(N.m2) <= kFastest<Scalar> * kFastest<Scalar>;
+  return detail::largest_component(N.m) <= kFastest<Scalar> &&
+         detail::largest_component(N.m2) <= kFastest<Scalar> * kFastest<Scalar>;
 }
 
 /// What a certificate is asked.

@@ -55,7 +55,7 @@ class TranslationSearch {
   /// without a distance evaluation; returns its direction.
   Vec3<Scalar> advance_along_middles() {
     Vec3<Scalar> n = line_of_middles();
-    if (!(largest_component(n) > Scalar(0))) return n;
+    if (!(detail::largest_component(n) > Scalar(0))) return n;
     n = unit(n);
     (void)advance_along(n, contact_tolerance_, Scalar(1));
     return n;
@@ -136,7 +136,7 @@ class TranslationSearch {
 
 /// A ball about its centre of mass may: nobody sees it.
 template <class Scalar>
-bool turns(const CapsulePath<Scalar>& path) {
+bool turns(const detail::CapsulePath<Scalar>& path) {
   return path.turn_rate > Scalar(0) && path.bounding_radius > Scalar(0);
 }
 

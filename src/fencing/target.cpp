@@ -71,7 +71,8 @@ MovingCapsule<Scalar> between(const Capsule<Scalar>& start_W, const Capsule<Scal
   const Vec3<Scalar> normal = d0.cross(d1);
   const Scalar sine = normal.norm();
   if (sine > Scalar(0)) {
-    moving.motion.twist.w_W = (arc_tangent(sine, d0.dot(d1)) / (sine * dt)) * normal;
+    moving.motion.twist.w_W =
+        (batuta::detail::arc_tangent(sine, d0.dot(d1)) / (sine * dt)) * normal;
   }
   return moving;
 }
@@ -115,7 +116,8 @@ template <class Scalar>
 typename Target<Scalar>::Hull Target<Scalar>::own_hull(std::size_t part) const {
   const Capsule<Scalar>& start = start_W_[part];
   const Capsule<Scalar>& end = shape_W_[part];
-  return kdop_of<Scalar, kTargetK>(start, end, margin_between(start.axis, end.axis));
+  return batuta::detail::kdop_of<Scalar, kTargetK>(start, end,
+                                                   margin_between(start.axis, end.axis));
 }
 
 template <class Scalar>
@@ -129,7 +131,7 @@ MovingCapsule<Scalar> Target<Scalar>::part(BodyPart part) const {
 template <class Scalar>
 PartMask Target<Scalar>::parts_reached(const MovingCapsule<Scalar>& blade, PartMask wanted) const {
   PartMask reached = 0;
-  const Hull swept = swept_kdop<Scalar, kTargetK>(blade);
+  const Hull swept = batuta::detail::swept_kdop<Scalar, kTargetK>(blade);
   std::size_t i = 0;
   for (int visit = 0; visit < kBodyParts && i < kParts; ++visit) {  // Bound: kBodyParts
     if (!overlaps(swept, hulls_[i])) {

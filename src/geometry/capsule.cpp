@@ -13,7 +13,7 @@ constexpr Scalar kSphereSlack = 8 * kRoundOff<Scalar>;
 
 template <class Scalar>
 bool is_usable(const Vec3<Scalar>& point) {
-  return is_finite(point) && largest_component(point) <= kLargestCoordinate<Scalar>;
+  return is_finite(point) && detail::largest_component(point) <= kLargestCoordinate<Scalar>;
 }
 
 }  // namespace
@@ -27,7 +27,7 @@ bool is_valid(const Capsule<Scalar>& capsule) {
 template <class Scalar>
 bool can_hold(const Vec3<Scalar>& place, const Capsule<Scalar>& capsule_B) {
   const Segment<Scalar>& axis = capsule_B.axis;
-  const Scalar reach = max_of(largest_component(axis.a), largest_component(axis.b));
+  const Scalar reach = max_of(detail::largest_component(axis.a), detail::largest_component(axis.b));
   return can_hold<Scalar>(place, reach + capsule_B.radius);
 }
 

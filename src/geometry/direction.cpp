@@ -18,7 +18,7 @@ template <class Scalar>
 Scalar length(const Vec3<Scalar>& v) {
   Scalar square = v.squaredNorm();
   if (is_sound(square)) return std::sqrt(square);
-  const Scalar largest = largest_component(v);
+  const Scalar largest = detail::largest_component(v);
   if (largest == 0) return square;  // 0, or NaN where a component beside zeros is
   square = Vec3<Scalar>(v / largest).squaredNorm();
   return largest * std::sqrt(square);
@@ -29,7 +29,7 @@ Vec3<Scalar> unit(const Vec3<Scalar>& v) {
   Vec3<Scalar> w = v;
   Scalar square = v.squaredNorm();
   if (!is_sound(square)) {
-    const Scalar largest = largest_component(v);
+    const Scalar largest = detail::largest_component(v);
     BATUTA_ASSERT(largest != 0);
     w = v / largest;
     square = w.squaredNorm();
@@ -38,7 +38,7 @@ Vec3<Scalar> unit(const Vec3<Scalar>& v) {
 }
 
 template <class Scalar>
-Vec3<Scalar> perpendicular(const Vec3<Scalar>& v) {
+Vec3<Scalar> detail::perpendicular(const Vec3<Scalar>& v) {
   const Vec3<Scalar> size = v.cwiseAbs();
   Vec3<Scalar> across(-v.y(), v.x(), 0);
   if (size.x() <= size.y() && size.x() <= size.z()) {
@@ -52,7 +52,7 @@ Vec3<Scalar> perpendicular(const Vec3<Scalar>& v) {
 #define BATUTA_INSTANTIATE(S)            \
   template S length(const Vec3<S>&);     \
   template Vec3<S> unit(const Vec3<S>&); \
-  template Vec3<S> perpendicular(const Vec3<S>&);
+  template Vec3<S> detail::perpendicular(const Vec3<S>&);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 

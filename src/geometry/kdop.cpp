@@ -94,18 +94,18 @@ Extent<Scalar> extent_along(std::size_t i, const Capsule<Scalar>& capsule, Scala
 }  // namespace
 
 template <class Scalar, int K>
-Vec3<Scalar> kdop_direction(int i) {
+Vec3<Scalar> detail::kdop_direction(int i) {
   BATUTA_ASSERT(i >= 0 && i < K / 2);
   return direction<Scalar, K>(static_cast<std::size_t>(i));
 }
 
 template <class Scalar, int K>
-Kdop<Scalar, K> kdop_of(const Capsule<Scalar>& capsule) {
-  return kdop_of<Scalar, K>(capsule, capsule, Scalar(0));
+Kdop<Scalar, K> detail::kdop_of(const Capsule<Scalar>& capsule) {
+  return detail::kdop_of<Scalar, K>(capsule, capsule, Scalar(0));
 }
 
 template <class Scalar, int K>
-Kdop<Scalar, K> kdop_of(const Capsule<Scalar>& P, const Capsule<Scalar>& Q, Scalar margin) {
+Kdop<Scalar, K> detail::kdop_of(const Capsule<Scalar>& P, const Capsule<Scalar>& Q, Scalar margin) {
   BATUTA_ASSERT(margin >= Scalar(0));
   Kdop<Scalar, K> result;
   for (std::size_t i = 0; i < result.low.size(); ++i) {  // Bound: K / 2
@@ -157,14 +157,14 @@ Kdop<Scalar, K> inflated(const Kdop<Scalar, K>& P, Scalar margin) {
   return result;
 }
 
-#define BATUTA_INSTANTIATE(Scalar, K)                                                         \
-  template Vec3<Scalar> kdop_direction<Scalar, K>(int);                                       \
-  template Kdop<Scalar, K> kdop_of<Scalar, K>(const Capsule<Scalar>&);                        \
-  template Kdop<Scalar, K> kdop_of<Scalar, K>(const Capsule<Scalar>&, const Capsule<Scalar>&, \
-                                              Scalar);                                        \
-  template Kdop<Scalar, K> merge(const Kdop<Scalar, K>&, const Kdop<Scalar, K>&);             \
-  template bool overlaps(const Kdop<Scalar, K>&, const Kdop<Scalar, K>&);                     \
-  template bool contains(const Kdop<Scalar, K>&, const Vec3<Scalar>&);                        \
+#define BATUTA_INSTANTIATE(Scalar, K)                                                  \
+  template Vec3<Scalar> detail::kdop_direction<Scalar, K>(int);                        \
+  template Kdop<Scalar, K> detail::kdop_of<Scalar, K>(const Capsule<Scalar>&);         \
+  template Kdop<Scalar, K> detail::kdop_of<Scalar, K>(const Capsule<Scalar>&,          \
+                                                      const Capsule<Scalar>&, Scalar); \
+  template Kdop<Scalar, K> merge(const Kdop<Scalar, K>&, const Kdop<Scalar, K>&);      \
+  template bool overlaps(const Kdop<Scalar, K>&, const Kdop<Scalar, K>&);              \
+  template bool contains(const Kdop<Scalar, K>&, const Vec3<Scalar>&);                 \
   template Kdop<Scalar, K> inflated(const Kdop<Scalar, K>&, Scalar);
 #define BATUTA_INSTANTIATE_ALL(Scalar) \
   BATUTA_INSTANTIATE(Scalar, 6)        \

@@ -110,7 +110,8 @@ BATUTA_HOT Query<Scalar> by_value(const Query<Scalar>& q) {
 template <class Scalar>
 BATUTA_RARE void bring_into_window(Query<Scalar>& q) {
   q.scale = window_scale(
-      max_of(largest_component(q.r), max_of(largest_component(q.d_A), largest_component(q.d_B))));
+      max_of(detail::largest_component(q.r),
+             max_of(detail::largest_component(q.d_A), detail::largest_component(q.d_B))));
   q.d_A *= q.scale;
   q.d_B *= q.scale;
   q.r *= q.scale;
@@ -169,7 +170,7 @@ BATUTA_APART Vec3<Scalar> conventional_normal(Query<Scalar> q, Vec3<Scalar> gap)
   if (n.squaredNorm() > kParallel2<Scalar> * q.AA * q.BB) {
     normal = unit(n);
   } else if (q.AA > 0 || q.BB > 0) {
-    normal = perpendicular(q.AA < q.BB ? q.d_B : q.d_A);
+    normal = detail::perpendicular(q.AA < q.BB ? q.d_B : q.d_A);
   }
   if (normal.dot(gap) < 0) normal = -normal;
   return normal;
@@ -178,12 +179,12 @@ BATUTA_APART Vec3<Scalar> conventional_normal(Query<Scalar> q, Vec3<Scalar> gap)
 /// A point of a segment, measured from the nearer end: exact at the ends, and half the rounding
 /// error elsewhere.
 template <class Scalar>
-struct Place {
+struct PointOnAxis {
   const Vec3<Scalar>* end;
   Scalar from_end;
 };
 template <class Scalar>
-BATUTA_HOT Place<Scalar> place(const Ends<Scalar>& A, Scalar s) {
+BATUTA_HOT PointOnAxis<Scalar> place(const Ends<Scalar>& A, Scalar s) {
   if (s > Scalar(0.5)) return {A.b, s - 1};
   return {A.a, s};
 }
@@ -202,8 +203,8 @@ template <class Scalar>
 BATUTA_HOT ClosestPoints<Scalar> result_of(const Query<Scalar>& q, const Ends<Scalar>& A,
                                            const Ends<Scalar>& B, const Parameters<Scalar>& x,
                                            bool swapped) {
-  const Place<Scalar> at_A = place(A, x.s);
-  const Place<Scalar> at_B = place(B, x.u);
+  const PointOnAxis<Scalar> at_A = place(A, x.s);
+  const PointOnAxis<Scalar> at_B = place(B, x.u);
   Vec3<Scalar> to_A = at_A.from_end * q.d_A;
   Vec3<Scalar> to_B = at_B.from_end * q.d_B;
   Vec3<Scalar> between_ends = *at_B.end - *at_A.end;
@@ -218,12 +219,12 @@ BATUTA_HOT ClosestPoints<Scalar> result_of(const Query<Scalar>& q, const Ends<Sc
   const Vec3<Scalar> p_B = *at_B.end + to_B;
   const Scalar gap2 = gap.squaredNorm();
   ClosestPoints<Scalar> out;
+  out.distance = std::sqrt(gap2);
+  out.normal_AB = gap / (swapped ? -out.distance : out.distance);
   out.s = A.in_callers_order(x.s);
   out.u = B.in_callers_order(x.u);
   out.p_A = by_value(p_A);
   out.p_B = by_value(p_B);
-  out.distance = std::sqrt(gap2);
-  out.normal_AB = gap / (swapped ? -out.distance : out.distance);
   if (swapped) {
     std::swap(out.s, out.u);
     out.p_A = by_value(p_B);

@@ -104,11 +104,11 @@ float OutputStage::limited(Axis& axis, float share, float position, float veloci
   const float push = end_stop_push(end_stop_, position, velocity);
   const float stopped = with_end_stop(share, push, position);
   const float slower = axis.speed.limited(stopped, velocity);
-  const float told = axis.slew.towards(slower);
+  const float slewed = axis.slew.towards(slower);
   if (push > 0.0F) limits_.end_stop = true;
   if (slower != stopped) limits_.speed = true;
-  if (told != slower) limits_.slew = true;
-  return told;
+  if (slewed != slower) limits_.slew = true;
+  return slewed;
 }
 
 /// What is left when each ramp has had its say: the least. Two that fall for the same reason fall

@@ -25,7 +25,7 @@ Scalar inverse_or_zero(Scalar x) {
 template <class Scalar>
 Vec3<Scalar> scaled_in_body(const Quat<Scalar>& q_WB, const Vec3<Scalar>& d,
                             const Vec3<Scalar>& x_W) {
-  const Mat3<Scalar> R = to_matrix(q_WB);
+  const Mat3<Scalar> R = detail::to_matrix(q_WB);
   const Vec3<Scalar> x_B = R.transpose() * x_W;
   return R * Vec3<Scalar>(d.cwiseProduct(x_B));
 }
@@ -60,8 +60,8 @@ Capsule<Scalar> to_world(const Pose<Scalar>& X_WB, const Capsule<Scalar>& capsul
 }
 
 template <class Scalar>
-Mat3<Scalar> inverse_inertia_W(const Body<Scalar>& body) {
-  const Mat3<Scalar> R = to_matrix(body.X_WB.q_WB);
+Mat3<Scalar> detail::inverse_inertia_W(const Body<Scalar>& body) {
+  const Mat3<Scalar> R = detail::to_matrix(body.X_WB.q_WB);
   Mat3<Scalar> sum = Mat3<Scalar>::Zero();
   for (int i = 0; i < 3; ++i) {                                   // Bound: three axes
     const Mat3<Scalar> square = R.col(i) * R.col(i).transpose();  // symmetric to the last bit
@@ -128,7 +128,7 @@ Scalar kinetic_energy(const Body<Scalar>& body) {
   template Vec3<Scalar> to_world(const Pose<Scalar>&, const Vec3<Scalar>&);                       \
   template Vec3<Scalar> to_body(const Pose<Scalar>&, const Vec3<Scalar>&);                        \
   template Capsule<Scalar> to_world(const Pose<Scalar>&, const Capsule<Scalar>&);                 \
-  template Mat3<Scalar> inverse_inertia_W(const Body<Scalar>&);                                   \
+  template Mat3<Scalar> detail::inverse_inertia_W(const Body<Scalar>&);                           \
   template Twist<Scalar> twist_of(const Body<Scalar>&);                                           \
   template Momentum<Scalar> momentum_of(const Body<Scalar>&, const Twist<Scalar>&);               \
   template Vec3<Scalar> velocity_at(const Pose<Scalar>&, const Twist<Scalar>&,                    \

@@ -18,7 +18,7 @@ bool is_symmetric(const Mat3<Scalar>& I) {
   const Vec3<Scalar> upper(I(0, 1), I(0, 2), I(1, 2));
   const Vec3<Scalar> lower(I(1, 0), I(2, 0), I(2, 1));
   // No element of a body's tensor is larger than its trace.
-  const Scalar apart = largest_component(Vec3<Scalar>(upper - lower));
+  const Scalar apart = detail::largest_component(Vec3<Scalar>(upper - lower));
   return is_finite(I) && apart <= kRounding<Scalar> * I.trace();
 }
 
@@ -33,12 +33,12 @@ bool are_of_a_body(const Vec3<Scalar>& moments) {
 template <class Scalar>
 Quat<Scalar> axes_about(const Quat<Scalar>& q_SB, int odd) {
   Mat3<Scalar> R;
-  const Vec3<Scalar> along = to_matrix(q_SB).col(odd);
-  const Vec3<Scalar> across = perpendicular(along);
+  const Vec3<Scalar> along = detail::to_matrix(q_SB).col(odd);
+  const Vec3<Scalar> across = detail::perpendicular(along);
   R.col(odd) = along;
   R.col((odd + 1) % 3) = across;
   R.col((odd + 2) % 3) = along.cross(across);
-  return to_quaternion(R);
+  return detail::to_quaternion(R);
 }
 
 /// Moves the capsules from S to B. @returns whether all are valid, before and after
@@ -57,7 +57,7 @@ bool move_to_body(const Pose<Scalar>& X_SB, Capsule<Scalar>* capsules, int count
 template <class Scalar>
 bool shows_spin(const Body<Scalar>& body, const Capsule<Scalar>* capsules, int count) {
   for (int i = 0; i < count; ++i) {  // Bound: count
-    if (!hides_spin(body, capsules[i])) return true;
+    if (!detail::hides_spin(body, capsules[i])) return true;
   }
   return false;
 }
@@ -65,7 +65,7 @@ bool shows_spin(const Body<Scalar>& body, const Capsule<Scalar>* capsules, int c
 }  // namespace
 
 template <class Scalar>
-Result<MassProperties<Scalar>> mass_of_parts(const CapsulePart<Scalar>* parts, int count) {
+Result<MassProperties<Scalar>> detail::mass_of_parts(const CapsulePart<Scalar>* parts, int count) {
   Result<MassProperties<Scalar>> sum;
   for (int i = 0; i < count; ++i) {  // Bound: count
     auto part = solid_capsule(parts[i].capsule_S, parts[i].density);
@@ -78,7 +78,7 @@ Result<MassProperties<Scalar>> mass_of_parts(const CapsulePart<Scalar>* parts, i
 }
 
 template <class Scalar>
-PrincipalFrame<Scalar> settled_frame(const MassProperties<Scalar>& mass) {
+PrincipalFrame<Scalar> detail::settled_frame(const MassProperties<Scalar>& mass) {
   PrincipalFrame<Scalar> result = principal_frame(mass);
   Vec3<Scalar>& m = result.moments;
   const Scalar least_apart = kRounding<Scalar> * m(2);
@@ -97,11 +97,12 @@ PrincipalFrame<Scalar> settled_frame(const MassProperties<Scalar>& mass) {
 }
 
 template <class Scalar>
-Result<Body<Scalar>> place_compound(const MassProperties<Scalar>& mass, const Pose<Scalar>& X_WS,
-                                    Capsule<Scalar>* capsules, int count) {
+Result<Body<Scalar>> detail::place_compound(const MassProperties<Scalar>& mass,
+                                            const Pose<Scalar>& X_WS, Capsule<Scalar>* capsules,
+                                            int count) {
   constexpr auto kRefused = Status::kInvalidArgument;
   if (count < 1 || !is_symmetric(mass.inertia_S)) return failure<Body<Scalar>>(kRefused);
-  const PrincipalFrame<Scalar> frame = settled_frame(mass);
+  const PrincipalFrame<Scalar> frame = detail::settled_frame(mass);
   const Pose<Scalar> X_SB = {frame.center_S, frame.q_SB};
   const bool possible =
       are_of_a_body(frame.moments) && is_finite(X_WS.q_WB) && move_to_body(X_SB, capsules, count);
@@ -115,11 +116,11 @@ Result<Body<Scalar>> place_compound(const MassProperties<Scalar>& mass, const Po
   return body;
 }
 
-#define BATUTA_INSTANTIATE(S)                                                                    \
-  template PrincipalFrame<S> settled_frame(const MassProperties<S>&);                            \
-  template Result<MassProperties<S>> mass_of_parts(const CapsulePart<S>*, int);                  \
-  template Result<Body<S>> place_compound(const MassProperties<S>&, const Pose<S>&, Capsule<S>*, \
-                                          int);
+#define BATUTA_INSTANTIATE(S)                                                               \
+  template PrincipalFrame<S> detail::settled_frame(const MassProperties<S>&);               \
+  template Result<MassProperties<S>> detail::mass_of_parts(const CapsulePart<S>*, int);     \
+  template Result<Body<S>> detail::place_compound(const MassProperties<S>&, const Pose<S>&, \
+                                                  Capsule<S>*, int);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 

@@ -178,7 +178,7 @@ PrincipalFrame<Scalar> principal_frame(const MassProperties<Scalar>& mass) {
   if (!(scale > Scalar(0)) || !is_finite(scale)) return frame;
   Axes<Scalar> axes = eigen_axes(Mat3<Scalar>(mass.inertia_S / scale));
   axes.directions.col(2) = axes.directions.col(0).cross(axes.directions.col(1));
-  frame.q_SB = to_quaternion(axes.directions);
+  frame.q_SB = detail::to_quaternion(axes.directions);
   for (int i = 0; i < 3; ++i) {  // Bound: three moments
     frame.moments(i) = max_of(Scalar(0), scale * axes.moments(i));
   }

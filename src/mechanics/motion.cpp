@@ -144,7 +144,7 @@ Motion<Scalar> free_flight(const Body<Scalar>& body, Scalar duration) {
 }
 
 template <class Scalar>
-bool hides_spin(const Body<Scalar>& body, const Capsule<Scalar>& capsule_B) {
+bool detail::hides_spin(const Body<Scalar>& body, const Capsule<Scalar>& capsule_B) {
   const Revolution<Scalar> revolution = revolution_of(body.inverse_moments);
   return revolution.inverse_transverse > Scalar(0) &&
          is_on_axis(capsule_B.axis.a, revolution.axis) &&
@@ -166,7 +166,7 @@ bool is_valid(const Motion<Scalar>& motion) {
   const Vec3<Scalar> end = motion.X_WB.p_W + motion.duration * motion.twist.v_W;
   const Vec3<Scalar> turn = motion.duration * motion.twist.w_W;
   return is_finite(end) && is_finite(motion.X_WB.q_WB) && motion.duration >= Scalar(0) &&
-         turn.squaredNorm() <= kMaxAngle<Scalar> * kMaxAngle<Scalar>;
+         turn.squaredNorm() <= detail::kMaxAngle<Scalar> * detail::kMaxAngle<Scalar>;
 }
 
 #define BATUTA_INSTANTIATE(Scalar)                                                          \
@@ -174,7 +174,7 @@ bool is_valid(const Motion<Scalar>& motion) {
   template Motion<Scalar> linear(const Pose<Scalar>&, const Vec3<Scalar>&, Scalar);         \
   template Motion<Scalar> motion_between(const Pose<Scalar>&, const Pose<Scalar>&, Scalar); \
   template Motion<Scalar> free_flight(const Body<Scalar>&, Scalar);                         \
-  template bool hides_spin(const Body<Scalar>&, const Capsule<Scalar>&);                    \
+  template bool detail::hides_spin(const Body<Scalar>&, const Capsule<Scalar>&);            \
   template Pose<Scalar> pose_at(const Motion<Scalar>&, Scalar);                             \
   template bool is_valid(const Motion<Scalar>&);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)

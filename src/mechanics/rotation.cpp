@@ -51,7 +51,7 @@ JacobianWeights<Scalar> jacobian_weights(Scalar square) {
     return {first, Scalar(1) / 6 - square * (Scalar(1) / 120)};
   }
   const Scalar theta = std::sqrt(square);
-  const SinCos<Scalar> half = sin_cos(theta / Scalar(2));
+  const detail::SinCos<Scalar> half = detail::sin_cos(theta / Scalar(2));
   const Scalar sin_over_theta = Scalar(2) * half.sin * half.cos / theta;
   return {Scalar(2) * half.sin * half.sin / square, (Scalar(1) - sin_over_theta) / square};
 }
@@ -71,17 +71,17 @@ Quat<Scalar> renewed(const Quat<Scalar>& q) {
 }
 
 template <class Scalar>
-Mat3<Scalar> to_matrix(const Quat<Scalar>& q) {
+Mat3<Scalar> detail::to_matrix(const Quat<Scalar>& q) {
   return q.toRotationMatrix();
 }
 
 template <class Scalar>
-Mat3<Scalar> to_matrix(const AxisAngle<Scalar>& turn) {
-  return to_matrix(to_quaternion(turn));
+Mat3<Scalar> detail::to_matrix(const detail::AxisAngle<Scalar>& turn) {
+  return detail::to_matrix(detail::to_quaternion(turn));
 }
 
 template <class Scalar>
-Quat<Scalar> to_quaternion(const Mat3<Scalar>& R) {
+Quat<Scalar> detail::to_quaternion(const Mat3<Scalar>& R) {
   // Four times the squares of w, x, y, z. The largest is at least 1.
   const Scalar xx = R(0, 0), yy = R(1, 1), zz = R(2, 2);
   const Scalar squares[4] = {Scalar(1) + xx + yy + zz, Scalar(1) + xx - yy - zz,
@@ -101,24 +101,24 @@ Quat<Scalar> to_quaternion(const Mat3<Scalar>& R) {
 }
 
 template <class Scalar>
-Quat<Scalar> to_quaternion(const AxisAngle<Scalar>& turn) {
-  const SinCos<Scalar> half = sin_cos(turn.angle / Scalar(2));
+Quat<Scalar> detail::to_quaternion(const detail::AxisAngle<Scalar>& turn) {
+  const detail::SinCos<Scalar> half = detail::sin_cos(turn.angle / Scalar(2));
   const Vec3<Scalar> v = half.sin * turn.axis;
   return with_positive_w(Quat<Scalar>(half.cos, v.x(), v.y(), v.z()));
 }
 
 template <class Scalar>
-AxisAngle<Scalar> to_axis_angle(const Quat<Scalar>& q) {
+detail::AxisAngle<Scalar> detail::to_axis_angle(const Quat<Scalar>& q) {
   const Quat<Scalar> positive = with_positive_w(q);
   const Vec3<Scalar> v = positive.vec();
   const Scalar size = length(v);
   if (!(size > Scalar(0))) return {};
-  return {v / size, Scalar(2) * arc_tangent(size, positive.w())};
+  return {v / size, Scalar(2) * detail::arc_tangent(size, positive.w())};
 }
 
 template <class Scalar>
-AxisAngle<Scalar> to_axis_angle(const Mat3<Scalar>& R) {
-  return to_axis_angle(to_quaternion(R));
+detail::AxisAngle<Scalar> detail::to_axis_angle(const Mat3<Scalar>& R) {
+  return detail::to_axis_angle(detail::to_quaternion(R));
 }
 
 template <class Scalar>
@@ -128,7 +128,7 @@ Quat<Scalar> exp_map(const Vec3<Scalar>& rotation_vector) {
   Scalar factor = Scalar(0.5);  // sin(theta / 2) / theta
   if (square > kTinySquare<Scalar>) {
     const Scalar theta = std::sqrt(square);
-    const SinCos<Scalar> half = sin_cos(theta / Scalar(2));
+    const detail::SinCos<Scalar> half = detail::sin_cos(theta / Scalar(2));
     w = half.cos;
     factor = half.sin / theta;
   }
@@ -138,12 +138,12 @@ Quat<Scalar> exp_map(const Vec3<Scalar>& rotation_vector) {
 
 template <class Scalar>
 Vec3<Scalar> log_map(const Quat<Scalar>& q) {
-  const AxisAngle<Scalar> turn = to_axis_angle(q);
+  const detail::AxisAngle<Scalar> turn = detail::to_axis_angle(q);
   return turn.angle * turn.axis;
 }
 
 template <class Scalar>
-Mat3<Scalar> left_jacobian(const Vec3<Scalar>& rotation_vector) {
+Mat3<Scalar> detail::left_jacobian(const Vec3<Scalar>& rotation_vector) {
   const JacobianWeights<Scalar> weight = jacobian_weights(rotation_vector.squaredNorm());
   const Mat3<Scalar> M = cross_matrix(rotation_vector);
   const Mat3<Scalar> MM = M * M;
@@ -158,17 +158,17 @@ Quat<Scalar> interpolated(const Quat<Scalar>& q0, const Quat<Scalar>& q1, Scalar
   return renewed(Quat<Scalar>(exp_map(Vec3<Scalar>(t * whole)) * q0));
 }
 
-#define BATUTA_INSTANTIATE(Scalar)                               \
-  template Quat<Scalar> renewed(const Quat<Scalar>&);            \
-  template Mat3<Scalar> to_matrix(const Quat<Scalar>&);          \
-  template Mat3<Scalar> to_matrix(const AxisAngle<Scalar>&);     \
-  template Quat<Scalar> to_quaternion(const Mat3<Scalar>&);      \
-  template Quat<Scalar> to_quaternion(const AxisAngle<Scalar>&); \
-  template AxisAngle<Scalar> to_axis_angle(const Quat<Scalar>&); \
-  template AxisAngle<Scalar> to_axis_angle(const Mat3<Scalar>&); \
-  template Quat<Scalar> exp_map(const Vec3<Scalar>&);            \
-  template Vec3<Scalar> log_map(const Quat<Scalar>&);            \
-  template Mat3<Scalar> left_jacobian(const Vec3<Scalar>&);      \
+#define BATUTA_INSTANTIATE(Scalar)                                               \
+  template Quat<Scalar> renewed(const Quat<Scalar>&);                            \
+  template Mat3<Scalar> detail::to_matrix(const Quat<Scalar>&);                  \
+  template Mat3<Scalar> detail::to_matrix(const detail::AxisAngle<Scalar>&);     \
+  template Quat<Scalar> detail::to_quaternion(const Mat3<Scalar>&);              \
+  template Quat<Scalar> detail::to_quaternion(const detail::AxisAngle<Scalar>&); \
+  template detail::AxisAngle<Scalar> detail::to_axis_angle(const Quat<Scalar>&); \
+  template detail::AxisAngle<Scalar> detail::to_axis_angle(const Mat3<Scalar>&); \
+  template Quat<Scalar> exp_map(const Vec3<Scalar>&);                            \
+  template Vec3<Scalar> log_map(const Quat<Scalar>&);                            \
+  template Mat3<Scalar> detail::left_jacobian(const Vec3<Scalar>&);              \
   template Quat<Scalar> interpolated(const Quat<Scalar>&, const Quat<Scalar>&, Scalar);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE

@@ -53,7 +53,7 @@ Result<MassProperties<Scalar>> inertia_of(const Capsule<Scalar>& capsule_B, Scal
 
 template <class Scalar>
 bool is_still(const Twist<Scalar>& twist) {
-  return is_zero(twist.v_W) && is_zero(twist.w_W);
+  return detail::is_zero(twist.v_W) && detail::is_zero(twist.w_W);
 }
 
 }  // namespace

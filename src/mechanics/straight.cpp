@@ -26,23 +26,23 @@ Scalar kinetic_energy(const StraightBody<Scalar>& body) {
 }
 
 template <class Scalar>
-Vec3<Scalar> position_at(const StraightMotion<Scalar>& motion, Scalar t) {
+Vec3<Scalar> detail::position_at(const detail::StraightMotion<Scalar>& motion, Scalar t) {
   return motion.p_W + motion.v_W * t;
 }
 
 template <class Scalar>
-bool is_valid(const StraightMotion<Scalar>& motion) {
+bool is_valid(const detail::StraightMotion<Scalar>& motion) {
   // What is not finite makes it so: infinity times zero is NaN.
   const Vec3<Scalar> end = motion.p_W + motion.duration * motion.v_W;
   return is_finite(end) && motion.duration >= Scalar(0);
 }
 
-#define BATUTA_INSTANTIATE(Scalar)                                                       \
-  template Result<StraightBody<Scalar>> make_straight_body(const Vec3<Scalar>&, Scalar); \
-  template Vec3<Scalar> velocity_of(const StraightBody<Scalar>&);                        \
-  template Scalar kinetic_energy(const StraightBody<Scalar>&);                           \
-  template Vec3<Scalar> position_at(const StraightMotion<Scalar>&, Scalar);              \
-  template bool is_valid(const StraightMotion<Scalar>&);
+#define BATUTA_INSTANTIATE(Scalar)                                                          \
+  template Result<StraightBody<Scalar>> make_straight_body(const Vec3<Scalar>&, Scalar);    \
+  template Vec3<Scalar> velocity_of(const StraightBody<Scalar>&);                           \
+  template Scalar kinetic_energy(const StraightBody<Scalar>&);                              \
+  template Vec3<Scalar> detail::position_at(const detail::StraightMotion<Scalar>&, Scalar); \
+  template bool is_valid(const detail::StraightMotion<Scalar>&);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 

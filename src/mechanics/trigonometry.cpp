@@ -137,7 +137,7 @@ Octant<Scalar> first_octant(Scalar low, Scalar high) {
 }  // namespace
 
 template <class Scalar>
-SinCos<Scalar> sin_cos(Scalar angle) {
+detail::SinCos<Scalar> detail::sin_cos(Scalar angle) {
   BATUTA_ASSERT(angle >= -kReducibleAngle<Scalar> && angle <= kReducibleAngle<Scalar>);
   const int quarters = nearest_integer(angle * kQuartersPerRadian<Scalar>);
   const TwoPart<Scalar> rest = reduced(angle, quarters);
@@ -156,7 +156,7 @@ SinCos<Scalar> sin_cos(Scalar angle) {
 }
 
 template <class Scalar>
-Scalar arc_tangent(Scalar y, Scalar x) {
+Scalar detail::arc_tangent(Scalar y, Scalar x) {
   const Scalar up = y < Scalar(0) ? -y : y;
   const Scalar along = x < Scalar(0) ? -x : x;
   if (up == Scalar(0) && along == Scalar(0)) return Scalar(0);
@@ -174,9 +174,9 @@ Scalar arc_tangent(Scalar y, Scalar x) {
   return y < Scalar(0) ? -angle : angle;
 }
 
-#define BATUTA_INSTANTIATE(Scalar)         \
-  template SinCos<Scalar> sin_cos(Scalar); \
-  template Scalar arc_tangent(Scalar, Scalar);
+#define BATUTA_INSTANTIATE(Scalar)                         \
+  template detail::SinCos<Scalar> detail::sin_cos(Scalar); \
+  template Scalar detail::arc_tangent(Scalar, Scalar);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 

@@ -47,38 +47,38 @@ Playback Player::fetch(int bytes) {
 }
 
 Playback Player::fetch_record() {
-  Playback fetched = fetch(kRecordHead);
+  Playback fetched = fetch(detail::kRecordHead);
   if (fetched != Playback::kReady) return fetched;
-  const int size = kRecordHead + body_size() + kCheckSum;
+  const int size = detail::kRecordHead + body_size() + detail::kCheckSum;
   fetched = fetch(size);
   if (fetched != Playback::kReady) return fetched;
-  return is_sealed(buffer_, size) ? Playback::kReady : stop(Playback::kDamaged);
+  return detail::is_sealed(buffer_, size) ? Playback::kReady : stop(Playback::kDamaged);
 }
 
-Playback Player::fetch_state(SnapshotHead& head) {
-  const Playback fetched = fetch(kSnapshotHead);
+Playback Player::fetch_state(detail::SnapshotHead& head) {
+  const Playback fetched = fetch(detail::kSnapshotHead);
   if (fetched != Playback::kReady) return fetched;
-  const Playback known = playback_of(read_head(buffer_, filled_, head));
+  const Playback known = playback_of(detail::read_head(buffer_, filled_, head));
   if (known != Playback::kReady) return stop(known);
-  const int room = capacity_ - kSnapshotHead - kCheckSum;
+  const int room = capacity_ - detail::kSnapshotHead - detail::kCheckSum;
   if (room < 0 || head.length > static_cast<std::uint32_t>(room)) return stop(Playback::kTooLarge);
-  return fetch(kSnapshotHead + static_cast<int>(head.length) + kCheckSum);
+  return fetch(detail::kSnapshotHead + static_cast<int>(head.length) + detail::kCheckSum);
 }
 
 Playback Player::read_run(std::uint64_t input) {
   const Playback fetched = fetch_record();
   if (fetched != Playback::kReady) return fetched;
-  RunRecord run;
-  const bool good = kind() == RecordKind::kRun && take(run);
+  detail::RunRecord run;
+  const bool good = kind() == detail::RecordKind::kRun && take(run);
   if (!good) return stop(Playback::kDamaged);
-  if (run.version != kRecordingVersion) return stop(Playback::kOtherVersion);
+  if (run.version != detail::kRecordingVersion) return stop(Playback::kOtherVersion);
   if (run.input != input) return stop(Playback::kOtherScene);
   stage_ = Stage::kSteps;
   end_ = Playback::kReady;
   return Playback::kReady;
 }
 
-Playback Player::compare(const HashRecord& record, std::uint64_t hash) {
+Playback Player::compare(const detail::HashRecord& record, std::uint64_t hash) {
   if (record.steps != steps_ || compared_) return stop(Playback::kDamaged);
   if (record.hash != hash) return stop(Playback::kParted);
   compared_ = true;

@@ -25,13 +25,13 @@ void Recorder::start(int bytes) {
 }
 
 /// @pre the body stands behind the room for its head
-void Recorder::close(RecordKind kind, int body) {
+void Recorder::close(detail::RecordKind kind, int body) {
   std::uint8_t* const record = buffer_ + filled_;
   record[0] = static_cast<std::uint8_t>(kind);
   record[1] = static_cast<std::uint8_t>(body);
   record[2] = static_cast<std::uint8_t>(body >> 8);
-  seal(record, kRecordHead + body);
-  filled_ += kRecordHead + body + kCheckSum;
+  detail::seal(record, detail::kRecordHead + body);
+  filled_ += detail::kRecordHead + body + detail::kCheckSum;
   (void)flush();
 }
 

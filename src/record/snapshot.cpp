@@ -10,7 +10,7 @@ constexpr std::uint32_t kMagic = 0x53544142U;  // "BATS"
 
 struct HeadBytes {
   std::uint32_t magic = kMagic;
-  SnapshotHead head;
+  detail::SnapshotHead head;
   std::uint8_t zero = 0;
 
   void archive(Archive& ar) {
@@ -20,30 +20,30 @@ struct HeadBytes {
 
 }  // namespace
 
-SnapshotHead head_of(const ArchiveShape& shape, int length) {
-  SnapshotHead head;
+detail::SnapshotHead detail::head_of(const ArchiveShape& shape, int length) {
+  detail::SnapshotHead head;
   head.scalar = shape.scalar();
   head.fingerprint = shape.fingerprint();
   head.length = static_cast<std::uint32_t>(length);
   return head;
 }
 
-void write_head(const SnapshotHead& head, std::uint8_t* bytes) {
-  ArchiveWriter writer(bytes, kSnapshotHead);
+void detail::write_head(const detail::SnapshotHead& head, std::uint8_t* bytes) {
+  ArchiveWriter writer(bytes, detail::kSnapshotHead);
   HeadBytes words;
   words.head = head;
   writer(words);
-  BATUTA_INVARIANT(writer.position() == kSnapshotHead);
+  BATUTA_INVARIANT(writer.position() == detail::kSnapshotHead);
 }
 
-Restored read_head(const std::uint8_t* bytes, int size, SnapshotHead& wanted) {
+Restored detail::read_head(const std::uint8_t* bytes, int size, detail::SnapshotHead& wanted) {
   ArchiveReader reader(bytes, size);
   HeadBytes words;
   words.magic = 0;
   reader(words);
   if (words.magic != kMagic) return Restored::kForeign;
   if (!reader.ok()) return Restored::kDamaged;
-  const SnapshotHead& head = words.head;
+  const detail::SnapshotHead& head = words.head;
   if (head.version != wanted.version || words.zero != 0) return Restored::kOtherVersion;
   if (head.scalar != wanted.scalar) return Restored::kOtherScalar;
   if (head.fingerprint != wanted.fingerprint) return Restored::kOtherScene;
@@ -51,17 +51,17 @@ Restored read_head(const std::uint8_t* bytes, int size, SnapshotHead& wanted) {
   return Restored::kOk;
 }
 
-void seal(std::uint8_t* bytes, int size) {
+void detail::seal(std::uint8_t* bytes, int size) {
   std::uint32_t sum = crc32(bytes, size);
-  ArchiveWriter writer(bytes + size, kCheckSum);
+  ArchiveWriter writer(bytes + size, detail::kCheckSum);
   writer(sum);
 }
 
-bool is_sealed(const std::uint8_t* bytes, int size) {
-  if (size < kCheckSum) return false;
-  const int count = size - kCheckSum;
+bool detail::is_sealed(const std::uint8_t* bytes, int size) {
+  if (size < detail::kCheckSum) return false;
+  const int count = size - detail::kCheckSum;
   std::uint32_t sum = 0;
-  ArchiveReader reader(bytes + count, kCheckSum);
+  ArchiveReader reader(bytes + count, detail::kCheckSum);
   reader(sum);
   return sum == crc32(bytes, count);
 }

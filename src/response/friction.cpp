@@ -12,7 +12,7 @@ namespace {
 
 /// Two bodies at a common point.
 template <class Scalar>
-struct Touch {
+struct FrictionContact {
   const Collider<Scalar>* A;
   const Collider<Scalar>* B;
   Lever<Scalar> lever_A;
@@ -29,13 +29,13 @@ struct Push {
 };
 
 template <class Scalar>
-Push<Scalar> push_along(const Touch<Scalar>& touch, const Vec3<Scalar>& d_W) {
+Push<Scalar> push_along(const FrictionContact<Scalar>& touch, const Vec3<Scalar>& d_W) {
   return {d_W, moment_of(touch.lever_A, d_W), moment_of(touch.lever_B, d_W)};
 }
 
 /// x . K y
 template <class Scalar>
-Scalar give(const Touch<Scalar>& touch, const Push<Scalar>& x, const Push<Scalar>& y) {
+Scalar give(const FrictionContact<Scalar>& touch, const Push<Scalar>& x, const Push<Scalar>& y) {
   const Scalar mass = (touch.A->inverse_mass + touch.B->inverse_mass) * x.d_W.dot(y.d_W);
   const Scalar turn_A = touch.A->inverse_moments.cwiseProduct(x.moment_A).dot(y.moment_A);
   const Scalar turn_B = touch.B->inverse_moments.cwiseProduct(x.moment_B).dot(y.moment_B);
@@ -44,7 +44,8 @@ Scalar give(const Touch<Scalar>& touch, const Push<Scalar>& x, const Push<Scalar
 
 /// d . (velocity of A's point - velocity of B's), by the same moments as give(): energies agree.
 template <class Scalar>
-Scalar rate(const Touch<Scalar>& touch, const Push<Scalar>& x, const Impulse<Scalar>& hit) {
+Scalar rate(const FrictionContact<Scalar>& touch, const Push<Scalar>& x,
+            const Impulse<Scalar>& hit) {
   const Vec3<Scalar> w_A = touch.lever_A.R_WB.transpose() * hit.twist_A.w_W;
   const Vec3<Scalar> w_B = touch.lever_B.R_WB.transpose() * hit.twist_B.w_W;
   return x.d_W.dot(hit.twist_A.v_W - hit.twist_B.v_W) + (x.moment_A.dot(w_A) - x.moment_B.dot(w_B));
@@ -52,7 +53,8 @@ Scalar rate(const Touch<Scalar>& touch, const Push<Scalar>& x, const Impulse<Sca
 
 /// x less its share of y, so that neither disturbs the other: y . K x = 0.
 template <class Scalar>
-Push<Scalar> without(const Touch<Scalar>& touch, const Push<Scalar>& x, const Push<Scalar>& y) {
+Push<Scalar> without(const FrictionContact<Scalar>& touch, const Push<Scalar>& x,
+                     const Push<Scalar>& y) {
   const Scalar s = give(touch, x, y) / give(touch, y, y);
   return {x.d_W - s * y.d_W, x.moment_A - s * y.moment_A, x.moment_B - s * y.moment_B};
 }
@@ -65,14 +67,14 @@ Scalar softest(const Collider<Scalar>& body, const Lever<Scalar>& lever) {
 
 /// Whether k = x . K x is no more than what rounding leaves where nothing gives way (friction.md).
 template <class Scalar>
-bool is_noise(const Touch<Scalar>& touch, const Push<Scalar>& x, Scalar k) {
+bool is_noise(const FrictionContact<Scalar>& touch, const Push<Scalar>& x, Scalar k) {
   constexpr Scalar kUlps = 16 * kRoundOff<Scalar>;
   return k <= kUlps * kUlps * x.d_W.squaredNorm() * touch.softest;
 }
 
 /// The part of x that stops what moves along it; none where nothing gives way.
 template <class Scalar>
-Vec3<Scalar> stopping(const Touch<Scalar>& touch, const Push<Scalar>& x,
+Vec3<Scalar> stopping(const FrictionContact<Scalar>& touch, const Push<Scalar>& x,
                       const Impulse<Scalar>& hit) {
   const Scalar k = give(touch, x, x);
   const Scalar share = is_noise(touch, x, k) ? Scalar(0) : -rate(touch, x, hit) / k;
@@ -82,10 +84,10 @@ Vec3<Scalar> stopping(const Touch<Scalar>& touch, const Push<Scalar>& x,
 /// P_II - P_I: stops the slip and leaves the normal velocity alone. Three directions that do not
 /// disturb one another (x . K y = 0) are made of n and two tangents, the softer tangent first.
 template <class Scalar>
-Vec3<Scalar> stopping_impulse(const Touch<Scalar>& touch, const Vec3<Scalar>& n,
+Vec3<Scalar> stopping_impulse(const FrictionContact<Scalar>& touch, const Vec3<Scalar>& n,
                               const Impulse<Scalar>& hit) {
   const Push<Scalar> along = push_along(touch, n);
-  const Vec3<Scalar> tangent = perpendicular(n);
+  const Vec3<Scalar> tangent = detail::perpendicular(n);
   Push<Scalar> first = without(touch, push_along(touch, tangent), along);
   Push<Scalar> second = without(touch, push_along<Scalar>(touch, n.cross(tangent)), along);
   Scalar k = give(touch, first, first);
@@ -120,8 +122,8 @@ void push(Twist<Scalar>& twist, const Collider<Scalar>& body, const Lever<Scalar
 
 /// Adds s d to the impulse and to what it did.
 template <class Scalar>
-void add(Impulse<Scalar>& hit, const Touch<Scalar>& touch, const Push<Scalar>& d, Scalar s,
-         const Vec3<Scalar>& n) {
+void add(Impulse<Scalar>& hit, const FrictionContact<Scalar>& touch, const Push<Scalar>& d,
+         Scalar s, const Vec3<Scalar>& n) {
   const Vec3<Scalar> J_W = hit.on_A.linear_W + s * d.d_W;
   hit.magnitude = max_of(Scalar(0), hit.magnitude + s * d.d_W.dot(n));
   hit.on_A = impulse_on<Scalar>(touch.lever_A.arm_W, J_W);
@@ -137,7 +139,8 @@ bool rub(Impulse<Scalar>& hit, const Collider<Scalar>& A, const Collider<Scalar>
   const Vec3<Scalar>& n = contact.normal_BA_W;
   const Lever<Scalar> lever_A = lever_of(A, contact);
   const Lever<Scalar> lever_B = lever_of(B, contact);
-  const Touch<Scalar> touch{&A, &B, lever_A, lever_B, softest(A, lever_A) + softest(B, lever_B)};
+  const FrictionContact<Scalar> touch{&A, &B, lever_A, lever_B,
+                                      softest(A, lever_A) + softest(B, lever_B)};
   const Push<Scalar> d = push_along<Scalar>(touch, stopping_impulse(touch, n, hit));
   const Scalar k = give(touch, d, d);
   const Scalar slip = rate(touch, d, hit);

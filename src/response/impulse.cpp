@@ -21,7 +21,7 @@ struct Yield {
 template <class Scalar>
 Yield<Scalar> yield_of(const Collider<Scalar>& body, const Contact<Scalar>& contact) {
   const Vec3<Scalar>& n = contact.normal_BA_W;
-  const Mat3<Scalar> R_WB = to_matrix(body.X_WB.q_WB);
+  const Mat3<Scalar> R_WB = detail::to_matrix(body.X_WB.q_WB);
   const Vec3<Scalar> lever_W = contact.point_W - body.X_WB.p_W;
   const Vec3<Scalar> moment_B = R_WB.transpose() * lever_W.cross(n);
   const Vec3<Scalar> turn_B = body.inverse_moments.cwiseProduct(moment_B);

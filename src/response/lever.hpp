@@ -17,7 +17,7 @@ struct Lever {
 
 template <class Scalar>
 Lever<Scalar> lever_of(const Collider<Scalar>& body, const Contact<Scalar>& contact) {
-  return {contact.point_W - body.X_WB.p_W, to_matrix(body.X_WB.q_WB)};
+  return {contact.point_W - body.X_WB.p_W, detail::to_matrix(body.X_WB.q_WB)};
 }
 
 /// Torque of an impulse d at the point about the centre of mass, in the body's axes.

@@ -4,10 +4,12 @@
 namespace batuta {
 
 template <class Scalar>
-StraightHit<Scalar> straight_impulse(StraightBody<Scalar>& A, StraightBody<Scalar>& B,
-                                     const Vec3<Scalar>& normal_BA_W, Scalar restitution) {
+detail::StraightHit<Scalar> detail::straight_impulse(StraightBody<Scalar>& A,
+                                                     StraightBody<Scalar>& B,
+                                                     const Vec3<Scalar>& normal_BA_W,
+                                                     Scalar restitution) {
   const Vec3<Scalar>& n = normal_BA_W;
-  StraightHit<Scalar> hit;
+  detail::StraightHit<Scalar> hit;
   for (int i = 0; i < 3; ++i) {  // Bound: 3
     hit.v_rel += n[i] * (A.inverse_mass * A.momentum_W[i] - B.inverse_mass * B.momentum_W[i]);
   }
@@ -25,8 +27,9 @@ StraightHit<Scalar> straight_impulse(StraightBody<Scalar>& A, StraightBody<Scala
   return hit;
 }
 
-#define BATUTA_INSTANTIATE(S) \
-  template StraightHit<S> straight_impulse(StraightBody<S>&, StraightBody<S>&, const Vec3<S>&, S);
+#define BATUTA_INSTANTIATE(S)                                                                  \
+  template detail::StraightHit<S> detail::straight_impulse(StraightBody<S>&, StraightBody<S>&, \
+                                                           const Vec3<S>&, S);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 

@@ -119,7 +119,7 @@ TYPED_TEST(Searches, HostileOptions_AreRefused) {
     EXPECT_EQ(found.outcome == Outcome::kInvalid, budget > kMaxBudget) << budget;
     EXPECT_LE(found.evaluations, min_of(budget, kMaxBudget));
   }
-  for (const int halvings : {-1, kMaxHalvings + 1, std::numeric_limits<int>::max()}) {
+  for (const int halvings : {-1, detail::kMaxHalvings + 1, std::numeric_limits<int>::max()}) {
     SteppingOptions<S> options;
     options.halvings = halvings;
     EXPECT_EQ(search_stepping(pair, options).outcome, Outcome::kInvalid) << halvings;
@@ -138,15 +138,15 @@ TYPED_TEST(Searches, UnitOfEpsilonOutOfRange_IsRefused) {
 template <class S>
 struct Straight {
   Capsule<S> A = {{{0, -1, 0}, {0, 1, 0}}, S(0.25)};
-  StraightMotion<S> motion_A = {{-1, 0, 0}, {1, 0, 0}, 1};
+  detail::StraightMotion<S> motion_A = {{-1, 0, 0}, {1, 0, 0}, 1};
   Capsule<S> B = {{{0, 0, -1}, {0, 0, 1}}, S(0.25)};
-  StraightMotion<S> motion_B = {{1, 0, 0}, {-1, 0, 0}, 1};
+  detail::StraightMotion<S> motion_B = {{1, 0, 0}, {-1, 0, 0}, 1};
 };
 
 TYPED_TEST(Searches, HostileStraightPair_IsRefusedOrSearched) {
   using S = TypeParam;
   test::for_each_spoiled<S>(Straight<S>{}, kDraws, [](const Straight<S>& s, bool is_number) {
-    const auto made = make_straight_pair(s.A, s.motion_A, s.B, s.motion_B);
+    const auto made = detail::make_straight_pair(s.A, s.motion_A, s.B, s.motion_B);
     if (!is_number) {
       EXPECT_EQ(made.status, Status::kInvalidArgument);
     }
@@ -216,7 +216,7 @@ TYPED_TEST(Searches, VolumesOfValidMotions_HoldTheirEnds) {
     const S norm = moving.motion.X_WB.q_WB.norm();
     if (!(std::abs(norm - S(1)) < S(1e-3))) return;  // @pre unit
     const auto at_end = to_world(pose_at(moving.motion, moving.motion.duration), moving.capsule_B);
-    for (const auto& box : {swept_aabb(moving), coarse_swept_aabb(moving)}) {
+    for (const auto& box : {swept_aabb(moving), detail::coarse_swept_aabb(moving)}) {
       for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_LE(box.low[i], box.high[i]);
         const S end = at_end.axis.a[static_cast<int>(i)];
@@ -224,7 +224,7 @@ TYPED_TEST(Searches, VolumesOfValidMotions_HoldTheirEnds) {
       }
     }
     const S bound = speed_bound(moving);
-    EXPECT_FALSE(bound < largest_component(moving.motion.twist.v_W));
+    EXPECT_FALSE(bound < detail::largest_component(moving.motion.twist.v_W));
   });
 }
 

@@ -112,7 +112,8 @@ TYPED_TEST(Kernels, StraightImpulse_ChangesNothingOrLeavesNumbers) {
   good.B = {{1, 0, 0}, {-1, 0, 0}, 2};
   test::for_each_spoiled<S>(good, kDraws, [](StraightBlow<S> blow, bool) {
     const StraightBlow<S> before = blow;
-    const auto hit = straight_impulse<S>(blow.A, blow.B, -Vec3<S>::UnitX(), blow.restitution);
+    const auto hit =
+        detail::straight_impulse<S>(blow.A, blow.B, -Vec3<S>::UnitX(), blow.restitution);
     EXPECT_TRUE((test::all_finite<S>(hit.impulse)));
     const bool changed = !test::same_bytes(blow, before);
     const Vec3<S> sizes = before.A.momentum_W.cwiseAbs() + before.B.momentum_W.cwiseAbs();
@@ -237,7 +238,7 @@ TYPED_TEST(Kernels, MassOfParts_AndPlaceCompound) {
     Pose<S> X_WS;
   };
   test::for_each_spoiled<S>(Two{}, kDraws, [](const Two& two, bool) {
-    const auto mass = mass_of_parts(&two.parts[0], 2);
+    const auto mass = detail::mass_of_parts(&two.parts[0], 2);
     judge<S>(mass, true);
     const auto made = make_compound(two.parts, two.X_WS);
     if (!made.ok()) return;
@@ -248,8 +249,9 @@ TYPED_TEST(Kernels, MassOfParts_AndPlaceCompound) {
   Capsule<S> capsule = Capsule<S>::sphere(Vec3<S>::Zero(), 1);
   const auto mass = solid_capsule(capsule, S(1)).value;
   for (const int count : {0, -1, std::numeric_limits<int>::min()}) {
-    EXPECT_EQ(mass_of_parts<S>(nullptr, count).status, Status::kInvalidArgument);
-    EXPECT_EQ(place_compound<S>(mass, {}, &capsule, count).status, Status::kInvalidArgument);
+    EXPECT_EQ(detail::mass_of_parts<S>(nullptr, count).status, Status::kInvalidArgument);
+    EXPECT_EQ(detail::place_compound<S>(mass, {}, &capsule, count).status,
+              Status::kInvalidArgument);
     EXPECT_EQ((make_compound<1>(mass, &capsule, count, Pose<S>{}).status),
               Status::kInvalidArgument);
   }
@@ -278,7 +280,7 @@ TYPED_TEST(Kernels, PrincipalAndSettledFrame_AreFrames) {
   good.mass = 1;
   good.inertia_S << 3, S(0.5), 0, S(0.5), 2, S(0.25), 0, S(0.25), 4;
   test::for_each_spoiled<S>(good, kDraws, [](const MassProperties<S>& mass, bool) {
-    for (const auto& frame : {principal_frame(mass), settled_frame(mass)}) {
+    for (const auto& frame : {principal_frame(mass), detail::settled_frame(mass)}) {
       EXPECT_NEAR(static_cast<double>(frame.q_SB.norm()), 1,
                   16 * static_cast<double>(kRoundOff<S>));
       EXPECT_FALSE(frame.moments.minCoeff() < S(0));

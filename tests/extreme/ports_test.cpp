@@ -176,7 +176,7 @@ TEST(HostilePort, BuffersWithoutRoom_AreRefusedAndNothingIsWritten) {
   std::vector<std::uint8_t> bytes(Recorder::kRoom<DuelType>, std::uint8_t{0xA5});
   const auto untouched = bytes;
   LyingStream sink;  // takes nothing
-  for (const int capacity : {static_cast<int>(kLow), -1, 0, 1, kSnapshotHead - 1}) {
+  for (const int capacity : {static_cast<int>(kLow), -1, 0, 1, batuta::detail::kSnapshotHead - 1}) {
     EXPECT_EQ(save(*duel, bytes.data(), capacity).status, Status::kPoolFull) << capacity;
     Recorder recorder(sink, bytes.data(), capacity);
     EXPECT_EQ(recorder.begin<DuelInput>(*duel, 10), Status::kPoolFull);

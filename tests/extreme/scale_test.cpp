@@ -149,7 +149,7 @@ template <class SceneT>
 WorldSettings<SceneT> settings_at(double k) {
   using S = typename SceneT::Scalar;
   WorldSettings<SceneT> settings;
-  if constexpr (kKnowsRest<SceneT>) {
+  if constexpr (detail::kKnowsRest<SceneT>) {
     settings.rest_speed = S(0.01) * static_cast<S>(k);
     settings.separation = S(1e-4) * static_cast<S>(k);
   }

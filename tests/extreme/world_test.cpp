@@ -128,9 +128,10 @@ TYPED_TEST(HostileWorld, SettingsWithHostileNumbers_AreRefusedAndTheOldStay) {
   };
   for (const S number : test::kHostile<S>) {
     SCOPED_TRACE(number);
-    if constexpr (kKnowsRest<TypeParam>) {
-      for (S RestSettings<S>::*member : {&RestSettings<S>::rest_speed, &RestSettings<S>::separation,
-                                         &RestSettings<S>::min_separation_time}) {
+    if constexpr (detail::kKnowsRest<TypeParam>) {
+      for (S detail::RestSettings<S>::*member :
+           {&detail::RestSettings<S>::rest_speed, &detail::RestSettings<S>::separation,
+            &detail::RestSettings<S>::min_separation_time}) {
         WorldSettings<TypeParam> settings;
         settings.*member = number;
         judge(settings, is_positive(number));
@@ -151,7 +152,7 @@ TYPED_TEST(HostileWorld, AcceptedSettingsAtTheirEnds_LeaveNumbers) {
     SCOPED_TRACE(number);
     for (int member = 0; member < 4; ++member) {
       WorldSettings<TypeParam> settings;
-      if constexpr (kKnowsRest<TypeParam>) {
+      if constexpr (detail::kKnowsRest<TypeParam>) {
         if (member == 0) settings.rest_speed = number;
         if (member == 1) settings.separation = number;
         if (member == 2) settings.min_separation_time = number;
@@ -278,7 +279,7 @@ TYPED_TEST(TurningWorld, SpinToTheLimitAndBeyond_TurnsOrIsHeldAndCounted) {
     World<TypeParam> world;
     auto top = test::flyer<TypeParam>(0, 0);
     const S dt = S(1e-3);
-    const double rate = share * static_cast<double>(kMaxAngle<S>) / static_cast<double>(dt);
+    const double rate = share * static_cast<double>(detail::kMaxAngle<S>) / static_cast<double>(dt);
     const auto moment = S(1) / top.body.inverse_moments.x();
     top.body.momentum.angular_W = {static_cast<S>(rate) * moment, 0, 0};
     ASSERT_TRUE(world.add(top).ok());

@@ -253,18 +253,18 @@ Bytes forged(Bytes bytes, std::size_t from, const std::uint8_t* data, std::size_
 
 /// @returns the bytes of a snapshot whose head and check sum are right for what is left of it
 std::size_t sealed_snapshot(Bytes& bytes, std::size_t body) {
-  const std::size_t whole = static_cast<std::size_t>(kSnapshotHead) + body;
-  if (bytes.size() < whole + kCheckSum) return bytes.size();
-  seal(bytes.data(), static_cast<int>(whole));
-  return whole + kCheckSum;
+  const std::size_t whole = static_cast<std::size_t>(detail::kSnapshotHead) + body;
+  if (bytes.size() < whole + detail::kCheckSum) return bytes.size();
+  detail::seal(bytes.data(), static_cast<int>(whole));
+  return whole + detail::kCheckSum;
 }
 
 void seal_records(Bytes& bytes, std::size_t from) {
-  while (from + kRecordHead + kCheckSum <= bytes.size()) {
+  while (from + detail::kRecordHead + detail::kCheckSum <= bytes.size()) {
     const std::size_t body = bytes[from + 1] | std::size_t{bytes[from + 2]} << 8;
-    if (body > bytes.size() - from - kRecordHead - kCheckSum) return;
-    seal(bytes.data() + from, kRecordHead + static_cast<int>(body));
-    from += kRecordHead + body + kCheckSum;
+    if (body > bytes.size() - from - detail::kRecordHead - detail::kCheckSum) return;
+    detail::seal(bytes.data() + from, detail::kRecordHead + static_cast<int>(body));
+    from += detail::kRecordHead + body + detail::kCheckSum;
   }
 }
 
@@ -272,8 +272,8 @@ template <class SceneT>
 void check(bool whole_run, const std::uint8_t* data, std::size_t size) {
   static const Bytes snapshot = saved(*copy_of_healthy<SceneT>());
   static const Bytes recording = healthy_recording<SceneT>();
-  const std::size_t state = snapshot.size() - kSnapshotHead - kCheckSum;
-  Bytes bytes = forged(whole_run ? recording : snapshot, kSnapshotHead, data, size);
+  const std::size_t state = snapshot.size() - detail::kSnapshotHead - detail::kCheckSum;
+  Bytes bytes = forged(whole_run ? recording : snapshot, detail::kSnapshotHead, data, size);
   const std::size_t from = sealed_snapshot(bytes, state);
   if (!whole_run) return check_snapshot<SceneT>(bytes);
   seal_records(bytes, from);

@@ -115,13 +115,13 @@ void check_point(const Capsule<float>& A, const Vec3<float>& point) {
 /// Holds every point of the capsule: exactly, since it is rounded outward.
 template <int K>
 void check_bounds(const Capsule<float>& A, const Capsule<float>& B, double least) {
-  const Kdop<float, K> dop_A = kdop_of<float, K>(A);
-  const Kdop<float, K> dop_B = kdop_of<float, K>(B);
+  const Kdop<float, K> dop_A = detail::kdop_of<float, K>(A);
+  const Kdop<float, K> dop_B = detail::kdop_of<float, K>(B);
   const Kdop<float, K> both = merge(dop_A, dop_B);
   const RealAxis axis = real(A.axis);
   for (int i = 0; i < K / 2; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const Real3 d = kdop_direction<float, K>(i).template cast<double>();
+    const Real3 d = detail::kdop_direction<float, K>(i).template cast<double>();
     const double radius = static_cast<double>(A.radius) * d.norm();
     const double high = std::max(axis.a.dot(d), axis.b.dot(d)) + radius;
     const double low = std::min(axis.a.dot(d), axis.b.dot(d)) - radius;

@@ -96,7 +96,7 @@ void check_shape(const Answer& answer, float duration, std::uint32_t most) {
 void check_truth(const RealPair& real, const MovingPair<float>& pair, const Answer& answer,
                  const Options& options) {
   if (answer.outcome == Outcome::kInvalid) return;
-  const double eps = inflation_of(pair);
+  const double eps = detail::inflation_of(pair);
   const double real_eps = eps * kRoundOff<double> / kU;
   const double contact = static_cast<double>(contact_tolerance_of(pair, options)) + eps + real_eps;
   const double t_free = answer.t_free;
@@ -159,7 +159,7 @@ void check_other_ways(const Question& question, const MovingPair<float>& pair, c
             "the same in other units, to the last bit");
   }
   Question thick = question;
-  const float contact = contact_tolerance_of(pair, question.options) + inflation_of(pair);
+  const float contact = contact_tolerance_of(pair, question.options) + detail::inflation_of(pair);
   thick.B.capsule_B.radius =
       (question.B.capsule_B.radius + 2 * contact) * (1 + 8 * kRoundOff<float>);
   const Result<MovingPair<float>> thick_pair = make_moving_pair(thick.A, thick.B);
@@ -208,7 +208,7 @@ bool holds(const Aabb<float>& box, const RealAxis& axis, double radius, double s
 
 void check_swept(const Moving& moving, const RealPath& path, Bytes& bytes) {
   const Aabb<float> exact = swept_aabb(moving);
-  const Aabb<float> coarse = coarse_swept_aabb(moving);
+  const Aabb<float> coarse = detail::coarse_swept_aabb(moving);
   const auto duration = static_cast<double>(moving.motion.duration);
   for (int i = 0; i < 4; ++i) {
     const double t = i == 0 ? duration : duration * static_cast<double>(bytes.share());

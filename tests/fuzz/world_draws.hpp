@@ -121,7 +121,7 @@ Actor<SceneT> draw_actor(Bytes& bytes, const Units& units) {
 template <class SceneT>
 WorldSettings<SceneT> settings_in(const Units& units) {
   WorldSettings<SceneT> settings;
-  if constexpr (kKnowsRest<SceneT>) {
+  if constexpr (detail::kKnowsRest<SceneT>) {
     settings.rest_speed *= units.speed();
     settings.separation *= units.length;
     settings.min_separation_time *= units.time;

@@ -114,8 +114,8 @@ double margin_of(const BodyT& A, const BodyT& B, double reaches, double energy, 
                         flight_of(B, 0).X_WB.p_W.template cast<double>().norm();
   const double L = places + reaches + (speed(A) + speed(B)) * dt;
   const double contact =
-      std::max(contact_tolerance, static_cast<double>(kLeastContactTolerance<float>)) * L +
-      static_cast<double>(kInflation<float>) * L;
+      std::max(contact_tolerance, static_cast<double>(detail::kLeastContactTolerance<float>)) * L +
+      static_cast<double>(detail::kInflation<float>) * L;
   return 2 * (2 * contact + 64 * kU * (places + L));
 }
 
@@ -138,7 +138,7 @@ std::vector<Meeting> meetings_of(const World<SceneT>& world, double energy, floa
     const auto b = static_cast<std::uint16_t>(pair % SceneT::kMaxBodies);
     const Actor<SceneT>* const A = world.get(world.id_at(a));
     const Actor<SceneT>* const B = world.get(world.id_at(b));
-    if (a >= b || A == nullptr || B == nullptr || !may_meet(*A, *B)) continue;
+    if (a >= b || A == nullptr || B == nullptr || !detail::may_meet(*A, *B)) continue;
     if (stays(A->body) && stays(B->body)) continue;
     const double allowed =
         margin_of(A->body, B->body, bounding_radius_of(*A) + bounding_radius_of(*B), energy,
@@ -175,7 +175,7 @@ void check_events(const World<SceneT>& world, float dt) {
       require(A != nullptr && B != nullptr && event.body_A < event.body_B, "an event names bodies");
       require(event.part_A < parts_of(*A) && event.part_B < parts_of(*B), "and parts of them");
       require(event.time >= 0 && event.time <= dt, "it happens in the step");
-      require(event.kind == EventKind::kEnd || may_meet(*A, *B), "of bodies that may meet");
+      require(event.kind == EventKind::kEnd || detail::may_meet(*A, *B), "of bodies that may meet");
       require(event.impulse >= 0 && is_finite(event.contact.point_W), "with a place and a force");
       require(event.place_A >= 0 && event.place_A <= 1 && event.place_B >= 0 && event.place_B <= 1,
               "on both axes");

@@ -298,7 +298,7 @@ CLASS = re.compile(r"(?<!enum )\b(?:class|struct|union)\s+(?:\[\[[^\]]*\]\]\s*)?
                    r"(?::(?!:)[^;{}()]*)?\{")
 
 # Names that stand for several classes today. Empty it: each class a name of its own.
-TWICE = {"Extent": 2, "Place": 3, "Sight": 2, "Touch": 2, "Walk": 3}
+TWICE = {}
 
 
 def classes_in(root):

@@ -51,7 +51,7 @@ Claim claim_of(const MovingPair<Scalar>& pair, const AdvancementOptions<Scalar>&
                const SearchResult<Scalar>& found) {
   return {found.outcome, static_cast<double>(found.t_free), static_cast<double>(found.t_hit),
           static_cast<double>(contact_tolerance_of(pair, options)),
-          static_cast<double>(kInflation<Scalar> * query_length_of(pair))};
+          static_cast<double>(detail::kInflation<Scalar> * query_length_of(pair))};
 }
 
 /// What is wrong with an answer; all false: nothing.

@@ -106,7 +106,7 @@ Rod draw_rod(Draws& draws, const Recipe& recipe) {
 /// A unit vector at right angles to `axis`, any such alike.
 Vector square_to(const Vector& axis, Draws& draws) {
   const Vector across = axis.cross(draws.direction());
-  return across.norm() > 0x1p-20 ? unit<double>(across) : perpendicular(axis);
+  return across.norm() > 0x1p-20 ? unit<double>(across) : detail::perpendicular(axis);
 }
 
 /// Unit normal of two axes; any normal of A's where they are parallel.

@@ -35,7 +35,7 @@ Shape random_body(Draws& draws, Collider<double>& body) {
 
 /// Puts the body where a random place of its side, with outward normal -away, is at the origin.
 void place(Draws& draws, const Shape& shape, const V& away, Collider<double>& body) {
-  const V axis = to_matrix(body.X_WB.q_WB).col(2);
+  const V axis = detail::to_matrix(body.X_WB.q_WB).col(2);
   V side = away - away.dot(axis) * axis;
   const double along = shape.half * draws.signed_unit();
   body.X_WB.p_W = shape.radius * side.normalized() + along * axis;
@@ -43,7 +43,10 @@ void place(Draws& draws, const Shape& shape, const V& away, Collider<double>& bo
 
 /// A direction that is perpendicular to both axes: the normal of two sides that touch.
 V common_normal(const Collider<double>& A, const Collider<double>& B) {
-  return to_matrix(A.X_WB.q_WB).col(2).cross(to_matrix(B.X_WB.q_WB).col(2)).normalized();
+  return detail::to_matrix(A.X_WB.q_WB)
+      .col(2)
+      .cross(detail::to_matrix(B.X_WB.q_WB).col(2))
+      .normalized();
 }
 
 /// One scalar constraint: an impulse along d on A and -d on B.
@@ -54,7 +57,7 @@ struct Row {
 };
 
 V turned(const Collider<double>& body, const V& torque) {
-  const Mat3<double> R = to_matrix(body.X_WB.q_WB);
+  const Mat3<double> R = detail::to_matrix(body.X_WB.q_WB);
   return R * body.inverse_moments.cwiseProduct(R.transpose() * torque);
 }
 
@@ -122,7 +125,7 @@ Strike random_strike(std::uint64_t seed, std::uint64_t index) {
 
 TwistPair newton_contact(const Strike& strike, double restitution, double friction, int rounds) {
   const V& n = strike.contact.normal_BA_W;
-  const V t = perpendicular(n);
+  const V t = detail::perpendicular(n);
   TwistPair twists{strike.A.twist, strike.B.twist};
   Row normal = row_along(strike, n);
   std::array<Row, 2> tangents{row_along(strike, t), row_along(strike, n.cross(t))};
@@ -136,7 +139,7 @@ TwistPair newton_contact(const Strike& strike, double restitution, double fricti
 }
 
 double kinetic_energy(const Collider<double>& body, const Twist<double>& twist) {
-  const V w_B = to_matrix(body.X_WB.q_WB).transpose() * twist.w_W;
+  const V w_B = detail::to_matrix(body.X_WB.q_WB).transpose() * twist.w_W;
   double twice = body.inverse_mass > 0 ? twist.v_W.squaredNorm() / body.inverse_mass : 0;
   for (int i = 0; i < 3; ++i) {
     if (body.inverse_moments[i] > 0) twice += w_B[i] * w_B[i] / body.inverse_moments[i];

@@ -60,7 +60,7 @@ class Judge {
     gap_at_start_ = std::abs(static_cast<double>(gap_at(read_query<double>(row).pair, 0.0).gap));
     SteppingOptions<Scalar> options;
     options.max_steps = kAmple;
-    options.halvings = kMaxHalvings;
+    options.halvings = detail::kMaxHalvings;
     const SearchResult<Scalar> found = search_stepping(query.pair, options);
     check(query, truth, found);
     ++queries_;

@@ -93,8 +93,9 @@ bool has_room_for(Fault fault, host::QueryRow& row, const ContactTruth& truth) {
     return truth.kind == test::kOnTheWay && after<Scalar>(truth.t) <= pair.value.duration;
   }
   const AdvancementOptions<Scalar> options;
-  const auto widest = static_cast<double>(contact_tolerance_of(pair.value, options)) +
-                      static_cast<double>(kInflation<Scalar> * test::query_length_of(pair.value));
+  const auto widest =
+      static_cast<double>(contact_tolerance_of(pair.value, options)) +
+      static_cast<double>(detail::kInflation<Scalar> * test::query_length_of(pair.value));
   return truth.kind == test::kNever && truth.least_gap - truth.gap_error > widest;
 }
 

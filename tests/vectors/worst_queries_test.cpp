@@ -65,7 +65,7 @@ void expect_true(host::QueryRow& row, const CostlyTruth& truth, const MovingPair
                  const SearchResult<Scalar>& found) {
   const auto contact_tolerance =
       static_cast<double>(contact_tolerance_of(pair, options_for(pair, truth)));
-  const auto inflation = 2 * static_cast<double>(kInflation<Scalar> * pair.scale);
+  const auto inflation = 2 * static_cast<double>(detail::kInflation<Scalar> * pair.scale);
   const auto t_free = static_cast<double>(found.t_free);
   EXPECT_TRUE(truth.kind != kOnTheWay || t_free <= truth.t);
   EXPECT_TRUE(truth.kind != kAtStart || found.outcome == Outcome::kTouching);

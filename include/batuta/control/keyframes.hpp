@@ -11,10 +11,14 @@
 
 namespace batuta {
 
+namespace detail {
+
 /// Largest turn of a key against the central key, rad. At pi the shortest way from one to the other
 /// is not unique; a grid that comes close to it would turn the hand through an arbitrary side.
 template <class Scalar>
 inline constexpr Scalar kMaxKeyTurn = Scalar(3);
+
+}  // namespace detail
 
 /// Rows 0-2: velocity of H's origin, m; rows 3-5: angular velocity, rad; each per unit rate of the
 /// stick, axes of W.
@@ -32,6 +36,8 @@ struct KeyedPose {
 /// The velocity of the hand for a velocity of the stick (1/s).
 template <class Scalar>
 Twist<Scalar> hand_twist(const StickJacobian<Scalar>& jacobian, const Vec2<Scalar>& stick_rate);
+
+namespace detail {
 
 /// A key as the surface wants it: rows 0-2 the place in W, m; rows 3-5 the turn log(q_ref^-1 q),
 /// rad.
@@ -63,6 +69,8 @@ Status relate_keys(const Pose<Scalar>* poses, const Quat<Scalar>& q_ref, KeyPoin
 template <class Scalar>
 KeyedPose<Scalar> pose_on(const KeyGridView<Scalar>& grid, const Vec2<Scalar>& stick);
 
+}  // namespace detail
+
 /// M columns and N rows of keys, evenly spaced over the square. C1 everywhere; passes through every
 /// key; three keys in a row give the parabola through them. RAM: 24 M N + 24 bytes in float.
 template <class Scalar, int M, int N>
@@ -71,7 +79,7 @@ class KeyframeGrid {
 
  public:
   /// All keys at the origin, unturned: at() has an answer before there are keys.
-  KeyframeGrid() { points_.fill(KeyPoint<Scalar>::Zero()); }
+  KeyframeGrid() { points_.fill(detail::KeyPoint<Scalar>::Zero()); }
 
   static constexpr int kColumns = M;  ///< M
   static constexpr int kRows = N;     ///< N
@@ -83,9 +91,9 @@ class KeyframeGrid {
   /// @returns kOk | kInvalidArgument (see relate_keys(); the grid stays as it was)
   Status set_keys(const Keys& keys_WH) {
     const Quat<Scalar> q_ref = renewed(keys_WH[kCentre].q_WB);
-    std::array<KeyPoint<Scalar>, kKeys> points{};
+    std::array<detail::KeyPoint<Scalar>, kKeys> points{};
     const Status status =
-        relate_keys(keys_WH.data(), q_ref, points.data(), static_cast<int>(kKeys));
+        detail::relate_keys(keys_WH.data(), q_ref, points.data(), static_cast<int>(kKeys));
     if (status != Status::kOk) return status;
     points_ = points;
     q_ref_ = q_ref;
@@ -94,7 +102,7 @@ class KeyframeGrid {
 
   /// @pre stick finite
   KeyedPose<Scalar> at(const Vec2<Scalar>& stick) const {
-    return pose_on(KeyGridView<Scalar>{points_.data(), M, N, q_ref_}, stick);
+    return detail::pose_on(detail::KeyGridView<Scalar>{points_.data(), M, N, q_ref_}, stick);
   }
 
   /// Its state, for record/archive.hpp.
@@ -109,7 +117,7 @@ class KeyframeGrid {
       static_cast<std::size_t>((M - 1) / 2) +
       static_cast<std::size_t>(M) * static_cast<std::size_t>((N - 1) / 2);
 
-  std::array<KeyPoint<Scalar>, kKeys> points_;
+  std::array<detail::KeyPoint<Scalar>, kKeys> points_;
   Quat<Scalar> q_ref_ = Quat<Scalar>::Identity();
 };
 

@@ -9,6 +9,8 @@
 
 namespace batuta {
 
+namespace detail {
+
 /// Whether x y + z is rounded twice, in the code around the call. Fused, it is rounded once:
 /// (1 + e)^2 = 1 + 2 e + e^2 rounds to 1 + 2 e, and a fused sum keeps the e^2.
 /// Inlined even without optimisation: it tells about the flags of the file that calls it, not about
@@ -51,6 +53,8 @@ template <class Scalar>
   return d + d == std::numeric_limits<Scalar>::min();
 }
 
+}  // namespace detail
+
 /// Whether the calling file, and the thread or context that it runs in, computes as the library
 /// needs it for the same bits everywhere and for its error bounds. A few tens of instructions, no
 /// library call (in soft float, those of the compiler's own). Meant for a start-up check:
@@ -61,7 +65,8 @@ template <class Scalar>
 /// Bound: no loop. ISR-safe: yes, and worth it where the library runs in a handler.
 template <class Scalar>
 [[gnu::always_inline]] inline bool rounds_each_operation() {
-  return rounds_products<Scalar>() && rounds_to_nearest_even<Scalar>() && keeps_denormals<Scalar>();
+  return detail::rounds_products<Scalar>() && detail::rounds_to_nearest_even<Scalar>() &&
+         detail::keeps_denormals<Scalar>();
 }
 
 }  // namespace batuta

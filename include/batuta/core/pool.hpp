@@ -16,6 +16,8 @@
 
 namespace batuta {
 
+namespace detail {
+
 /// Which slots live, and in which generation. Not used directly.
 class PoolBase {
  public:
@@ -107,13 +109,15 @@ class PoolBase {
   std::uint16_t number_;
 };
 
+}  // namespace detail
+
 /// Up to N objects of type T. An object stays where it was made. New objects take the lowest free
 /// slot, so that the same calls give the same slots everywhere.
 /// @tparam T  trivially destructible: nothing happens when an object ends
 /// @tparam N  1 ... 65535
 /// Allocates: never. ISR-safe: from one context at a time.
 template <class T, int N>
-class Pool : public PoolBase {
+class Pool : public detail::PoolBase {
   static_assert(N >= 1 && N <= 65535, "Pool: choose 1 ... 65535 slots");
   static_assert(std::is_object_v<T> && std::is_trivially_destructible_v<T>,
                 "Pool: objects must be trivially destructible");
@@ -180,7 +184,7 @@ class Pool : public PoolBase {
   /// @param number  tells this pool's handles from those of another pool of the same T
   // cppcheck-suppress uninitMemberVar ; deviation: pool-storage
   explicit Pool(std::uint16_t number = 0)
-      : PoolBase(number, static_cast<std::uint16_t>(N), generations_, live_) {}
+      : detail::PoolBase(number, static_cast<std::uint16_t>(N), generations_, live_) {}
 
   /// Makes an object from the arguments.
   /// @returns kOk with its handle | kPoolFull: no usable slot is free

@@ -18,6 +18,8 @@ enum class [[nodiscard]] Status : std::uint8_t{
     kUnavailable,      ///< nothing new, or the device is gone
 };
 
+namespace detail {
+
 /// What a failure carries: T{}, but zeros for Eigen's vectors, which T{} leaves unset.
 template <class T, class = void>
 struct Blank {
@@ -31,12 +33,14 @@ struct Blank<T, std::void_t<decltype(T::Zero())>> {
   static T value() { return T::Zero(); }
 };
 
+}  // namespace detail
+
 /// A value and whether it may be used. The value is always a valid object: default (a vector: zero)
 /// if the status is not kOk.
 template <class T>
 struct [[nodiscard]] Result {
   Status status = Status::kInvalidArgument;  ///< how the call ended
-  T value = Blank<T>::value();               ///< may be used if the status is kOk
+  T value = detail::Blank<T>::value();       ///< may be used if the status is kOk
 
   /// Whether the value may be used: the status is kOk.
   constexpr bool ok() const { return status == Status::kOk; }
@@ -51,7 +55,7 @@ constexpr Result<T> success(const T& value) {
 /// A status other than kOk with the value of Blank<T>. @pre status is not kOk
 template <class T>
 constexpr Result<T> failure(Status status) {
-  return {status, Blank<T>::value()};
+  return {status, detail::Blank<T>::value()};
 }
 
 }  // namespace batuta

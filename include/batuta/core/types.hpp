@@ -74,12 +74,16 @@ using Quat = Eigen::Quaternion<Scalar>;
 template <class Scalar>
 inline constexpr Scalar kRoundOff = std::numeric_limits<Scalar>::epsilon() / 2;
 
+namespace detail {
+
 /// Whether a type is one that the library may be used with: float or double.
 template <class Scalar>
 inline constexpr bool kIsScalar = std::is_same_v<Scalar, float> || std::is_same_v<Scalar, double>;
 
+}  // namespace detail
+
 /// The lesser of two. Comparison forms with one meaning on every compiler, also for signed zeros
-/// and NaN: the first wins a tie. wins a tie.
+/// and NaN: the first wins a tie.
 template <class Scalar>
 constexpr Scalar min_of(Scalar a, Scalar b) {
   return b < a ? b : a;
@@ -112,10 +116,13 @@ template <class Scalar>
 bool is_finite(const Vec3<Scalar>& v) {
   return (v.x() - v.x()) + (v.y() - v.y()) + (v.z() - v.z()) == Scalar(0);
 }
+/// False where a component is NaN or infinite.
 template <class Scalar>
 bool is_finite(const Quat<Scalar>& q) {
   return (q.x() - q.x()) + (q.y() - q.y()) + (q.z() - q.z()) + (q.w() - q.w()) == Scalar(0);
 }
+
+namespace detail {
 
 /// Whether all components are zero, of either sign.
 template <class Scalar>
@@ -131,6 +138,8 @@ template <class Scalar>
 bool is_same(const Quat<Scalar>& a, const Quat<Scalar>& b) {
   return a.x() == b.x() && a.y() == b.y() && a.z() == b.z() && a.w() == b.w();
 }
+
+}  // namespace detail
 
 /// Finite and above zero: what a length, a time or a mass must be that something is divided by.
 template <class Scalar>

@@ -9,6 +9,8 @@
 
 namespace batuta {
 
+namespace detail {
+
 /// What rounding can do to a certificate, over the length L of the query: so much is added to the
 /// radii, and no rounding error lets a contact pass. L = S + turn_A bounding_radius_A + turn_B
 /// bounding_radius_B: what turning could do to each bounding radius counts as a length
@@ -19,6 +21,8 @@ inline constexpr Scalar kInflation = 72 * kRoundOff<Scalar>;
 /// Least contact tolerance over L that a search can resolve; a smaller one is raised to it.
 template <class Scalar>
 inline constexpr Scalar kLeastContactTolerance = 96 * kRoundOff<Scalar>;
+
+}  // namespace detail
 
 /// Most distance evaluations that a search may be given.
 inline constexpr std::uint32_t kMaxBudget = 4096;
@@ -42,9 +46,13 @@ template <class Scalar>
 Scalar contact_tolerance_of(const MovingPair<Scalar>& pair,
                             const AdvancementOptions<Scalar>& options);
 
+namespace detail {
+
 /// eps, m: kInflation L, what rounding can do to this pair.
 template <class Scalar>
 Scalar inflation_of(const MovingPair<Scalar>& pair);
+
+}  // namespace detail
 
 /// First contact in [0, duration]; none is missed. With eps = inflation_of() and tau =
 /// contact_tolerance_of():

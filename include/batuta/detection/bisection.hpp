@@ -7,6 +7,8 @@
 
 namespace batuta {
 
+namespace detail {
+
 /// Halvings after which the bracket of any float step is at the rounding of time itself.
 inline constexpr int kMaxHalvings = 64;
 
@@ -28,5 +30,7 @@ struct Bracket {
 /// Bound: `halvings` evaluations.
 template <class Scalar>
 Bracket<Scalar> bisect(const MovingPair<Scalar>& pair, const Bracket<Scalar>& start, int halvings);
+
+}  // namespace detail
 
 }  // namespace batuta

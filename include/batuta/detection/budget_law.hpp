@@ -13,6 +13,8 @@
 
 namespace batuta {
 
+namespace detail {
+
 /// kappa, measured over pairs that stay close for a whole step.
 template <class Scalar>
 inline constexpr Scalar kBudgetKappa = Scalar(3.4);
@@ -37,11 +39,13 @@ constexpr Scalar cube_root(Scalar x) {
   return root * (Scalar(1) + Scalar(4) * kRoundOff<Scalar>);
 }
 
+}  // namespace detail
+
 /// Least contact tolerance, over the lever, at which `budget` evaluations suffice.
 /// @pre turn >= 0, rad; budget >= kLeastLawBudget
 template <class Scalar>
 constexpr Scalar contact_tolerance_for(Scalar turn, std::uint32_t budget) {
-  const Scalar share = kBudgetKappa<Scalar> * turn / static_cast<Scalar>(budget);
+  const Scalar share = detail::kBudgetKappa<Scalar> * turn / static_cast<Scalar>(budget);
   const Scalar rounded_up = Scalar(1) + Scalar(16) * kRoundOff<Scalar>;
   return share * share * share / Scalar(6) * rounded_up;
 }
@@ -52,8 +56,8 @@ constexpr Scalar contact_tolerance_for(Scalar turn, std::uint32_t budget) {
 template <class Scalar>
 constexpr Scalar turn_for(std::uint32_t budget, Scalar contact_tolerance) {
   const Scalar rounded_down = Scalar(1) - Scalar(16) * kRoundOff<Scalar>;
-  return static_cast<Scalar>(budget) / kBudgetKappa<Scalar> *
-         cube_root(Scalar(6) * contact_tolerance) * rounded_down;
+  return static_cast<Scalar>(budget) / detail::kBudgetKappa<Scalar> *
+         detail::cube_root(Scalar(6) * contact_tolerance) * rounded_down;
 }
 
 /// Fewest evaluations that suffice.
@@ -62,14 +66,14 @@ constexpr Scalar turn_for(std::uint32_t budget, Scalar contact_tolerance) {
 template <class Scalar>
 constexpr std::uint32_t budget_for(Scalar turn, Scalar contact_tolerance) {
   constexpr std::uint32_t kMost = std::numeric_limits<std::uint32_t>::max();
-  const Scalar root = cube_root(Scalar(6) * contact_tolerance);
+  const Scalar root = detail::cube_root(Scalar(6) * contact_tolerance);
   if (!(root > Scalar(0))) return kMost;
-  const Scalar share = kBudgetKappa<Scalar> * turn / root;
+  const Scalar share = detail::kBudgetKappa<Scalar> * turn / root;
   constexpr std::uint32_t kConvertible = kMost / 2;
   if (!(share < static_cast<Scalar>(kConvertible))) return kMost;
   const auto whole = static_cast<std::uint32_t>(share);
   const std::uint32_t enough = static_cast<Scalar>(whole) < share ? whole + 1 : whole;
-  return max_of(enough, kLeastLawBudget);
+  return max_of(enough, detail::kLeastLawBudget);
 }
 
 }  // namespace batuta

@@ -19,6 +19,8 @@ struct MovingCapsule {
   Motion<Scalar> motion;      ///< of the body over the time in question
 };
 
+namespace detail {
+
 /// Path of one end of a moving axis: start + v t + (cos(w t) - 1) arm + sin(w t) side. At t = 0 it
 /// is `start` to the last bit, and what a slow turn adds is as small as the turn
 /// (src/detection/moving_pair.md).
@@ -56,11 +58,13 @@ CapsulePath<Scalar> capsule_path(const MovingCapsule<Scalar>& moving, const Vec3
 template <class Scalar>
 Capsule<Scalar> capsule_at(const CapsulePath<Scalar>& path, Scalar t);
 
+}  // namespace detail
+
 /// Two capsules over [0, duration], ready for evaluation at any instant, in the pair's frame P.
 template <class Scalar>
 struct MovingPair {
-  CapsulePath<Scalar> A;                           ///< v = 0
-  CapsulePath<Scalar> B;                           ///< v = v_B - v_A
+  detail::CapsulePath<Scalar> A;                   ///< v = 0
+  detail::CapsulePath<Scalar> B;                   ///< v = v_B - v_A
   Vec3<Scalar> origin_W = Vec3<Scalar>::Zero();    ///< A's centre of mass at t = 0, m
   Vec3<Scalar> origin_v_W = Vec3<Scalar>::Zero();  ///< and its velocity, m/s
   Scalar duration = 0;                             ///< s
@@ -76,6 +80,8 @@ template <class Scalar>
 Result<MovingPair<Scalar>> make_moving_pair(const MovingCapsule<Scalar>& A,
                                             const MovingCapsule<Scalar>& B);
 
+namespace detail {
+
 /// Both capsules at time t.
 template <class Scalar>
 struct CapsulesAt {
@@ -86,6 +92,8 @@ struct CapsulesAt {
 /// Both capsules at time t, in the pair's frame P. @pre 0 <= t <= duration
 template <class Scalar>
 CapsulesAt<Scalar> capsules_at(const MovingPair<Scalar>& pair, Scalar t);
+
+}  // namespace detail
 
 /// One distance evaluation. The points are relative to origin_W (the place of the frame's origin at
 /// t = 0), ready for contact_from(). Error of the gap: src/detection/moving_pair.md.
@@ -99,11 +107,15 @@ template <class Scalar>
 CapsuleGap<Scalar> gap_at(const MovingPair<Scalar>& pair, const ClosestPoints<Scalar>& axes,
                           Scalar t);
 
+namespace detail {
+
 /// d gap / dt, m/s: how fast the material points at the closest parameters of `witness` part along
 /// its normal.
 /// @pre witness == gap_at(pair, t)
 template <class Scalar>
 Scalar gap_rate_at(const MovingPair<Scalar>& pair, const CapsuleGap<Scalar>& witness, Scalar t);
+
+}  // namespace detail
 
 /// What a search for the first contact in [0, duration] found.
 enum class Outcome : std::uint8_t {

@@ -63,6 +63,8 @@ struct Stepping {
   }
 };
 
+namespace detail {
+
 /// What the searches that never miss have in common: a contact tolerance and a budget.
 template <class ScalarT>
 struct Certified {
@@ -93,9 +95,11 @@ struct Certified {
   }
 };
 
+}  // namespace detail
+
 /// Never misses, rotation included.
 template <class ScalarT>
-struct Advancement : Certified<ScalarT> {
+struct Advancement : detail::Certified<ScalarT> {
   /// Of lengths and times.
   using Scalar = ScalarT;
   /// Tells this search from the others in what is saved.
@@ -115,7 +119,7 @@ struct Advancement : Certified<ScalarT> {
 
 /// Never misses; for scenes in which nothing turns. What turns is answered with kInvalid.
 template <class ScalarT>
-struct Translation : Certified<ScalarT> {
+struct Translation : detail::Certified<ScalarT> {
   /// Of lengths and times.
   using Scalar = ScalarT;
   /// Tells this search from the others in what is saved.

@@ -43,6 +43,8 @@ struct SphereResult {
 template <class Scalar>
 SphereResult<Scalar> search_spheres(const SphereFlight<Scalar>& flight, Scalar contact_tolerance);
 
+namespace detail {
+
 /// The largest gap, m, at which search_spheres() may speak of contact:
 /// tau + 16 u S, tau = max(contact tolerance, 128 u (S + 2^-40 m)). @pre the flight and the contact
 /// tolerance are valid
@@ -54,5 +56,7 @@ Scalar contact_gap_of(const SphereFlight<Scalar>& flight, Scalar contact_toleran
 /// @pre is_valid(center), radius >= 0. Bound: three axes.
 template <class Scalar>
 Aabb<Scalar> sphere_aabb(const StraightMotion<Scalar>& center, Scalar radius);
+
+}  // namespace detail
 
 }  // namespace batuta

@@ -9,6 +9,8 @@
 
 namespace batuta {
 
+namespace detail {
+
 /// As make_moving_pair(), for bodies that do not turn.
 /// @param A_B, B_B  capsules relative to their body's point, axes of W
 /// @returns kOk | kInvalidArgument: not finite, negative radius or duration, unequal durations, or
@@ -26,5 +28,7 @@ Result<MovingPair<Scalar>> make_straight_pair(const Capsule<Scalar>& A_B,
 /// Bound: three axes.
 template <class Scalar>
 Aabb<Scalar> straight_aabb(const Capsule<Scalar>& capsule_B, const StraightMotion<Scalar>& motion);
+
+}  // namespace detail
 
 }  // namespace batuta

@@ -8,6 +8,8 @@
 
 namespace batuta {
 
+namespace detail {
+
 /// The ball about the centre of mass that holds the capsule however it turns, swept along the
 /// motion: its centres run from start_W to end_W.
 template <class Scalar>
@@ -46,11 +48,15 @@ CapsuleSweep<Scalar> capsule_sweep(const MovingCapsule<Scalar>& moving);
 template <class Scalar>
 Scalar swept_support(const CapsuleSweep<Scalar>& sweep, const Vec3<Scalar>& direction);
 
+}  // namespace detail
+
 /// The smallest box in W that holds the capsule at every time of its motion, rounded outward like
 /// swept_support(). Without bounds (lowest() ... max()) where the lengths sum up to more than
 /// kLargestCoordinate.
 template <class Scalar>
 Aabb<Scalar> swept_aabb(const MovingCapsule<Scalar>& moving);
+
+namespace detail {
 
 /// The same in k directions. Bound: K / 2 directions.
 template <class Scalar, int K>
@@ -68,8 +74,10 @@ Aabb<Scalar> coarse_swept_aabb(const MovingCapsule<Scalar>& moving);
 template <class Scalar, int K>
 Kdop<Scalar, K> coarse_swept_kdop(const MovingCapsule<Scalar>& moving);
 
+}  // namespace detail
+
 /// Whether two swept spheres meet, rounded towards yes.
 template <class Scalar>
-bool overlaps(const SweptSphere<Scalar>& P, const SweptSphere<Scalar>& Q);
+bool overlaps(const detail::SweptSphere<Scalar>& P, const detail::SweptSphere<Scalar>& Q);
 
 }  // namespace batuta

@@ -11,6 +11,7 @@
 
 namespace batuta::fencing {
 
+/// A bout between two fencers, step by step.
 /// Built into the library for float and double with Advancement, and with Stepping; a program links
 /// the one that it names. For a scene of one's own, include fencing/duel_definitions.hpp.
 /// @tparam SceneT  a DuelScene: what it leaves out is absent
@@ -20,9 +21,13 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
 
  public:
   using StatedScene = SceneT;  ///< for duel_settings()
+  /// Of lengths and times.
   using Scalar = typename Played::Scalar;
+  /// The scene as its world runs it.
   using SceneType = BladesOf<Played>;
+  /// What configure() takes.
   using Settings = DuelSettings<SceneT>;
+  /// The world of the two blades.
   using WorldType = World<SceneType>;
 
   /// Not configured: step() does nothing but say so.
@@ -30,8 +35,8 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
   Duel(const Duel&) = delete;
   Duel& operator=(const Duel&) = delete;
 
-  /// Puts both fencers on guard and starts a new bout. Stack: about 2 kB in float, for
-  /// what both fencers come to before anything is changed.
+  /// Puts both fencers on guard and starts a new bout. Stack: about 2 kB in float, for what
+  /// both fencers come to before anything is changed.
   /// @returns kOk | kInvalidArgument (settings, settings.world, settings.touch or a fencer's data
   /// out of range; nothing changed: a running bout goes on)
   Status configure(const Settings& settings, const Fencer<Scalar>& left,
@@ -61,15 +66,14 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
   const WorldType& world() const { return world_; }
   /// The stick of a fencer, as it is after the last step.
   const StickTracker<Scalar>& stick(Side side) const { return at(side).stick; }
-  /// @pre configured; the scene has grip
+  /// The grip of a fencer on the blade. @pre configured; the scene has grip
   template <class S = Played>
   const Grip<Scalar>& grip(Side side) const {
     static_assert(S::kGrip, "Duel: without grip there is no grip(); a Hand carries each blade");
     return blade_of(side).controller.carrier;
   }
-  const KeyedPose<Scalar>& hand(Side side) const {
-    return at(side).hand;
-  }  ///< pose and Jacobian of the hand
+  /// Pose and Jacobian of the hand where the stick wants it, W.
+  const KeyedPose<Scalar>& hand(Side side) const { return at(side).hand; }
   /// Where a hand is that holds the blade as it is now; hand() is where the stick wants it.
   /// @pre configured; the scene has haptics
   template <class S = Played>
@@ -79,7 +83,8 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
   }
   /// The blade of a fencer as it is now. @pre configured
   Capsule<Scalar> blade_W(Side side) const;
-  /// @pre the scene has targets
+  /// The body of a fencer that can be touched, as it is now, W. @pre configured; the scene has
+  /// targets
   template <class S = Played>
   const BodyShape<Scalar>& body_W(Side side) const {
     static_assert(S::kTargets, "Duel: without targets there is no body_W(); fencers have no body");
@@ -102,7 +107,7 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
  private:
   using BodyId = typename WorldType::BodyId;
 
-  struct Place {
+  struct DuelSide {
     StickTracker<Scalar> stick;
     FencerGrid<Scalar> grid;
     WeaponBody<Scalar> weapon;
@@ -136,8 +141,8 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
     }
   };
 
-  Place& at(Side side) { return places_[index_of(side)]; }
-  const Place& at(Side side) const { return places_[index_of(side)]; }
+  DuelSide& at(Side side) { return places_[index_of(side)]; }
+  const DuelSide& at(Side side) const { return places_[index_of(side)]; }
   static Result<FencerSetup> setup_for(const Fencer<Scalar>& fencer, const Pose<Scalar>& X_WF);
   static Status arm(const Fencer<Scalar>& fencer, FencerSetup& setup);
   void take_place(Side side, const FencerSetup& setup, const FencerBuild<Scalar>& build);
@@ -148,7 +153,7 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
 
   Settings settings_;
   WorldType world_;
-  std::array<Place, 2> places_;
+  std::array<DuelSide, 2> places_;
   Scoring scoring_;
   std::uint32_t steps_ = 0;
   Scalar dt_ = 0;  ///< s; 0: not configured

@@ -3,8 +3,8 @@
 // What a duel does, whatever its search and its scene. The library holds the duels of DuelScene:
 // src/fencing/duel.cpp and duel_stepping.cpp build those of one search each, so that a program
 // links one search only. For a scene of one's own, include this header in one source and name there
-//   template DuelSettings<Drill> batuta::duel_settings();
-//   template class batuta::Duel<Drill>;
+//   template DuelSettings<Drill> batuta::fencing::duel_settings();
+//   template class batuta::fencing::Duel<Drill>;
 // or include it wherever such a duel is used.
 
 #include "batuta/fencing/detail/referee_definitions.hpp"
@@ -14,12 +14,17 @@ namespace batuta::fencing {
 
 namespace detail {
 
+/// Least DuelSettings::step_us.
 inline constexpr std::int32_t kShortestStepUs = 100;
+/// Largest DuelSettings::step_us.
 inline constexpr std::int32_t kLongestStepUs = 20000;
+/// Largest TouchSettings::double_window_us.
 inline constexpr std::int32_t kLongestWindowUs = 10000000;
 
 }  // namespace detail
 
+/// @returns kOk | kInvalidArgument: a setting out of its range (DuelSettings, TouchSettings), or a
+/// distance of the fencers that is not positive or too large
 template <class SceneT>
 Status validate(const DuelSettings<SceneT>& settings) {
   using Played = PlayedScene<SceneT>;
@@ -41,7 +46,7 @@ DuelSettings<SceneT> duel_settings() {
   using Played = PlayedScene<SceneT>;
   using Scalar = typename Played::Scalar;
   DuelSettings<SceneT> settings;
-  if constexpr (kKnowsRest<Played>) {
+  if constexpr (batuta::detail::kKnowsRest<Played>) {
     settings.world.rest_speed = Scalar(0.05F);
     settings.world.separation = Scalar(2e-4F);
     settings.world.min_separation_time = Scalar(1e-4F);
@@ -67,7 +72,7 @@ Status Duel<SceneT>::configure(const Settings& settings, const Fencer<Scalar>& l
   // From here on nothing can be refused.
   settings_ = settings;
   (void)world_.configure(settings.world);
-  for (Place& place : places_) (void)world_.remove(place.blade);  // Bound: 2
+  for (DuelSide& place : places_) (void)world_.remove(place.blade);  // Bound: 2
   if constexpr (Played::kTargets) scoring_.begin();
   take_place(Side::kLeft, left_setup.value, left.build);
   take_place(Side::kRight, right_setup.value, right.build);
@@ -120,7 +125,7 @@ Status Duel<SceneT>::arm(const Fencer<Scalar>& fencer, FencerSetup& setup) {
 template <class SceneT>
 void Duel<SceneT>::take_place(Side side, const FencerSetup& setup,
                               [[maybe_unused]] const FencerBuild<Scalar>& build) {
-  Place& place = at(side);
+  DuelSide& place = at(side);
   place.grid = setup.grid;
   place.weapon = setup.weapon;
   place.hand = setup.hand;
@@ -151,7 +156,7 @@ Status Duel<SceneT>::step(const InputSample* left, const InputSample* right) {
 
 template <class SceneT>
 void Duel<SceneT>::move_hand(Side side, const InputSample* sample) {
-  Place& place = at(side);
+  DuelSide& place = at(side);
   if (sample != nullptr) (void)place.stick.accept(*sample);
   place.stick.advance(dt_);
   place.hand = place.grid.at(place.stick.position());
@@ -178,7 +183,7 @@ template <class SceneT>
 bool Duel<SceneT>::is_sound() const {
   bool good = validate(settings_) == Status::kOk &&
               dt_ == static_cast<Scalar>(settings_.step_us) * kSecondsPerUs<Scalar>;
-  for (const Place& place : places_) {  // Bound: 2
+  for (const DuelSide& place : places_) {  // Bound: 2
     const auto* blade = world_.get(place.blade);
     good = good && blade != nullptr && is_valid(blade->capsule_B) &&
            place.stick.position().cwiseAbs().maxCoeff() <= Scalar(1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The scene of a duel, and what its features bring: who drives the blades, and which settings there
+// The scene of a duel, and what its features bring: who moves the blades, and which settings there
 // are. What a scene leaves out is an empty base (world/actor.hpp).
 
 // First, as in world.hpp.
@@ -33,7 +33,7 @@ constexpr DuelOptions two_fencers() {
   return {};
 }
 
-/// The scene of a Duel. Who drives the blades is the duel's own (BladeController).
+/// The scene of a Duel. Who moves the blades is the duel's own (BladeController).
 ///   constexpr DuelOptions drill() { DuelOptions scene; scene.targets = false; return scene; }
 ///   using Drill = DuelScene<drill>;
 /// @tparam kOptions  a constexpr function that returns DuelOptions
@@ -43,8 +43,11 @@ template <auto kOptions = two_fencers, class SearchT = Advancement<float>>
 struct DuelScene : batuta::detail::SceneConstants<
                        DuelOptions, kOptions, SearchT,
                        FreeFlight<typename batuta::detail::SearchScalar<SearchT>::Type>, SweptBox> {
+  /// DuelOptions::grip.
   static constexpr bool kGrip = DuelScene::kStated.grip;
+  /// DuelOptions::targets.
   static constexpr bool kTargets = DuelScene::kStated.targets;
+  /// DuelOptions::haptics.
   static constexpr bool kHaptics = DuelScene::kStated.haptics;
 };
 
@@ -52,8 +55,10 @@ struct DuelScene : batuta::detail::SceneConstants<
 
 namespace batuta::detail {
 
+/// @cond
 template <auto kOptions, class SearchT>
 inline constexpr bool kIsNamedScene<fencing::DuelScene<kOptions, SearchT>> = true;
+/// @endcond
 
 }  // namespace batuta::detail
 
@@ -61,12 +66,21 @@ namespace batuta::fencing {
 
 namespace detail {
 
+/// Whether a type is a DuelScene itself, not what is derived from one.
 template <class SceneT>
 inline constexpr bool kIsDuelScene = false;
+/// A DuelScene is.
 template <auto kOptions, class SearchT>
 inline constexpr bool kIsDuelScene<DuelScene<kOptions, SearchT>> = true;
 
-enum class DuelRule : std::uint8_t { kNone, kNoDuelScene, kRotation, kParts, kHapticEvents };
+/// What a scene lacks that a duel asks for.
+enum class DuelRule : std::uint8_t {
+  kNone,         ///< nothing
+  kNoDuelScene,  ///< to be a DuelScene
+  kRotation,     ///< bodies that turn
+  kParts,        ///< one capsule for each body
+  kHapticEvents  ///< events, from which a hand learns of blows
+};
 
 /// What a duel asks of its scene comes before what every scene is asked.
 template <class SceneT>
@@ -111,6 +125,7 @@ struct DuelVerdict : PlayedOf<SceneT, broken_duel_rule<SceneT>() == DuelRule::kN
 
 /// What is to be said of it as of any scene, where nothing was said of it as one of a duel.
 struct NoVerdict {};
+/// SceneVerdict of a scene that a duel takes; else NoVerdict.
 template <class SceneT>
 using OtherVerdict = std::conditional_t<broken_duel_rule<SceneT>() == DuelRule::kNone,
                                         batuta::detail::SceneVerdict<SceneT>, NoVerdict>;
@@ -137,7 +152,8 @@ struct Corners {
 /// Corners, in a scene whose fencers can be touched.
 template <class SceneT>
 using CornersOf =
-    FeatureIf<SceneT::kTargets, Corners<typename SceneT::Scalar, SceneT::kMaxContacts>, 16>;
+    batuta::detail::FeatureIf<SceneT::kTargets,
+                              Corners<typename SceneT::Scalar, SceneT::kMaxContacts>, 16>;
 
 /// Grip or hand, which remembers the corners of the blade's way where there is somebody to touch.
 template <class SceneT>
@@ -196,12 +212,12 @@ struct TouchSettings {
   /// A second touch within this time counts as double, us, 0 ... 10000000
   std::int32_t double_window_us = 40000;
   /// Search for touches.
-  typename SceneT::Search::Options touch = SearchOf<SceneT>::options();
+  typename SceneT::Search::Options touch = batuta::detail::SearchOf<SceneT>::options();
   PartMask target = kAllParts;  ///< parts where a touch counts: the weapon's convention
 };
 /// TouchSettings, in a scene whose fencers can be touched.
 template <class SceneT>
-using TouchSettingsOf = FeatureIf<SceneT::kTargets, TouchSettings<SceneT>, 17>;
+using TouchSettingsOf = batuta::detail::FeatureIf<SceneT::kTargets, TouchSettings<SceneT>, 17>;
 
 }  // namespace batuta::fencing
 
@@ -216,13 +232,14 @@ struct SceneVerdict<fencing::BladesOf<SceneT>> : SceneVerdict<SceneT> {
 
 namespace batuta::fencing {
 
+/// What a duel can be told.
 /// @tparam SceneT  a DuelScene
 template <class SceneT = DuelScene<>>
 struct DuelSettings : TouchSettingsOf<typename detail::DuelVerdict<SceneT>::Played> {
-  std::int32_t step_us = 1000;  ///< length of a step, us, 100 ... 20000
-  StickSettings stick;
+  std::int32_t step_us = 1000;                         ///< length of a step, us, 100 ... 20000
+  StickSettings stick;                                 ///< of both sticks
   WorldSettings<BladesOf<PlayedScene<SceneT>>> world;  ///< blades: defaults of duel_settings()
-  Salle<typename PlayedScene<SceneT>::Scalar> salle;
+  Salle<typename PlayedScene<SceneT>::Scalar> salle;   ///< where the fencers stand
 };
 
 /// Settings that suit the two fencers of the library. For a scene of one's own, include

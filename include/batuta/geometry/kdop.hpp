@@ -37,6 +37,8 @@ struct Kdop {
 template <class Scalar>
 using Aabb = Kdop<Scalar, 6>;
 
+namespace detail {
+
 /// The i-th direction, integer components in {-1, 0, 1}.
 /// @pre 0 <= i < K / 2
 template <class Scalar, int K>
@@ -52,6 +54,8 @@ Kdop<Scalar, K> kdop_of(const Capsule<Scalar>& capsule);
 /// Bound: K / 2 directions.
 template <class Scalar, int K>
 Kdop<Scalar, K> kdop_of(const Capsule<Scalar>& P, const Capsule<Scalar>& Q, Scalar margin);
+
+}  // namespace detail
 
 /// The smallest Kdop that holds both.
 template <class Scalar, int K>

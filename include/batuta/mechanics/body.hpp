@@ -57,7 +57,7 @@ Result<Body<Scalar>> make_body(const Pose<Scalar>& X_WB, Scalar mass, const Vec3
 /// Whether nothing can move or turn it: inverse mass and moments are zero.
 template <class Scalar>
 bool is_fixed(const Body<Scalar>& body) {
-  return body.inverse_mass == Scalar(0) && is_zero(body.inverse_moments);
+  return body.inverse_mass == Scalar(0) && detail::is_zero(body.inverse_moments);
 }
 
 /// x_W of a point given in B [Kavan eq. 4].
@@ -70,9 +70,13 @@ Vec3<Scalar> to_body(const Pose<Scalar>& X_WB, const Vec3<Scalar>& x_W);
 template <class Scalar>
 Capsule<Scalar> to_world(const Pose<Scalar>& X_WB, const Capsule<Scalar>& capsule_B);
 
+namespace detail {
+
 /// I^-1 in W: R J^-1 R^T [Kavan eq. 5, 29].
 template <class Scalar>
 Mat3<Scalar> inverse_inertia_W(const Body<Scalar>& body);
+
+}  // namespace detail
 
 /// v = p / m, w = I^-1 b [Kavan eq. 7, 8]. Computed in B, so that strongly unequal moments lose
 /// nothing.

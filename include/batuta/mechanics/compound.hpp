@@ -24,6 +24,8 @@ struct Compound {
   FixedList<Capsule<Scalar>, N> capsules_B;  ///< in the order of the parts
 };
 
+namespace detail {
+
 /// Mass, centre and inertia of the parts together. Where parts overlap, what they share counts once
 /// for each of them: let the core of one end at the surface of the other if that matters.
 /// @returns kOk | kInvalidArgument (no part, a part that solid_capsule() refuses, or sums that are
@@ -47,6 +49,8 @@ template <class Scalar>
 Result<Body<Scalar>> place_compound(const MassProperties<Scalar>& mass, const Pose<Scalar>& X_WS,
                                     Capsule<Scalar>* capsules, int count);
 
+}  // namespace detail
+
 /// Capsules whose masses are known otherwise: from a mesh (batuta-mass) or from a balance.
 /// @returns as place_compound(); also kInvalidArgument where count > N. Bound: N capsules.
 template <int N, class Scalar>
@@ -57,7 +61,7 @@ Result<Compound<Scalar, N>> make_compound(const MassProperties<Scalar>& mass,
   if (count < 1 || count > N) return made;
   auto& list = made.value.capsules_B;
   for (int i = 0; i < count; ++i) (void)list.push(capsules_S[i]);  // Bound: N
-  const auto placed = place_compound(mass, X_WS, &list[0], count);
+  const auto placed = detail::place_compound(mass, X_WS, &list[0], count);
   if (!placed.ok()) return failure<Compound<Scalar, N>>(placed.status);
   made.status = Status::kOk;
   made.value.body = placed.value;
@@ -71,7 +75,7 @@ template <int N, class Scalar>
 Result<Compound<Scalar, N>> make_compound(const CapsulePart<Scalar>* parts, int count,
                                           const Pose<Scalar>& X_WS) {
   if (count > N) return failure<Compound<Scalar, N>>(Status::kInvalidArgument);
-  const auto mass = mass_of_parts(parts, count);
+  const auto mass = detail::mass_of_parts(parts, count);
   if (!mass.ok()) return failure<Compound<Scalar, N>>(mass.status);
   FixedList<Capsule<Scalar>, N> capsules_S;
   for (int i = 0; i < count; ++i) (void)capsules_S.push(parts[i].capsule_S);  // Bound: N

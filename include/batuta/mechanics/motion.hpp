@@ -43,10 +43,14 @@ Motion<Scalar> motion_between(const Pose<Scalar>& X0_WB, const Pose<Scalar>& X1_
 template <class Scalar>
 Motion<Scalar> free_flight(const Body<Scalar>& body, Scalar duration);
 
+namespace detail {
+
 /// Whether the capsule lies on the axis of an axisymmetric body (to rounding), so that spin about
 /// the axis does not show. False where all three moments are unlike or one is zero. Bound: no loop.
 template <class Scalar>
 bool hides_spin(const Body<Scalar>& body, const Capsule<Scalar>& capsule_B);
+
+}  // namespace detail
 
 /// The pose at time t, the quaternion renewed; exactly X_WB at t = 0.
 /// @pre 0 <= t <= duration; |w| t <= kMaxAngle

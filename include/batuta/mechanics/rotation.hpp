@@ -9,6 +9,8 @@
 
 namespace batuta {
 
+namespace detail {
+
 /// A turn by `angle` about the unit vector `axis`. The identity has angle 0 and the x axis.
 template <class Scalar>
 struct AxisAngle {
@@ -16,9 +18,13 @@ struct AxisAngle {
   Scalar angle = 0;                           ///< rad; answers lie in [0, pi]
 };
 
+}  // namespace detail
+
 /// q scaled to unit length; the identity if q is zero or not finite.
 template <class Scalar>
 Quat<Scalar> renewed(const Quat<Scalar>& q);
+
+namespace detail {
 
 /// R of q. @pre q unit
 template <class Scalar>
@@ -43,6 +49,8 @@ AxisAngle<Scalar> to_axis_angle(const Quat<Scalar>& q);
 template <class Scalar>
 AxisAngle<Scalar> to_axis_angle(const Mat3<Scalar>& R);
 
+}  // namespace detail
+
 /// Rotation vector -> unit quaternion; without cancellation for small and for large angles.
 /// @pre |rotation_vector| <= kMaxAngle
 template <class Scalar>
@@ -52,11 +60,15 @@ Quat<Scalar> exp_map(const Vec3<Scalar>& rotation_vector);
 template <class Scalar>
 Vec3<Scalar> log_map(const Quat<Scalar>& q);
 
+namespace detail {
+
 /// The matrix J with exp_map(r + dr) = exp_map(J dr) exp_map(r) to first order: the angular
 /// velocity, in the frame that exp_map(r) turns into, is J r'. Used for the Jacobian of the
 /// keyframe grid.
 template <class Scalar>
 Mat3<Scalar> left_jacobian(const Vec3<Scalar>& rotation_vector);
+
+}  // namespace detail
 
 /// The rotation on the shortest way from q0 (t = 0) to q1 (t = 1) at a constant rate; exact at both
 /// ends.

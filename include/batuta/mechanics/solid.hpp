@@ -11,8 +11,8 @@ namespace batuta {
 /// A body, and its shape as it sees it.
 template <class Scalar>
 struct SolidBody {
-  Body<Scalar> body;
-  Capsule<Scalar> capsule_B;
+  Body<Scalar> body;          ///< its origin is the middle of the capsule
+  Capsule<Scalar> capsule_B;  ///< about the origin of B
 };
 
 /// Where the capsule lies along an axis of G, or is a ball, B has the axes of G; else z of B lies

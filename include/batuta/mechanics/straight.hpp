@@ -16,6 +16,8 @@ struct StraightBody {
   Scalar inverse_mass = 0;                         ///< 1/kg
 };
 
+namespace detail {
+
 /// Place at t in [0, duration]: p_W + v_W t.
 template <class Scalar>
 struct StraightMotion {
@@ -23,6 +25,8 @@ struct StraightMotion {
   Vec3<Scalar> v_W = Vec3<Scalar>::Zero();  ///< m/s
   Scalar duration = 0;                      ///< s, >= 0
 };
+
+}  // namespace detail
 
 /// A body at rest.
 /// @param mass  kg; infinity: the body is fixed
@@ -39,12 +43,16 @@ Vec3<Scalar> velocity_of(const StraightBody<Scalar>& body);
 template <class Scalar>
 Scalar kinetic_energy(const StraightBody<Scalar>& body);
 
+namespace detail {
+
 /// Exactly p_W at t = 0. @pre 0 <= t <= duration
 template <class Scalar>
 Vec3<Scalar> position_at(const StraightMotion<Scalar>& motion, Scalar t);
 
+}  // namespace detail
+
 /// Finite at both ends, 0 <= duration.
 template <class Scalar>
-bool is_valid(const StraightMotion<Scalar>& motion);
+bool is_valid(const detail::StraightMotion<Scalar>& motion);
 
 }  // namespace batuta

@@ -8,6 +8,8 @@
 
 namespace batuta {
 
+namespace detail {
+
 /// Largest |angle| that sin_cos() reduces with its stated error, rad: 1608 quarter turns, about 402
 /// full turns.
 template <class Scalar>
@@ -33,5 +35,7 @@ SinCos<Scalar> sin_cos(Scalar angle);
 /// Bound: one polynomial, at most 12 terms.
 template <class Scalar>
 Scalar arc_tangent(Scalar y, Scalar x);
+
+}  // namespace detail
 
 }  // namespace batuta

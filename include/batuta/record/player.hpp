@@ -69,15 +69,15 @@ class Player {
   Playback fetch(int bytes);
   /// The same for the next record, whose check sum is then good.
   Playback fetch_record();
-  Playback fetch_state(SnapshotHead& head);
+  Playback fetch_state(detail::SnapshotHead& head);
   void drop();
-  RecordKind kind() const { return static_cast<RecordKind>(buffer_[0]); }
+  detail::RecordKind kind() const { return static_cast<detail::RecordKind>(buffer_[0]); }
   int body_size() const { return buffer_[1] | buffer_[2] << 8; }
   /// Reads and drops the record. @returns whether its body is one of this type
   template <class Body>
   bool take(Body& body);
   Playback read_run(std::uint64_t input);
-  Playback compare(const HashRecord& record, std::uint64_t hash);
+  Playback compare(const detail::HashRecord& record, std::uint64_t hash);
   template <class State>
   Playback judge(const State& state);
 
@@ -96,7 +96,7 @@ class Player {
 template <class Body>
 bool Player::take(Body& body) {
   const int size = body_size();
-  ArchiveReader reader(buffer_ + kRecordHead, size);
+  ArchiveReader reader(buffer_ + detail::kRecordHead, size);
   reader(body);
   drop();
   return reader.is_done(size);
@@ -105,10 +105,10 @@ bool Player::take(Body& body) {
 template <class Input, class State>
 Playback Player::begin(State& state) {
   if (stage_ == Stage::kState) {
-    SnapshotHead head = head_for(state);
+    detail::SnapshotHead head = detail::head_for(state);
     const Playback fetched = fetch_state(head);
     if (fetched != Playback::kReady) return fetched;
-    const int size = kSnapshotHead + static_cast<int>(head.length) + kCheckSum;
+    const int size = detail::kSnapshotHead + static_cast<int>(head.length) + detail::kCheckSum;
     if (restore(state, buffer_, size) != Restored::kOk) return stop(Playback::kDamaged);
     drop();
     stage_ = Stage::kRun;
@@ -120,13 +120,13 @@ Playback Player::begin(State& state) {
 /// A hash or the end mark. @returns kReady: there is more
 template <class State>
 Playback Player::judge(const State& state) {
-  if (kind() == RecordKind::kHash) {
-    HashRecord record;
+  if (kind() == detail::RecordKind::kHash) {
+    detail::HashRecord record;
     if (!take(record)) return stop(Playback::kDamaged);
     return compare(record, hash_of(state));
   }
-  EndRecord record;
-  if (kind() != RecordKind::kEnd || !take(record)) return stop(Playback::kDamaged);
+  detail::EndRecord record;
+  if (kind() != detail::RecordKind::kEnd || !take(record)) return stop(Playback::kDamaged);
   lost_ = record.lost;
   if (lost_ > 0) return stop(Playback::kGap);
   compared_ = false;  // the end mark may repeat what a hash has said
@@ -140,8 +140,8 @@ Playback Player::next(Input& input, const State& state) {
   for (int i = 0; i < 2; ++i) {  // Bound: 2: a hash, and what follows it
     const Playback fetched = fetch_record();
     if (fetched != Playback::kReady) return fetched;
-    if (kind() == RecordKind::kStep) {
-      StepRecord<Input> record{0, input};
+    if (kind() == detail::RecordKind::kStep) {
+      detail::StepRecord<Input> record{0, input};
       const bool good = take(record) && record.step == steps_;
       if (!good) return stop(Playback::kDamaged);
       ++steps_;

@@ -7,6 +7,8 @@
 
 namespace batuta {
 
+namespace detail {
+
 /// Of the format of what follows the state; another one is not read.
 inline constexpr std::uint16_t kRecordingVersion = 1;
 
@@ -65,6 +67,8 @@ struct EndRecord {
   /// Lists what is written.
   void archive(Archive& ar) { ar(last, lost); }
 };
+
+}  // namespace detail
 
 /// Tells the type of the inputs from others: its members and capacities.
 template <class Input>

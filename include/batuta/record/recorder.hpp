@@ -21,7 +21,7 @@ class Recorder {
  public:
   /// A buffer of this size holds the start of a run.
   template <class State>
-  static constexpr int kRoom = kSnapshotRoom<State> + kRecordHead + 14 + kCheckSum;
+  static constexpr int kRoom = kSnapshotRoom<State> + detail::kRecordHead + 14 + detail::kCheckSum;
 
   /// Into a sink that outlives the recorder.
   /// @param buffer  of the caller's, used as long as the recorder is; room for `capacity` bytes
@@ -58,9 +58,9 @@ class Recorder {
 
  private:
   template <class Body>
-  bool put(RecordKind kind, Body& body);
+  bool put(detail::RecordKind kind, Body& body);
   bool make_room(int bytes);
-  void close(RecordKind kind, int body);
+  void close(detail::RecordKind kind, int body);
   void start(int bytes);
 
   ByteSink& sink_;
@@ -75,10 +75,10 @@ class Recorder {
 
 /// The body is written where it is to stay; what does not fit leaves the buffer as it was.
 template <class Body>
-bool Recorder::put(RecordKind kind, Body& body) {
-  if (!make_room(kRecordHead + kCheckSum)) return false;
-  const int room = capacity_ - filled_ - kRecordHead - kCheckSum;
-  ArchiveWriter writer(buffer_ + filled_ + kRecordHead, min_of(room, kLargestBody));
+bool Recorder::put(detail::RecordKind kind, Body& body) {
+  if (!make_room(detail::kRecordHead + detail::kCheckSum)) return false;
+  const int room = capacity_ - filled_ - detail::kRecordHead - detail::kCheckSum;
+  ArchiveWriter writer(buffer_ + filled_ + detail::kRecordHead, min_of(room, detail::kLargestBody));
   writer.look_at(body);
   if (!writer.ok()) return false;
   close(kind, writer.position());
@@ -92,11 +92,11 @@ Status Recorder::begin(const State& state, std::uint32_t hash_every) {
   const Result<int> saved = save(state, buffer_, capacity_);
   if (!saved.ok()) return saved.status;
   start(saved.value);
-  RunRecord run;
+  detail::RunRecord run;
   run.hash_every = hash_every;
   const Input input{};
   run.input = fingerprint_of(input);
-  going_on_ = put(RecordKind::kRun, run);
+  going_on_ = put(detail::RecordKind::kRun, run);
   hash_every_ = hash_every;
   return going_on_ ? Status::kOk : Status::kPoolFull;
 }
@@ -104,22 +104,22 @@ Status Recorder::begin(const State& state, std::uint32_t hash_every) {
 template <class Input, class State>
 void Recorder::step(const Input& input, const State& after) {
   if (!going_on_) return;
-  StepRecord<const Input> body{steps_, input};
-  if (lost_ > 0 || !put(RecordKind::kStep, body)) {
+  detail::StepRecord<const Input> body{steps_, input};
+  if (lost_ > 0 || !put(detail::RecordKind::kStep, body)) {
     ++lost_;
     return;
   }
   ++steps_;
   if (hash_every_ == 0 || steps_ % hash_every_ != 0) return;
-  HashRecord hash{steps_, hash_of(after)};
-  (void)put(RecordKind::kHash, hash);  // a hash less is no gap: the next one tells as much
+  detail::HashRecord hash{steps_, hash_of(after)};
+  (void)put(detail::RecordKind::kHash, hash);  // a hash less is no gap: the next one tells as much
 }
 
 template <class State>
 Status Recorder::end(const State& state) {
   if (!going_on_) return Status::kUnavailable;
-  EndRecord body{{steps_, lost_ == 0 ? hash_of(state) : 0}, lost_};
-  if (!put(RecordKind::kEnd, body)) return Status::kPoolFull;
+  detail::EndRecord body{{steps_, lost_ == 0 ? hash_of(state) : 0}, lost_};
+  if (!put(detail::RecordKind::kEnd, body)) return Status::kPoolFull;
   going_on_ = false;
   return Status::kOk;
 }

@@ -21,14 +21,21 @@ enum class [[nodiscard]] Restored : std::uint8_t{
     kOutOfRange,
 };
 
+namespace detail {
+
 /// Of the format that save() writes; another one is not read.
 inline constexpr std::uint16_t kSnapshotVersion = 1;
 inline constexpr int kSnapshotHead = 20;  ///< bytes in front of the state
 inline constexpr int kCheckSum = 4;       ///< bytes behind it
 
+}  // namespace detail
+
 /// Bytes with room for a saved T.
 template <class T>
-inline constexpr int kSnapshotRoom = kSnapshotHead + static_cast<int>(sizeof(T)) + kCheckSum;
+inline constexpr int kSnapshotRoom = detail::kSnapshotHead +
+                                     static_cast<int>(sizeof(T)) + detail::kCheckSum;
+
+namespace detail {
 
 /// What stands in front of a state.
 struct SnapshotHead {
@@ -59,22 +66,25 @@ SnapshotHead head_for(const T& state) {
   return head_of(shape, 0);
 }
 
+}  // namespace detail
+
 /// Writes a state as bytes: head, members, check sum.
 /// @param[out] bytes  room for `capacity`; kSnapshotRoom<T> are enough
 /// @returns kOk with the bytes used | kPoolFull | kInvalidArgument (a member out of its range)
 /// Bound: the members of the state. Allocates: never.
 template <class T>
 Result<int> save(const T& state, std::uint8_t* bytes, int capacity) {
-  if (capacity < kSnapshotHead + kCheckSum) return failure<int>(Status::kPoolFull);
-  ArchiveWriter writer(bytes + kSnapshotHead, capacity - kSnapshotHead - kCheckSum);
+  if (capacity < detail::kSnapshotHead + detail::kCheckSum) return failure<int>(Status::kPoolFull);
+  ArchiveWriter writer(bytes + detail::kSnapshotHead,
+                       capacity - detail::kSnapshotHead - detail::kCheckSum);
   writer.look_at(state);
   if (!writer.ok()) return failure<int>(writer.status());
-  SnapshotHead head = head_for(state);
+  detail::SnapshotHead head = detail::head_for(state);
   head.length = static_cast<std::uint32_t>(writer.position());
-  write_head(head, bytes);
-  const int size = kSnapshotHead + writer.position();
-  seal(bytes, size);
-  return success(size + kCheckSum);
+  detail::write_head(head, bytes);
+  const int size = detail::kSnapshotHead + writer.position();
+  detail::seal(bytes, size);
+  return success(size + detail::kCheckSum);
 }
 
 /// Reads a state that save() wrote. Nothing is changed before scene and check sum are found to be
@@ -83,14 +93,15 @@ Result<int> save(const T& state, std::uint8_t* bytes, int capacity) {
 /// Bound: the members of the state. Allocates: never.
 template <class T>
 Restored restore(T& state, const std::uint8_t* bytes, int size) {
-  SnapshotHead head = head_for(state);
-  const Restored found = read_head(bytes, size, head);
+  detail::SnapshotHead head = detail::head_for(state);
+  const Restored found = detail::read_head(bytes, size, head);
   if (found != Restored::kOk) return found;
-  const auto length = static_cast<std::uint32_t>(size - kSnapshotHead);
-  if (length < kCheckSum || head.length != length - kCheckSum || !is_sealed(bytes, size)) {
+  const auto length = static_cast<std::uint32_t>(size - detail::kSnapshotHead);
+  if (length < detail::kCheckSum || head.length != length - detail::kCheckSum ||
+      !detail::is_sealed(bytes, size)) {
     return Restored::kDamaged;
   }
-  ArchiveReader reader(bytes + kSnapshotHead, static_cast<int>(head.length));
+  ArchiveReader reader(bytes + detail::kSnapshotHead, static_cast<int>(head.length));
   reader(state);
   return reader.is_done(static_cast<int>(head.length)) ? Restored::kOk : Restored::kOutOfRange;
 }

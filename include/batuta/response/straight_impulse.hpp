@@ -7,6 +7,8 @@
 
 namespace batuta {
 
+namespace detail {
+
 /// What a blow of two bodies that do not turn came to.
 template <class Scalar>
 struct StraightHit {
@@ -23,5 +25,7 @@ struct StraightHit {
 template <class Scalar>
 StraightHit<Scalar> straight_impulse(StraightBody<Scalar>& A, StraightBody<Scalar>& B,
                                      const Vec3<Scalar>& normal_BA_W, Scalar restitution);
+
+}  // namespace detail
 
 }  // namespace batuta

@@ -15,6 +15,8 @@ struct Filter {
   std::uint16_t meets = 0xFFFF;  ///< a bit for each group that it meets
 };
 
+namespace detail {
+
 /// The shape of an actor whose scene has spheres alone.
 template <class Scalar>
 struct BallShape {
@@ -37,21 +39,21 @@ template <class Controller>
 struct Controlled {
   Controller controller{};  ///< who moves it
 };
-/// Of an actor in a scene with kRestitution.
+/// Of an actor in a scene with restitution.
 template <class Scalar>
 struct Bouncy {
   Scalar restitution = 0;  ///< C, in [0, 1]; a pair takes pair_restitution() of its two
 };
-/// Of an actor in a scene with kFriction.
+/// Of an actor in a scene with friction.
 template <class Scalar>
 struct Rough {
   Scalar friction = 0;  ///< mu, >= 0; a pair takes pair_friction() of its two
 };
-/// Of an actor in a scene with kOwners.
+/// Of an actor in a scene with owners.
 struct Owned {
   std::uint16_t owner = 0;  ///< bodies of one owner other than 0 never meet
 };
-/// Of an actor in a scene with kFilters.
+/// Of an actor in a scene with filters.
 struct Filtered {
   Filter filter;  ///< who it may meet
 };
@@ -70,21 +72,27 @@ using BodyOf = std::conditional_t<SceneT::kRotation, Body<typename SceneT::Scala
 template <bool kIsOn, class Feature, int kNumber>
 using FeatureIf = std::conditional_t<kIsOn, Feature, Absent<kNumber>>;
 
+}  // namespace detail
+
 /// A body of a scene with all that the scene's features ask of it; World::add() takes it.
 /// The caller may read or change it between steps. What becomes unusable (not finite, or too far
 /// away to hold its size) is left out of the steps, and counted in StepReport::plans_invalid.
 template <class SceneT>
 struct Actor
-    : ShapeOf<typename detail::SceneVerdict<SceneT>::Seen>,
-      FeatureIf<detail::SceneFor<SceneT>::kRotation,
-                Controlled<typename detail::SceneFor<SceneT>::Controller>, 0>,
-      FeatureIf<detail::SceneFor<SceneT>::kRestitution, Bouncy<detail::ScalarFor<SceneT>>, 1>,
-      FeatureIf<detail::SceneFor<SceneT>::kFriction, Rough<detail::ScalarFor<SceneT>>, 2>,
-      FeatureIf<detail::SceneFor<SceneT>::kOwners, Owned, 3>,
-      FeatureIf<detail::SceneFor<SceneT>::kFilters, Filtered, 4> {
+    : detail::ShapeOf<typename detail::SceneVerdict<SceneT>::Seen>,
+      detail::FeatureIf<detail::SceneFor<SceneT>::kRotation,
+                        detail::Controlled<typename detail::SceneFor<SceneT>::Controller>, 0>,
+      detail::FeatureIf<detail::SceneFor<SceneT>::kRestitution,
+                        detail::Bouncy<detail::ScalarFor<SceneT>>, 1>,
+      detail::FeatureIf<detail::SceneFor<SceneT>::kFriction,
+                        detail::Rough<detail::ScalarFor<SceneT>>, 2>,
+      detail::FeatureIf<detail::SceneFor<SceneT>::kOwners, detail::Owned, 3>,
+      detail::FeatureIf<detail::SceneFor<SceneT>::kFilters, detail::Filtered, 4> {
+  /// The scene's.
   using Scalar = detail::ScalarFor<SceneT>;
 
-  BodyOf<detail::SceneFor<SceneT>> body;
+  /// Mass, place and momenta: Body, or StraightBody where the scene has no rotation.
+  detail::BodyOf<detail::SceneFor<SceneT>> body;
 };
 
 /// The parts of an actor: one, unless the scene says otherwise.
@@ -129,6 +137,8 @@ const Vec3<typename SceneT::Scalar>& position_of(const Actor<SceneT>& actor) {
   }
 }
 
+namespace detail {
+
 /// Whether what the features add to an actor is in range, and its parts where they are. Bound: the
 /// parts.
 template <class SceneT>
@@ -164,5 +174,7 @@ bool may_meet(const Actor<SceneT>& A, const Actor<SceneT>& B) {
   }
   return may;
 }
+
+}  // namespace detail
 
 }  // namespace batuta

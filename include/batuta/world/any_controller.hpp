@@ -13,7 +13,9 @@ namespace batuta {
 template <class Scalar, class First, class... Others>
 class AnyController {
  public:
+  /// The first type, as it is made without arguments.
   AnyController() = default;
+  /// Becomes a copy of one of the types.
   template <class Controller>
   // cppcheck-suppress noExplicitConstructor ; deviation: any-controller
   AnyController(const Controller& controller) : controller_(controller) {}
@@ -28,9 +30,11 @@ class AnyController {
   PlannedMotion<Scalar> plan(const Body<Scalar>& body, Scalar t, Scalar duration) const {
     return plan_of<First, Others...>(body, t, duration);
   }
+  /// Tells the controller that it is at present.
   void on_contact(const Body<Scalar>& body, const Feedback<Scalar>& feedback) {
     for_current([&](auto& controller) { controller.on_contact(body, feedback); });
   }
+  /// Tells the controller that it is at present.
   void on_step_end(const Body<Scalar>& body, Scalar dt) {
     for_current([&](auto& controller) { controller.on_step_end(body, dt); });
   }
@@ -87,6 +91,7 @@ class AnyController {
   std::variant<First, Others...> controller_;
 };
 
+/// One of several, where all of them do.
 template <class Scalar, class First, class... Others>
 struct MovesByMomentumOnly<AnyController<Scalar, First, Others...>>
     : std::conjunction<MovesByMomentumOnly<First>, MovesByMomentumOnly<Others>...> {};

@@ -22,7 +22,7 @@ struct CoarseBox {
   /// coarse_swept_aabb().
   template <class Scalar>
   static Aabb<Scalar> of(const MovingCapsule<Scalar>& moving) {
-    return coarse_swept_aabb(moving);
+    return detail::coarse_swept_aabb(moving);
   }
 };
 

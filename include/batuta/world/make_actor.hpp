@@ -34,7 +34,7 @@ Result<Actor<SceneT>> make_actor(const Capsule<typename Actor<SceneT>::Scalar>& 
   if constexpr (S::kRotation) {
     actor.body = body;
   } else {
-    good = good && is_zero(twist.w_W);
+    good = good && detail::is_zero(twist.w_W);
     actor.body.p_W = body.X_WB.p_W;
     actor.body.momentum_W = body.momentum.linear_W;
     actor.body.inverse_mass = body.inverse_mass;

@@ -126,6 +126,8 @@ template <auto kOptions, class SearchT = Advancement<float>,
           class BoundT = SweptBox>
 struct Scene : detail::SceneConstants<SceneOptions, kOptions, SearchT, ControllerT, BoundT> {};
 
+namespace detail {
+
 /// What the members of a world do not show of its scene, for the fingerprint of what is saved.
 template <class SceneT, class Archive>
 void archive_scene(Archive& ar) {
@@ -139,5 +141,7 @@ void archive_scene(Archive& ar) {
                                    (SceneT::kLineContact ? 4U : 0U) | (SceneT::kGravity ? 8U : 0U);
   ar.constant(kFlags);
 }
+
+}  // namespace detail
 
 }  // namespace batuta

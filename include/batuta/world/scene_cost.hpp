@@ -19,6 +19,8 @@ struct SceneCost {
   std::uint64_t evaluations = 0;
 };
 
+namespace detail {
+
 /// The scene with one more body, pair or event.
 template <class SceneT, int kBodies, int kPairs, int kEvents>
 struct Enlarged : SceneT {
@@ -30,22 +32,18 @@ struct Enlarged : SceneT {
   static constexpr int kMaxEvents = SceneT::kMaxEvents > 0 ? SceneT::kMaxEvents + kEvents : 0;
 };
 
-namespace detail {
-
 template <class SceneT, int kBodies, int kPairs, int kEvents>
 struct SceneVerdict<Enlarged<SceneT, kBodies, kPairs, kEvents>> : SceneVerdict<SceneT> {
   using Seen = Enlarged<SceneT, kBodies, kPairs, kEvents>;
 };
 
-}  // namespace detail
-
 /// Bytes that the enlarged scene takes more, in a world of the same kind.
 template <class SceneT, class Larger>
 constexpr std::size_t more() {
   if constexpr (SceneT::kEngine == Engine::kSmall) {
-    return sizeof(detail::SmallWorld<Larger>) - sizeof(detail::SmallWorld<SceneT>);
+    return sizeof(SmallWorld<Larger>) - sizeof(SmallWorld<SceneT>);
   } else {
-    return sizeof(detail::GeneralWorld<Larger>) - sizeof(detail::GeneralWorld<SceneT>);
+    return sizeof(GeneralWorld<Larger>) - sizeof(GeneralWorld<SceneT>);
   }
 }
 
@@ -66,8 +64,10 @@ constexpr SceneCost cost_of() {
   return cost;
 }
 
+}  // namespace detail
+
 /// `static_assert(scene_cost<MyScene>.world <= 4096, "...");`
 template <class SceneT>
-inline constexpr SceneCost scene_cost = cost_of<SceneT>();
+inline constexpr SceneCost scene_cost = detail::cost_of<SceneT>();
 
 }  // namespace batuta

@@ -37,6 +37,8 @@ enum class RestingContact : std::uint8_t {
   kSettling,
 };
 
+/// Everything that a scene chooses, with its default: two capsules, impulses and the paper's
+/// separation.
 struct SceneOptions {
   /// Which world runs the scene; no other option chooses it.
   Engine engine = Engine::kGeneral;
@@ -73,6 +75,7 @@ struct SceneOptions {
   bool friction = false;
   /// Near-parallel capsules touch at two points (response/line_contact.hpp).
   bool line_contact = false;
+  /// What becomes of contacts in which nearly nothing approaches.
   RestingContact resting = RestingContact::kSeparation;
   /// WorldSettings::gravity_W, felt by what its own momentum moves.
   bool gravity = false;
@@ -89,12 +92,12 @@ struct SceneOptions {
   /// Distance evaluations of one search; 0: the search's own default. Where they do not suffice,
   /// the bodies are held, and counted.
   std::uint32_t budget = 0;
-  // A scene may state two of turn_per_step, contact tolerance and budget; detection/budget_law.hpp
+  // A scene may state two of turn_per_step, contact_tolerance and budget; detection/budget_law.hpp
   // gives the third.
   /// Furthest that a body turns in a step, rad; 0: not stated.
   float turn_per_step = 0;
-  /// A gap of contact_tolerance S counts as contact (MovingPair::scale); 0: not stated, then what
-  /// the law asks for, and no less than the search's own default.
+  /// A gap of contact_tolerance times S counts as contact, S = MovingPair::scale; 0: not stated,
+  /// then what the law asks for, and no less than the search's own default.
   float contact_tolerance = 0;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // Ready-made scenes: a function that starts from the options of one makes another, or read them as
-// examples. The duel is DuelScene (fencing/duel.hpp). What each costs on a part stands in the
-// README.
+// examples. The duel is DuelScene (fencing/duel.hpp). What each costs on a part stands in
+// docs/cost.md.
 
 #include "batuta/world/scene.hpp"
 
@@ -20,10 +20,11 @@ constexpr SceneOptions straight_spheres() {
   scene.resting = RestingContact::kNone;
   return scene;
 }
+/// The scene of straight_spheres().
 using StraightSpheres = Scene<straight_spheres, Spheres<float>>;
 
-/// Two capsules on plans that the caller knows: events say when and where they meet, and change
-/// nothing.
+/// Two capsules that go where their controllers say: events say when and where they meet, and
+/// nothing changes.
 constexpr SceneOptions detection_only() {
   SceneOptions scene;
   scene.response = false;
@@ -32,12 +33,14 @@ constexpr SceneOptions detection_only() {
   scene.resting = RestingContact::kNone;
   return scene;
 }
+/// The scene of detection_only().
 using DetectionOnly = Scene<detection_only>;
 
 /// Two capsules with impulses and the paper's separation.
 constexpr SceneOptions two_blades() {
   return {};
 }
+/// The scene of two_blades().
 using TwoBlades = Scene<two_blades>;
 
 /// 64 capsules that fall, rub, pile up and come to rest.
@@ -54,6 +57,7 @@ constexpr SceneOptions rack() {
   scene.resting = RestingContact::kSettling;
   return scene;
 }
+/// The scene of rack().
 using Rack = Scene<rack>;
 
 }  // namespace batuta

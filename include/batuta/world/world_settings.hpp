@@ -7,6 +7,8 @@
 
 namespace batuta {
 
+namespace detail {
+
 /// What a scene asks of its searches.
 template <class SceneT>
 struct SearchOf {
@@ -51,17 +53,21 @@ template <class SceneT>
 inline constexpr bool kKnowsRest =
     SceneT::kResting != RestingContact::kNone || SceneT::kMaxEvents > 0;
 
+}  // namespace detail
+
 /// The tolerances of a world, SI units, all relative to what the scene's user knows.
 template <class SceneT>
-struct WorldSettings : std::conditional_t<kKnowsRest<typename detail::SceneVerdict<SceneT>::Seen>,
-                                          RestSettings<detail::ScalarFor<SceneT>>, Absent<0>>,
-                       std::conditional_t<detail::SceneFor<SceneT>::kGravity,
-                                          GravitySettings<detail::ScalarFor<SceneT>>, Absent<1>> {
+struct WorldSettings
+    : std::conditional_t<detail::kKnowsRest<typename detail::SceneVerdict<SceneT>::Seen>,
+                         detail::RestSettings<detail::ScalarFor<SceneT>>, detail::Absent<0>>,
+      std::conditional_t<detail::SceneFor<SceneT>::kGravity,
+                         detail::GravitySettings<detail::ScalarFor<SceneT>>, detail::Absent<1>> {
+  /// The scene's.
   using Scalar = detail::ScalarFor<SceneT>;
 
   /// Those of the scene's search, within SceneOptions::budget evaluations.
   typename detail::SceneFor<SceneT>::Search::Options search =
-      SearchOf<detail::SceneFor<SceneT>>::options();
+      detail::SearchOf<detail::SceneFor<SceneT>>::options();
 };
 
 /// @returns kOk | kInvalidArgument: an option out of its range, or a search that may take more than
@@ -70,7 +76,7 @@ template <class SceneT>
 Status validate(const WorldSettings<SceneT>& settings) {
   bool good = validate(settings.search) == Status::kOk &&
               SceneT::Search::most_evaluations(settings.search) <= SceneT::kBudget;
-  if constexpr (kKnowsRest<SceneT>) {
+  if constexpr (detail::kKnowsRest<SceneT>) {
     good = good && is_positive(settings.rest_speed) && is_positive(settings.separation) &&
            is_positive(settings.min_separation_time);
   }

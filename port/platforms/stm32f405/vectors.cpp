@@ -14,7 +14,6 @@ BATUTA_WEAK_HANDLER(batuta_on_tim7)
 BATUTA_WEAK_HANDLER(batuta_on_dma2_stream0)
 
 namespace batuta::stm32f405 {
-using namespace fencing;
 namespace {
 
 using Table = std::array<cortex_m::Handler, kInterrupts>;

@@ -54,7 +54,7 @@ SearchResult<Scalar> step_through(const MovingPair<Scalar>& pair, const SearchSe
   SteppingOptions<Scalar> options;
   if (settings.tolerance) options.epsilon = static_cast<Scalar>(*settings.tolerance);
   options.max_steps = settings.budget.value_or(kAmpleSteps);
-  options.halvings = kMaxHalvings;
+  options.halvings = batuta::detail::kMaxHalvings;
   return search_stepping(pair, options);
 }
 

@@ -103,7 +103,7 @@ void print_array(std::FILE* out, const char* key, const Eigen::MatrixBase<Derive
 void print_text(std::FILE* out, const Mesh& mesh, const MeshMass& mass) {
   MassProperties<double> properties = mass.properties;
   properties.inertia_S = without_noise(properties.inertia_S);
-  const PrincipalFrame<double> frame = settled_frame(properties);
+  const PrincipalFrame<double> frame = batuta::detail::settled_frame(properties);
   std::fprintf(out, "mesh     %zu triangles, %zu vertices\n", mesh.triangles.size(),
                mesh.vertices.size());
   print_line(out, "density", properties.mass / mass.volume, "kg/m^3");
@@ -121,7 +121,7 @@ void print_text(std::FILE* out, const Mesh& mesh, const MeshMass& mass) {
 
 void print_json(std::FILE* out, const Mesh& mesh, const MeshMass& mass) {
   const MassProperties<double>& properties = mass.properties;
-  const PrincipalFrame<double> frame = settled_frame(properties);
+  const PrincipalFrame<double> frame = batuta::detail::settled_frame(properties);
   std::fprintf(out, "{\"triangles\": %zu, \"vertices\": %zu, ", mesh.triangles.size(),
                mesh.vertices.size());
   std::fprintf(out, "\"density\": %.17g, \"mass\": %.17g, \"volume\": %.17g, \"area\": %.17g, ",

@@ -11,7 +11,8 @@ Vec2<float> direction_of(unsigned angle) {
   static_assert(4 * kQuarter == kFullTurn, "the winds are whole numbers");
   // Quarters are turned in whole numbers, so that a force along one axis has no trace of the other.
   const auto rest = static_cast<float>(angle % kQuarter);
-  const SinCos<float> at = sin_cos(rest * (kRadiansPerTurn / static_cast<float>(kFullTurn)));
+  const batuta::detail::SinCos<float> at =
+      batuta::detail::sin_cos(rest * (kRadiansPerTurn / static_cast<float>(kFullTurn)));
   switch (angle / kQuarter % 4U) {
     case 0:
       return {at.sin, at.cos};

@@ -3,7 +3,6 @@
 #include "shared/hid_pid/playback.hpp"
 
 namespace batuta::pid {
-using namespace fencing;
 namespace {
 
 constexpr std::uint32_t kHeld = 0x80000000U;

@@ -21,7 +21,7 @@ float waveform(EffectType type, float turn) {
     case EffectType::kSquare:
       return turn < 0.5F ? 1.0F : -1.0F;
     case EffectType::kSine:
-      return sin_cos(turn * kRadiansPerTurn).sin;
+      return batuta::detail::sin_cos(turn * kRadiansPerTurn).sin;
     case EffectType::kTriangle:
       return turn < 0.5F ? 4.0F * turn - 1.0F : 3.0F - 4.0F * turn;
     case EffectType::kSawtoothUp:

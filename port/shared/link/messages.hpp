@@ -47,7 +47,8 @@ enum class Mode : std::uint8_t {
   kFree,   ///< the device, by its own clock
 };
 
-/// Whose blade, stick or force. The same numbers as batuta::Side, which only the duel knows.
+/// Whose blade, stick or force. The same numbers as batuta::fencing::Side, which only the duel
+/// knows.
 enum class LinkSide : std::uint8_t { kLeft, kRight };
 
 /// Opens a session. The same session again: the host has not heard the Welcome. Another one: a new
@@ -125,13 +126,13 @@ struct Event {
   float place_B = 0;
 };
 
-/// A touch of the bout: batuta::Touch<float>, field by field.
+/// A touch of the bout: batuta::fencing::Touch<float>, field by field.
 struct Touch {
   static constexpr MessageType kType = MessageType::kTouch;
   std::uint32_t step = 0;  ///< in which it is told
   std::uint8_t index = 0;  ///< in the bout: 0 or 1
   LinkSide by = LinkSide::kLeft;
-  std::uint8_t part = 0;  ///< batuta::BodyPart, 0 ... 11
+  std::uint8_t part = 0;  ///< batuta::fencing::BodyPart, 0 ... 11
   bool certain = true;
   std::uint32_t when_step = 0;  ///< steps that were over
   float when_in_step = 0;       ///< s
@@ -160,7 +161,7 @@ struct StepReport {
   std::uint32_t step = 0;
   std::uint8_t frames = 1;  ///< that belong to the step, with those that found no room, and this
                             ///< one: 1 ... kMaxStepFrames
-  std::uint8_t bout_state = 0;  ///< batuta::BoutState, 0 ... 3
+  std::uint8_t bout_state = 0;  ///< batuta::fencing::BoutState, 0 ... 3
   std::uint8_t touches = 0;     ///< so far, 0 ... 2
   bool used_left = false;       ///< the step was made with a new sample of this stick
   bool used_right = false;

@@ -15,6 +15,7 @@
 namespace {
 
 using namespace batuta;
+using namespace batuta::fencing;
 
 constexpr DuelOptions drill() {
   DuelOptions scene = two_fencers();

@@ -6,8 +6,8 @@ class Motor final : public batuta::ForceDevice {
   batuta::Status do_write(const batuta::ForceCommand&) override { return batuta::Status::kOk; }
 };
 
-batuta::Status push(Motor& motor, batuta::OutputStage& stage);
-batuta::Status push(Motor& motor, batuta::OutputStage& stage) {
+batuta::Status push(Motor& motor, batuta::haptics::OutputStage& stage);
+batuta::Status push(Motor& motor, batuta::haptics::OutputStage& stage) {
   const batuta::ForceCommand command{0, 1.0F, 0.0F};
 #if defined(PERMIT_MADE)
   return motor.write(command, batuta::ForcePermit());
@@ -18,7 +18,7 @@ batuta::Status push(Motor& motor, batuta::OutputStage& stage) {
 #elif defined(AS_THE_BASE)
   return static_cast<batuta::ForceDevice&>(motor).do_write(command);
 #elif defined(STAGE_COPIED)
-  batuta::OutputStage second = stage;
+  batuta::haptics::OutputStage second = stage;
   return second.step({});
 #else
   (void)motor.off(command.time);

@@ -16,11 +16,11 @@ if(TARGET batuta-fencing)
   target_link_libraries(price_sizes PRIVATE batuta_firmware batuta_port_mps2)
 endif()
 
-set(digest ${CMAKE_CURRENT_SOURCE_DIR}/../digest)
+set(digest ${PROJECT_SOURCE_DIR}/tests/target/digest)
 add_executable(price_bench
   bench/main.cpp bench/search.cpp bench/kernels.cpp bench/bout.cpp bench/ticks.cpp bench/samples.cpp
   ${digest}/input.cpp ${digest}/io_semihosting.cpp)
-target_include_directories(price_bench PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/..)
+target_include_directories(price_bench PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/.. ${PROJECT_SOURCE_DIR}/tests/target)
 target_link_libraries(price_bench PRIVATE batuta::batuta batuta_core_flags batuta_semihosting)
 batuta_price_image(price_bench)
 

@@ -2,8 +2,8 @@
 # The scenes: each an object that is linked twice, into an image of nothing else (flash, RAM, stack) and into a bench that
 # counts the instructions of a run. tools/scenes.py knows what belongs together.
 add_library(price_scene_bench OBJECT
-  bench/scene.cpp bench/starts.cpp bench/ticks.cpp bench/samples.cpp ../digest/io_semihosting.cpp)
-target_include_directories(price_scene_bench PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/..)
+  bench/scene.cpp bench/starts.cpp bench/ticks.cpp bench/samples.cpp ${PROJECT_SOURCE_DIR}/tests/target/digest/io_semihosting.cpp)
+target_include_directories(price_scene_bench PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/.. ${PROJECT_SOURCE_DIR}/tests/target)
 target_link_libraries(price_scene_bench PRIVATE batuta::batuta batuta_core_flags batuta_semihosting)
 
 set(scenes "")

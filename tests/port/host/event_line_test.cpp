@@ -13,7 +13,6 @@
 #include "programs/devices/default_recording.hpp"
 
 namespace batuta::host {
-using namespace fencing;
 namespace {
 
 DeviceEvent event_of(std::string_view line) {

@@ -18,7 +18,6 @@
 #include <utility>
 
 namespace batuta::test {
-using namespace fencing;
 namespace {
 
 struct Registry {

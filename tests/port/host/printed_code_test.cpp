@@ -22,7 +22,7 @@ TEST(PrintedCode, IsTheBodyOfTheMesh) {
   EXPECT_LE((mass.inertia_S.cast<double>() - I).cwiseAbs().maxCoeff(), 2 * u * I.maxCoeff());
 
   ASSERT_TRUE(body.ok());
-  const batuta::Mat3<float> inverse = batuta::inverse_inertia_W(body.value);
+  const batuta::Mat3<float> inverse = batuta::detail::inverse_inertia_W(body.value);
   const batuta::Mat3<double> one = inverse.cast<double>() * I;
   EXPECT_LE((one - batuta::Mat3<double>::Identity()).cwiseAbs().maxCoeff(), 200 * u);
 
@@ -30,7 +30,7 @@ TEST(PrintedCode, IsTheBodyOfTheMesh) {
   const auto same = batuta::make_compound(mass, {bar}, {});
   ASSERT_TRUE(same.ok());
   EXPECT_LE((same.value.body.X_WB.p_W - body.value.X_WB.p_W).norm(), 1e-7F);
-  EXPECT_LE((batuta::inverse_inertia_W(same.value.body) - inverse).cwiseAbs().maxCoeff(),
+  EXPECT_LE((batuta::detail::inverse_inertia_W(same.value.body) - inverse).cwiseAbs().maxCoeff(),
             200 * batuta::kRoundOff<float> * inverse.maxCoeff());
 }
 

@@ -49,12 +49,12 @@ static void tell_host(const batuta::InputSample& sample) {
 
 // Once a millisecond, in the context that also runs tud_task(). The stage is configured with a gain
 // of 1, 1: what is demanded are shares of the actuator's range.
-void tick(batuta::OutputStage& stage, const batuta::InputSample& sample,
+void tick(batuta::haptics::OutputStage& stage, const batuta::InputSample& sample,
           const batuta::Vec2<float>& velocity, batuta::Microseconds now) {
   pid::Stick stick;
   stick.position = {sample.x, sample.y};
   stick.velocity = velocity;
-  batuta::StageInput input;
+  batuta::haptics::StageInput input;
   input.time = now;
   input.demanded = effects.force(stick, now);
   input.position = stick.position;

@@ -14,7 +14,7 @@
 #include "tusb.h"
 
 extern batuta::pid::Device<16> effects;
-void tick(batuta::OutputStage& stage, const batuta::InputSample& sample,
+void tick(batuta::haptics::OutputStage& stage, const batuta::InputSample& sample,
           const batuta::Vec2<float>& velocity, batuta::Microseconds now);
 
 namespace {
@@ -40,6 +40,7 @@ bool tud_hid_report(std::uint8_t report_id, void const* report, std::uint16_t le
 }
 
 namespace batuta::pid::test {
+using namespace haptics;
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;

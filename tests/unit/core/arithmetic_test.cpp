@@ -32,9 +32,9 @@ class RoundingMode {
 };
 
 TYPED_TEST(Arithmetic, AsTheProjectCompiles_IsRight) {
-  EXPECT_TRUE(rounds_products<TypeParam>());
-  EXPECT_TRUE(rounds_to_nearest_even<TypeParam>());
-  EXPECT_TRUE(keeps_denormals<TypeParam>());
+  EXPECT_TRUE(detail::rounds_products<TypeParam>());
+  EXPECT_TRUE(detail::rounds_to_nearest_even<TypeParam>());
+  EXPECT_TRUE(detail::keeps_denormals<TypeParam>());
   EXPECT_TRUE(rounds_each_operation<TypeParam>());
 }
 
@@ -44,7 +44,7 @@ TYPED_TEST(Arithmetic, AnyOtherRoundingMode_IsSeen) {
     bool all = true;
     {
       const RoundingMode other(mode);
-      nearest = rounds_to_nearest_even<TypeParam>();
+      nearest = detail::rounds_to_nearest_even<TypeParam>();
       all = rounds_each_operation<TypeParam>();
     }
     EXPECT_FALSE(nearest) << mode;
@@ -75,7 +75,7 @@ TYPED_TEST(Arithmetic, FlushedDenormals_AreSeen) {
     bool all = true;
     {
       const ControlBits flushed(bits);
-      kept = keeps_denormals<TypeParam>();
+      kept = detail::keeps_denormals<TypeParam>();
       all = rounds_each_operation<TypeParam>();
     }
     EXPECT_FALSE(kept) << bits;

@@ -15,10 +15,10 @@ bool can_run_contracted() {
 }
 
 bool contracted_rounds_products(float /*scalar*/) {
-  return rounds_products<float>();
+  return detail::rounds_products<float>();
 }
 bool contracted_rounds_products(double /*scalar*/) {
-  return rounds_products<double>();
+  return detail::rounds_products<double>();
 }
 bool contracted_rounds_each_operation(float /*scalar*/) {
   return rounds_each_operation<float>();

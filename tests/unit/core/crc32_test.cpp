@@ -21,9 +21,9 @@ TEST(Crc32, Snapshot_EndsWithItLowestByteFirst) {
   std::array<std::uint8_t, kSnapshotRoom<float>> bytes{};
   const auto saved = save(1.5F, bytes.data(), static_cast<int>(bytes.size()));
   ASSERT_TRUE(saved.ok());
-  const int before = saved.value - kCheckSum;
+  const int before = saved.value - detail::kCheckSum;
   std::uint32_t sum = 0;
-  for (int i = 0; i < kCheckSum; ++i) {
+  for (int i = 0; i < detail::kCheckSum; ++i) {
     sum |= static_cast<std::uint32_t>(bytes[static_cast<std::size_t>(before + i)]) << (8 * i);
   }
   EXPECT_EQ(sum, crc32(bytes.data(), before));

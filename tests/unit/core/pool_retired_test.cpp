@@ -10,6 +10,7 @@
 
 namespace batuta {
 
+namespace detail {
 /// The seam for what counting would take weeks to reach; the same as in pool_test.cpp.
 class PoolTestAccess {
  public:
@@ -17,6 +18,7 @@ class PoolTestAccess {
     pool.generations_[index] = generation;
   }
 };
+}  // namespace detail
 
 namespace {
 
@@ -24,7 +26,7 @@ using Numbers = Pool<std::uint32_t, 3>;
 
 TEST(PoolArchive, RetiredSlot_StaysRetiredWhereItIsRead) {
   Numbers pool;
-  PoolTestAccess::set_generation(pool, 1, std::numeric_limits<std::uint32_t>::max() - 1);
+  detail::PoolTestAccess::set_generation(pool, 1, std::numeric_limits<std::uint32_t>::max() - 1);
   for (std::uint32_t i = 0; i < 3; ++i) ASSERT_TRUE(pool.make(i).ok());
   const auto last = pool.handle_at(1);
   ASSERT_EQ(pool.remove(last), Status::kOk);
@@ -45,7 +47,7 @@ TEST(PoolArchive, RetiredSlot_StaysRetiredWhereItIsRead) {
 /// The last generation is used up when its object goes, not while it lives.
 TEST(PoolArchive, LastGenerationInUse_IsNotRetiredYet) {
   Numbers pool;
-  PoolTestAccess::set_generation(pool, 1, std::numeric_limits<std::uint32_t>::max() - 1);
+  detail::PoolTestAccess::set_generation(pool, 1, std::numeric_limits<std::uint32_t>::max() - 1);
   for (std::uint32_t i = 0; i < 3; ++i) ASSERT_TRUE(pool.make(i).ok());
   std::vector<std::uint8_t> bytes(sizeof pool);
   ArchiveWriter writer(bytes.data(), static_cast<int>(bytes.size()));

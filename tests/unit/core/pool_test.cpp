@@ -12,6 +12,7 @@
 
 namespace batuta {
 
+namespace detail {
 /// The seam for what counting would take weeks to reach.
 class PoolTestAccess {
  public:
@@ -19,6 +20,7 @@ class PoolTestAccess {
     pool.generations_[index] = generation;
   }
 };
+}  // namespace detail
 
 namespace {
 
@@ -88,7 +90,7 @@ TEST(Pool, NullHandle_IsRefused) {
   Pool<int, 2> pool;
   make_in(pool, 1);
   EXPECT_EQ(pool.get({}), nullptr);
-  EXPECT_EQ(pool.index_of({}), PoolBase::kNoIndex);
+  EXPECT_EQ(pool.index_of({}), detail::PoolBase::kNoIndex);
   EXPECT_EQ(pool.remove({}), Status::kStaleHandle);
   EXPECT_EQ(pool.size(), 1);
 }
@@ -195,7 +197,7 @@ TEST(Pool, Clear_MakesEveryHandleStale) {
 
 TEST(Pool, LastGeneration_RetiresTheSlot) {
   Pool<int, 2> pool;
-  PoolTestAccess::set_generation(pool, 0, kLastGeneration - 1);
+  detail::PoolTestAccess::set_generation(pool, 0, kLastGeneration - 1);
   const auto last = make_in(pool, 1);
   EXPECT_EQ(last.generation, kLastGeneration);
   EXPECT_EQ(*pool.get(last), 1);
@@ -209,7 +211,7 @@ TEST(Pool, LastGeneration_RetiresTheSlot) {
 
 TEST(Pool, LastGeneration_RetiresTheSlotInClearToo) {
   Pool<int, 1> pool;
-  PoolTestAccess::set_generation(pool, 0, kLastGeneration - 1);
+  detail::PoolTestAccess::set_generation(pool, 0, kLastGeneration - 1);
   make_in(pool, 1);
   pool.clear();
   EXPECT_EQ(pool.usable_capacity(), 0);

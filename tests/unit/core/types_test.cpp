@@ -12,7 +12,8 @@ static_assert(sizeof(Quat<float>) == 16 && alignof(Quat<float>) == alignof(float
 static_assert(sizeof(Mat3<double>) == 72 && alignof(Mat3<double>) == alignof(double));
 static_assert(kRoundOff<float> == 0x1p-24F);
 static_assert(kRoundOff<double> == 0x1p-53);
-static_assert(kIsScalar<float> && kIsScalar<double> && !kIsScalar<long double> && !kIsScalar<int>);
+static_assert(detail::kIsScalar<float> && detail::kIsScalar<double> &&
+              !detail::kIsScalar<long double> && !detail::kIsScalar<int>);
 
 template <class Scalar>
 class Types : public ::testing::Test {};

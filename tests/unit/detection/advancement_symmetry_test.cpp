@@ -25,7 +25,7 @@ using Change = std::function<void(MovingCapsule<Scalar>&)>;
 /// How far the gap can be from the truth at t_free, on either side of a change.
 template <class Scalar>
 double doubt(const Asked<Scalar>& asked) {
-  const Scalar eps = kInflation<Scalar> * test::query_length_of(asked.pair);
+  const Scalar eps = detail::kInflation<Scalar> * test::query_length_of(asked.pair);
   return static_cast<double>(contact_tolerance_of(asked.pair, asked.options) + 2 * eps);
 }
 

@@ -18,14 +18,14 @@ class BisectionOf : public testing::Test {
       make_moving_pair(moving<Scalar>({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0.25}),
                        moving<Scalar>({{3, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0.25, {-4, 0, 0}}))
           .value;
-  Bracket<Scalar> start_{Scalar(0), Scalar(0.75), gap_at(pair_, Scalar(0)), 0};
+  detail::Bracket<Scalar> start_{Scalar(0), Scalar(0.75), gap_at(pair_, Scalar(0)), 0};
 };
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(BisectionOf, Scalars);
 
 TYPED_TEST(BisectionOf, EachHalving_HalvesTheBracketAndCostsOneEvaluation) {
   for (int halvings = 0; halvings <= 20; ++halvings) {
-    const auto bracket = bisect(this->pair_, this->start_, halvings);
+    const auto bracket = detail::bisect(this->pair_, this->start_, halvings);
     EXPECT_EQ(bracket.t_hit - bracket.t_free, TypeParam(0.75) / TypeParam(1 << halvings));
     EXPECT_EQ(bracket.evaluations, static_cast<std::uint32_t>(halvings));
     EXPECT_LT(bracket.t_free, TypeParam(0.625));
@@ -36,27 +36,27 @@ TYPED_TEST(BisectionOf, EachHalving_HalvesTheBracketAndCostsOneEvaluation) {
 }
 
 TYPED_TEST(BisectionOf, MostHalvings_EndAtNeighbouringNumbers) {
-  const auto bracket = bisect(this->pair_, this->start_, kMaxHalvings);
+  const auto bracket = detail::bisect(this->pair_, this->start_, detail::kMaxHalvings);
   EXPECT_EQ(bracket.t_hit, std::nextafter(bracket.t_free, TypeParam(1)));
-  EXPECT_LT(bracket.evaluations, static_cast<std::uint32_t>(kMaxHalvings));
+  EXPECT_LT(bracket.evaluations, static_cast<std::uint32_t>(detail::kMaxHalvings));
   EXPECT_NEAR(static_cast<double>(bracket.t_hit), 0.625,
               4 * static_cast<double>(kRoundOff<TypeParam>));
 }
 
 TYPED_TEST(BisectionOf, MoreThanAllowed_IsCut) {
-  const auto bracket = bisect(this->pair_, this->start_, 1000);
-  EXPECT_LE(bracket.evaluations, static_cast<std::uint32_t>(kMaxHalvings));
+  const auto bracket = detail::bisect(this->pair_, this->start_, 1000);
+  EXPECT_LE(bracket.evaluations, static_cast<std::uint32_t>(detail::kMaxHalvings));
 }
 
 TYPED_TEST(BisectionOf, GapThatCannotBeTold_StopsAndIsNotValid) {
   auto pair = this->pair_;
   pair.B.v.x() = std::numeric_limits<TypeParam>::max();  // beyond kLargestCoordinate at 0.375 s
-  const auto bracket = bisect(pair, this->start_, 20);
+  const auto bracket = detail::bisect(pair, this->start_, 20);
   EXPECT_FALSE(bracket.valid);
   EXPECT_EQ(bracket.t_free, this->start_.t_free);
   EXPECT_EQ(bracket.t_hit, this->start_.t_hit);
   EXPECT_EQ(bracket.evaluations, 1U);
-  EXPECT_TRUE(bisect(this->pair_, this->start_, 20).valid);
+  EXPECT_TRUE(detail::bisect(this->pair_, this->start_, 20).valid);
 }
 
 }  // namespace

@@ -20,10 +20,10 @@ TYPED_TEST(BudgetLaw, CubeRoot_IsTheRootOverItsWholeRange) {
   for (double x = 1e-30; x < 1e15; x *= 1.7) {
     const auto rounded = static_cast<TypeParam>(x);
     const double truth = std::cbrt(static_cast<double>(rounded));
-    const auto root = static_cast<double>(cube_root(rounded));
+    const auto root = static_cast<double>(detail::cube_root(rounded));
     EXPECT_NEAR(root / truth, 1, 8 * kUlp<TypeParam>) << x;
   }
-  EXPECT_EQ(cube_root(TypeParam(0)), TypeParam(0));
+  EXPECT_EQ(detail::cube_root(TypeParam(0)), TypeParam(0));
 }
 
 // The figures of the note, from the formula in long double.
@@ -58,8 +58,8 @@ TYPED_TEST(BudgetLaw, EachOfTheThree_FollowsFromTheOthers) {
 
 TYPED_TEST(BudgetLaw, NothingTurns_TheLeastBudgetIsEnough) {
   EXPECT_EQ(contact_tolerance_for(TypeParam(0), 1), TypeParam(0));
-  EXPECT_EQ(budget_for(TypeParam(0), TypeParam(1e-6)), kLeastLawBudget);
-  EXPECT_EQ(budget_for(TypeParam(0.001), TypeParam(0.1)), kLeastLawBudget);
+  EXPECT_EQ(budget_for(TypeParam(0), TypeParam(1e-6)), detail::kLeastLawBudget);
+  EXPECT_EQ(budget_for(TypeParam(0.001), TypeParam(0.1)), detail::kLeastLawBudget);
 }
 
 TYPED_TEST(BudgetLaw, NoTolerance_NoBudgetIsEnough) {

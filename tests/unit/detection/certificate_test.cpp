@@ -56,7 +56,7 @@ Held random_held(std::mt19937& random) {
 
 /// N(h).(q_j - p_i) - R |N(h)|, of the capsules where they then are.
 double clearance(const Held& held, std::size_t i, std::size_t j, double h) {
-  const CapsulesAt<double> at = capsules_at(held.pair, held.theta + h);
+  const detail::CapsulesAt<double> at = detail::capsules_at(held.pair, held.theta + h);
   const Vec3<double> ends_A[2] = {at.A.axis.a, at.A.axis.b};
   const Vec3<double> ends_B[2] = {at.B.axis.a, at.B.axis.b};
   const Vec3<double> N = held.n + held.N.m * h + held.N.m2 * (h * h);

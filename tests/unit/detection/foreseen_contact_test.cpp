@@ -73,7 +73,8 @@ TEST(WalkForesees, BallOnACircle_MeetsWhereTheParabolaDoes) {
     ASSERT_LT(truth, 1);
     for (const bool A_turns : {false, true}) {
       const MovingPair<double> pair = Circling(angle, turn).pair(A_turns, 1);
-      const AdvancementSearch<double> advancement(pair, kContactTolerance, kInflation<double>);
+      const AdvancementSearch<double> advancement(pair, kContactTolerance,
+                                                  detail::kInflation<double>);
       // a gap of 0.05 m and more, from lengths of less than 16 m
       EXPECT_NEAR(advancement.foreseen_contact(advancement.closest()), truth, 64 * kU * (16 / 0.05))
           << angle << A_turns;
@@ -91,7 +92,7 @@ TEST(WalkForesees, BallOnACircle_PartsAsFastAsItDoes) {
     const MovingPair<double> pair = Circling(angle, turn).pair(A_turns, duration);
     const MovingPair<double> unit = in_units(pair, scale);
     const AdvancementSearch<double> advancement(unit, kContactTolerance * scale,
-                                                kInflation<double>);
+                                                detail::kInflation<double>);
     EXPECT_NEAR(advancement.rate(advancement.closest(), pair, scale), on_circle(angle, turn).rate,
                 64 * kU * 16)
         << A_turns;

@@ -45,7 +45,7 @@ TYPED_TEST(MovingPairOf, Start_IsTheStartPoseToTheLastBit) {
     auto B = random_moving<TypeParam>(random, 9);
     A.motion.X_WB.p_W.setZero();
     const auto pair = make_moving_pair(A, B);
-    const auto at_start = capsules_at(pair.value, TypeParam(0));
+    const auto at_start = detail::capsules_at(pair.value, TypeParam(0));
     const auto truth = to_world(B.motion.X_WB, B.capsule_B);
     EXPECT_EQ(at_start.A.axis.a, to_world(A.motion.X_WB, A.capsule_B).axis.a);
     EXPECT_EQ(at_start.B.axis.a, truth.axis.a);
@@ -86,7 +86,8 @@ TYPED_TEST(MovingPairOf, GapRate_IsTheSlopeOfTheGap) {
     const double before = gap_at(pair.value, 0.5 - kStep).gap;
     const double after = gap_at(pair.value, 0.5 + kStep).gap;
     if (std::abs(after - 2 * here.gap + before) > 1e-8) continue;  // a kink between features
-    EXPECT_NEAR(gap_rate_at(pair.value, here, 0.5), (after - before) / (2 * kStep), 1e-3) << i;
+    EXPECT_NEAR(detail::gap_rate_at(pair.value, here, 0.5), (after - before) / (2 * kStep), 1e-3)
+        << i;
     ++checked;
   }
   EXPECT_GT(checked, 250);
@@ -114,7 +115,7 @@ TYPED_TEST(MovingPairOf, WhatMakesNoSense_IsInvalid) {
   bad[1].capsule_B.axis.a.x() = kNan;
   bad[2].motion.X_WB.p_W.y() = kInfinity;
   bad[3].motion.duration = TypeParam(2);
-  bad[4].motion.twist.w_W.z() = TypeParam(2) * kMaxAngle<TypeParam>;
+  bad[4].motion.twist.w_W.z() = TypeParam(2) * detail::kMaxAngle<TypeParam>;
   bad[5].motion.twist.v_W.x() = kNan;
   bad[6].motion.twist.v_W.x() = kHuge;
   bad[7].motion.X_WB.q_WB.w() = kNan;

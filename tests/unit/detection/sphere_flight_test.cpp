@@ -18,8 +18,8 @@ using Exact = long double;
 /// Two spheres; what the search is asked is rounded from it, as a scene would.
 template <class Scalar>
 struct Spheres {
-  StraightMotion<Scalar> A;
-  StraightMotion<Scalar> B;
+  detail::StraightMotion<Scalar> A;
+  detail::StraightMotion<Scalar> B;
   Scalar radius_A = 0;
   Scalar radius_B = 0;
 
@@ -61,7 +61,7 @@ testing::AssertionResult is_true(const Spheres<Scalar>& spheres, Scalar contact_
   const Exact until = Exact{answer.t_free};
   const Exact least = spheres.least_gap(until);
   const Exact now = spheres.gap_at(until);
-  const auto contact = Exact{contact_gap_of(spheres.flight(), contact_tolerance)};
+  const auto contact = Exact{detail::contact_gap_of(spheres.flight(), contact_tolerance)};
   bool holds = false;
   if (answer.outcome == Outcome::kFree) holds = least > 0 && answer.t_free == duration;
   if (answer.outcome == Outcome::kContact) holds = least > 0 && now <= contact;
@@ -274,7 +274,7 @@ TYPED_TEST(SphereFlightOf, Box_HoldsTheSphereAtEveryInstantAndNoMore) {
   Draw<TypeParam> draw;
   for (int i = 0; i < 20000; ++i) {
     const auto spheres = draw.spheres();
-    const auto box = sphere_aabb(spheres.B, spheres.radius_B);
+    const auto box = detail::sphere_aabb(spheres.B, spheres.radius_B);
     for (int k = 0; k < 3; ++k) {
       const Exact start = spheres.B.p_W[k];
       const Exact end = start + Exact{spheres.B.v_W[k]} * Exact{spheres.B.duration};

@@ -16,7 +16,7 @@ SearchResult<double> answer(const Case& c, double epsilon) {
   SteppingOptions<double> options;
   options.epsilon = epsilon;
   options.max_steps = 10'000'000;
-  options.halvings = kMaxHalvings;
+  options.halvings = detail::kMaxHalvings;
   return search_stepping(pair.value, options);
 }
 
@@ -49,7 +49,7 @@ TEST(SteppingCases, AnyScale_SameTime) {  // T38
         moving<float>({kO, {-scale, 0, 0}, {scale, 0, 0}, .05 * scale, kO, {0, 0, kPi}}),
         moving<float>({{0, .8 * scale, 0}, {0, 0, -scale}, {0, 0, scale}, .05 * scale}));
     SteppingOptions<float> options;
-    options.halvings = kMaxHalvings;
+    options.halvings = detail::kMaxHalvings;
     const auto found = search_stepping(pair.value, options);
     ASSERT_EQ(found.outcome, Outcome::kContact);
     EXPECT_NEAR(found.t_hit, 0.460106912325F, 1e-6F);

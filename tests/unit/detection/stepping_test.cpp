@@ -144,8 +144,8 @@ TYPED_TEST(SteppingOf, BadOptions_AreInvalid) {
   EXPECT_EQ(outcome([](Options& o) { o.epsilon = kInfinity; }), Outcome::kInvalid);
   EXPECT_EQ(outcome([](Options& o) { o.max_steps = 0; }), Outcome::kInvalid);
   EXPECT_EQ(outcome([](Options& o) { o.halvings = -1; }), Outcome::kInvalid);
-  EXPECT_EQ(outcome([](Options& o) { o.halvings = kMaxHalvings + 1; }), Outcome::kInvalid);
-  EXPECT_EQ(outcome([](Options& o) { o.halvings = kMaxHalvings; }), Outcome::kContact);
+  EXPECT_EQ(outcome([](Options& o) { o.halvings = detail::kMaxHalvings + 1; }), Outcome::kInvalid);
+  EXPECT_EQ(outcome([](Options& o) { o.halvings = detail::kMaxHalvings; }), Outcome::kContact);
 }
 
 TYPED_TEST(SteppingOf, BadPair_IsInvalid) {

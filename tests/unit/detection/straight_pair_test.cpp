@@ -14,7 +14,7 @@ namespace {
 template <class Scalar>
 struct Drawn {
   Capsule<Scalar> capsule_B;
-  StraightMotion<Scalar> motion;
+  detail::StraightMotion<Scalar> motion;
 
   MovingCapsule<Scalar> moving() const {
     return {capsule_B,
@@ -46,7 +46,7 @@ using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(StraightPair, Scalars);
 
 template <class Scalar>
-void expect_same_path(const CapsulePath<Scalar>& P, const CapsulePath<Scalar>& Q) {
+void expect_same_path(const detail::CapsulePath<Scalar>& P, const detail::CapsulePath<Scalar>& Q) {
   for (std::size_t end = 0; end < 2; ++end) {
     EXPECT_EQ(P.ends[end].start, Q.ends[end].start);
     EXPECT_EQ(P.ends[end].arm, Q.ends[end].arm);
@@ -66,7 +66,7 @@ TYPED_TEST(StraightPair, AnyPair_IsThatOfBodiesThatDoNotTurn) {
   for (int i = 0; i < 5000; ++i) {
     const auto A = draw.body();
     const auto B = draw.body();
-    const auto pair = make_straight_pair(A.capsule_B, A.motion, B.capsule_B, B.motion);
+    const auto pair = detail::make_straight_pair(A.capsule_B, A.motion, B.capsule_B, B.motion);
     const auto same = make_moving_pair(A.moving(), B.moving());
     ASSERT_TRUE(pair.ok() && same.ok());
     expect_same_path(pair.value.A, same.value.A);
@@ -86,8 +86,10 @@ TYPED_TEST(StraightPair, BadInput_IsRefused) {
   using S = TypeParam;
   const Drawn<S> good = Draw<S>().body();
   const auto is_refused = [&](const Drawn<S>& bad) {
-    const auto first = make_straight_pair(bad.capsule_B, bad.motion, good.capsule_B, good.motion);
-    const auto second = make_straight_pair(good.capsule_B, good.motion, bad.capsule_B, bad.motion);
+    const auto first =
+        detail::make_straight_pair(bad.capsule_B, bad.motion, good.capsule_B, good.motion);
+    const auto second =
+        detail::make_straight_pair(good.capsule_B, good.motion, bad.capsule_B, bad.motion);
     return first.status == Status::kInvalidArgument && second.status == Status::kInvalidArgument;
   };
   EXPECT_FALSE(is_refused(good));
@@ -129,7 +131,8 @@ TYPED_TEST(StraightPair, NegativeDurations_AreRefused) {
   using S = TypeParam;
   Drawn<S> body = Draw<S>().body();
   body.motion.duration = -1;
-  EXPECT_FALSE(make_straight_pair(body.capsule_B, body.motion, body.capsule_B, body.motion).ok());
+  EXPECT_FALSE(
+      detail::make_straight_pair(body.capsule_B, body.motion, body.capsule_B, body.motion).ok());
 }
 
 /// Against the extent in long double.
@@ -138,7 +141,7 @@ TYPED_TEST(StraightPair, Box_HoldsTheCapsuleAtEveryInstantAndNoMore) {
   Draw<TypeParam> draw;
   for (int i = 0; i < 50000; ++i) {
     const auto body = draw.body();
-    const auto box = straight_aabb(body.capsule_B, body.motion);
+    const auto box = detail::straight_aabb(body.capsule_B, body.motion);
     const Segment<TypeParam>& axis = body.capsule_B.axis;
     const Exact radius = body.capsule_B.radius;
     for (int k = 0; k < 3; ++k) {

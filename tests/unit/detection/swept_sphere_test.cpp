@@ -24,11 +24,11 @@ double share(std::mt19937& random) {
 
 /// A path through p, at right angles to n.
 template <class Scalar>
-SweptSphere<Scalar> sphere_through(std::mt19937& random, const Vec3<double>& p,
-                                   const Vec3<double>& n, double radius) {
+detail::SweptSphere<Scalar> sphere_through(std::mt19937& random, const Vec3<double>& p,
+                                           const Vec3<double>& n, double radius) {
   const Vec3<double> travel = n.cross(random_vector(random, 2));
   const double s = share(random);
-  SweptSphere<Scalar> sphere;
+  detail::SweptSphere<Scalar> sphere;
   sphere.start_W = (p - s * travel).cast<Scalar>();
   sphere.end_W = (p + (1 - s) * travel).cast<Scalar>();
   sphere.radius = static_cast<Scalar>(radius);

@@ -26,7 +26,7 @@ TYPED_TEST_SUITE(SweptVolumeOf, Scalars);
 /// the poses.
 template <class Scalar, int K>
 double leak(const Kdop<Scalar, K>& swept, const Capsule<double>& capsule, int i) {
-  const Vec3<double> up = kdop_direction<double, K>(i);
+  const Vec3<double> up = detail::kdop_direction<double, K>(i);
   const auto k = static_cast<std::size_t>(i);
   const double over = support(capsule, up) - static_cast<double>(swept.high[k]);
   const double under = support<double>(capsule, -up) + static_cast<double>(swept.low[k]);
@@ -35,8 +35,8 @@ double leak(const Kdop<Scalar, K>& swept, const Capsule<double>& capsule, int i)
 
 template <class Scalar, int K>
 void expect_no_leak(const MovingCapsule<Scalar>& m, int samples) {
-  const Kdop<Scalar, K> exact = swept_kdop<Scalar, K>(m);
-  const Kdop<Scalar, K> coarse = coarse_swept_kdop<Scalar, K>(m);
+  const Kdop<Scalar, K> exact = detail::swept_kdop<Scalar, K>(m);
+  const Kdop<Scalar, K> coarse = detail::coarse_swept_kdop<Scalar, K>(m);
   for (int j = 0; j <= samples; ++j) {
     const double t = static_cast<double>(m.motion.duration) * j / samples;
     const Capsule<double> capsule = capsule_by_pose(m, t);
@@ -74,12 +74,13 @@ TYPED_TEST(SweptVolumeOf, FarFromTheOrigin_NeverLeaks) {
 
 template <class Scalar, int K>
 void expect_holds_both_ends(const MovingCapsule<Scalar>& m, const Vec3<Scalar>& end_W) {
-  const Kdop<Scalar, K> swept = swept_kdop<Scalar, K>(m);
+  const Kdop<Scalar, K> swept = detail::swept_kdop<Scalar, K>(m);
   const Vec3<Scalar>& start_W = m.motion.X_WB.p_W;
   for (int i = 0; i < K / 2; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const double start = kdop_direction<double, K>(i).dot(start_W.template cast<double>() / 4);
-    const double end = kdop_direction<double, K>(i).dot(end_W.template cast<double>() / 4);
+    const double start =
+        detail::kdop_direction<double, K>(i).dot(start_W.template cast<double>() / 4);
+    const double end = detail::kdop_direction<double, K>(i).dot(end_W.template cast<double>() / 4);
     ASSERT_LE(max_of(start, end), static_cast<double>(swept.high[k]) / 4) << K << ' ' << i;
     ASSERT_GE(min_of(start, end), static_cast<double>(swept.low[k]) / 4) << K << ' ' << i;
   }
@@ -90,7 +91,7 @@ TYPED_TEST(SweptVolumeOf, StartBeyondAllSums_NeverLeaks) {
   auto m = moving<TypeParam>({{0, 0, 0}, {0, 0, 0}, {0, 1, 0}, 0.5, {0, 0, 0}, {0, 0, 1}});
   m.motion.X_WB.p_W.fill(std::numeric_limits<TypeParam>::max() * TypeParam(0.55));
   m.motion.X_WB.p_W.z() *= -1;  // (1, 1, 1) . start is a number, but not its first sum
-  const Kdop<TypeParam, 26> swept = swept_kdop<TypeParam, 26>(m);
+  const Kdop<TypeParam, 26> swept = detail::swept_kdop<TypeParam, 26>(m);
   for (std::size_t i = 0; i < swept.low.size(); ++i) {
     ASSERT_LE(swept.low[i], std::numeric_limits<TypeParam>::lowest()) << i;
     ASSERT_GE(swept.high[i], std::numeric_limits<TypeParam>::max()) << i;
@@ -136,7 +137,7 @@ template <class Scalar>
 std::vector<Vec3<Scalar>> some_directions(std::mt19937& random) {
   std::vector<Vec3<Scalar>> directions;
   for (int i = 0; i < 13; ++i) {
-    directions.push_back(kdop_direction<Scalar, 26>(i));
+    directions.push_back(detail::kdop_direction<Scalar, 26>(i));
     directions.push_back(-directions.back());
   }
   for (int i = 0; i < 6; ++i) directions.push_back(random_vector(random, 1).cast<Scalar>());
@@ -147,9 +148,9 @@ std::vector<Vec3<Scalar>> some_directions(std::mt19937& random) {
 /// within 8 u S of it, S the sum of the lengths, and the rounding of the turn.
 template <class Scalar>
 void expect_true_support(const MovingCapsule<Scalar>& m, const Vec3<Scalar>& direction) {
-  const CapsuleSweep<Scalar> sweep = capsule_sweep(m);
+  const detail::CapsuleSweep<Scalar> sweep = detail::capsule_sweep(m);
   const Exact size = direction.template cast<Exact>().norm();
-  const Exact over = swept_support(sweep, direction) - true_support(m, direction);
+  const Exact over = detail::swept_support(sweep, direction) - true_support(m, direction);
   const Exact reach = max_of(length(m.capsule_B.axis.a), length(m.capsule_B.axis.b));
   const Exact slip = 12 * kRoundOff<Scalar> * static_cast<Exact>(sweep.turn) * reach;
   const Exact sum = reach + m.capsule_B.radius + length(sweep.start_W) + length(sweep.travel_W);
@@ -190,7 +191,7 @@ TYPED_TEST(SweptVolumeOf, SupportAtAnyScale_IsTheTrueMaximum) {
 // Hundreds of turns: the first or the last extreme is found without counting them off.
 TYPED_TEST(SweptVolumeOf, SupportOfALongSpin_IsTheTrueMaximum) {
   std::mt19937 random(13);
-  for (const double turn : {100.0, static_cast<double>(kMaxAngle<TypeParam>)}) {
+  for (const double turn : {100.0, static_cast<double>(detail::kMaxAngle<TypeParam>)}) {
     for (const double drift : {0.0, 1.0, 50.0}) {
       auto m = moving<TypeParam>({{1, 2, 3},
                                   {0.5, -0.25, 1},
@@ -258,11 +259,11 @@ TYPED_TEST(SweptVolumeOf, SupportInNoTime_IsThatOfTheCapsule) {
 
 template <class Scalar, int K>
 void expect_tight(const MovingCapsule<Scalar>& m) {
-  const Kdop<Scalar, K> swept = swept_kdop<Scalar, K>(m);
-  const CapsuleSweep<Scalar> sweep = capsule_sweep(m);
+  const Kdop<Scalar, K> swept = detail::swept_kdop<Scalar, K>(m);
+  const detail::CapsuleSweep<Scalar> sweep = detail::capsule_sweep(m);
   const double slack = 2 * double(sweep.outward) + 24 * double(kRoundOff<Scalar> * sweep.turn);
   for (int i = 0; i < K / 2; ++i) {
-    const Vec3<Scalar> up = kdop_direction<Scalar, K>(i);
+    const Vec3<Scalar> up = detail::kdop_direction<Scalar, K>(i);
     const auto k = static_cast<std::size_t>(i);
     const double over = double(swept.high[k] - true_support(m, up));
     const double under = double(-swept.low[k] - true_support<Scalar>(m, -up));
@@ -293,9 +294,9 @@ TYPED_TEST(SweptVolumeOf, CoarseForm_IsLargerByASagittaAtMost) {
   for (const double turn : kTurns) {
     for (int i = 0; i < 100; ++i) {
       const auto m = random_moving<TypeParam>(random, turn);
-      const auto exact = swept_kdop<TypeParam, 26>(m);
-      const auto coarse = coarse_swept_kdop<TypeParam, 26>(m);
-      const auto sweep = capsule_sweep(m);
+      const auto exact = detail::swept_kdop<TypeParam, 26>(m);
+      const auto coarse = detail::coarse_swept_kdop<TypeParam, 26>(m);
+      const auto sweep = detail::capsule_sweep(m);
       const TypeParam slack = 2 * sweep.outward;
       const TypeParam sagitta = sweep.turn * sweep.turn / 8 *
                                 max_of(length(m.capsule_B.axis.a), length(m.capsule_B.axis.b));
@@ -329,8 +330,8 @@ TYPED_TEST(SweptVolumeOf, CoarseBox_IsNeverLargerThanThatOfTheSphere) {
   for (const double turn : kTurns) {
     for (int i = 0; i < 100; ++i) {
       const auto m = random_moving<TypeParam>(random, turn);
-      const auto box = coarse_swept_aabb(m);
-      const auto ball = swept_sphere(m);
+      const auto box = detail::coarse_swept_aabb(m);
+      const auto ball = detail::swept_sphere(m);
       const TypeParam slack = 512 * kRoundOff<TypeParam>;
       for (int d = 0; d < 3; ++d) {
         const auto k = static_cast<std::size_t>(d);
@@ -346,7 +347,7 @@ TYPED_TEST(SweptVolumeOf, SmallTurnOfABlade_IsMuchSmallerThanTheSphere) {
       {{0, 0, 0}, {-0.3, 0, 0}, {0.7, 0, 0}, 0.005, {1, 0, 0}, {0, 0, 5}}, 1.0 / 60);
   const auto box = swept_aabb(m);
   const double height = static_cast<double>(box.high[1] - box.low[1]);
-  const double ball = 2 * static_cast<double>(swept_sphere(m).radius);
+  const double ball = 2 * static_cast<double>(detail::swept_sphere(m).radius);
   EXPECT_LT(height, 0.11 * ball);
   const double exact =
       1.0 * std::sin(5.0 / 60) + 0.01;  // both ends rise and fall: 0.7 sin + 0.3 sin
@@ -357,7 +358,7 @@ TYPED_TEST(SweptVolumeOf, Sphere_HoldsTheCapsule) {
   std::mt19937 random(10);
   for (int i = 0; i < 300; ++i) {
     const auto m = random_moving<TypeParam>(random, 9);
-    const auto ball = swept_sphere(m);
+    const auto ball = detail::swept_sphere(m);
     for (int j = 0; j <= 20; ++j) {
       const Capsule<double> capsule = capsule_by_pose(m, j / 20.0);
       const Vec3<double> start = ball.start_W.template cast<double>();
@@ -371,10 +372,10 @@ TYPED_TEST(SweptVolumeOf, Sphere_HoldsTheCapsule) {
 }
 
 TYPED_TEST(SweptVolumeOf, SpheresOverlap_RoundsTowardsYes) {
-  const SweptSphere<TypeParam> P{{0, 0, 0}, {10, 0, 0}, TypeParam(0.1)};
+  const detail::SweptSphere<TypeParam> P{{0, 0, 0}, {10, 0, 0}, TypeParam(0.1)};
   const auto at = [](double y) {
     const auto z = static_cast<TypeParam>(y);
-    return SweptSphere<TypeParam>{{5, z, -3}, {5, z, 3}, TypeParam(0.2)};
+    return detail::SweptSphere<TypeParam>{{5, z, -3}, {5, z, 3}, TypeParam(0.2)};
   };
   EXPECT_TRUE(overlaps(P, at(0)));
   EXPECT_TRUE(overlaps(P, at(0.3)));
@@ -388,9 +389,9 @@ TYPED_TEST(SweptVolumeOf, PendulumDip_SurvivesTheBroadPhase) {  // B06: the pair
   const auto A = moving<TypeParam>({{0, 0, 0}, {-2, 0, 0}, {2, 0, 0}, 0.05});
   const auto B = moving<TypeParam>({{0, 0, 1.05}, 0.5 * d, d, 0.05, {0, 0, 0}, {0, -turn, 0}});
   EXPECT_TRUE(overlaps(swept_aabb(A), swept_aabb(B)));
-  EXPECT_TRUE(overlaps(coarse_swept_aabb(A), coarse_swept_aabb(B)));
-  EXPECT_TRUE(overlaps(swept_kdop<TypeParam, 26>(A), swept_kdop<TypeParam, 26>(B)));
-  EXPECT_TRUE(overlaps(swept_sphere(A), swept_sphere(B)));
+  EXPECT_TRUE(overlaps(detail::coarse_swept_aabb(A), detail::coarse_swept_aabb(B)));
+  EXPECT_TRUE(overlaps(detail::swept_kdop<TypeParam, 26>(A), detail::swept_kdop<TypeParam, 26>(B)));
+  EXPECT_TRUE(overlaps(detail::swept_sphere(A), detail::swept_sphere(B)));
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ class ConfiguredDuel : public ::testing::Test {
 
 /// The standard duel with one search.
 template <class SearchT>
-using DuelWith = fencing::Duel<fencing::DuelScene<two_fencers, SearchT>>;
+using DuelWith = fencing::Duel<fencing::DuelScene<fencing::two_fencers, SearchT>>;
 using PaperDuels = ::testing::Types<DuelWith<Stepping<float>>, DuelWith<Stepping<double>>>;
 using CertifiedDuels = ::testing::Types<fencing::Duel<>, DuelWith<Advancement<double>>>;
 using Duels = ::testing::Types<fencing::Duel<>, DuelWith<Advancement<double>>,

@@ -167,11 +167,13 @@ TEST(DuelArchive, EveryByteForged_IsRefusedOrGoesOn) {
   for (int i = 0; i < 600; ++i) (void)advance(*duel);
   const Bytes good = saved(*duel);
   int refused = 0;
-  for (std::size_t i = kSnapshotHead; i + kCheckSum < good.size(); ++i) {
+  for (std::size_t i = batuta::detail::kSnapshotHead; i + batuta::detail::kCheckSum < good.size();
+       ++i) {
     for (const unsigned flip : {0xFFU, 0x01U, 0x40U}) {
       Bytes bytes = good;
       bytes[i] = static_cast<std::uint8_t>(bytes[i] ^ flip);
-      seal(bytes.data(), static_cast<int>(bytes.size()) - kCheckSum);
+      batuta::detail::seal(bytes.data(),
+                           static_cast<int>(bytes.size()) - batuta::detail::kCheckSum);
       if (restored(*duel, bytes) != Restored::kOk) {
         ++refused;
         EXPECT_EQ(advance(*duel), Status::kInvalidArgument) << "it is not configured";

@@ -60,8 +60,8 @@ using Stiff = Duel<DuelScene<stiff_options>>;
 using Bare = Duel<DuelScene<bare_options>>;
 
 // As a whole, as a user's own source may: no member relies on what is absent.
-template class Duel<DuelScene<drill_options>>;
-template class Duel<DuelScene<bare_options>>;
+template class fencing::Duel<DuelScene<drill_options>>;
+template class fencing::Duel<DuelScene<bare_options>>;
 
 namespace {
 

@@ -36,9 +36,9 @@ TYPED_TEST(Direction, LengthOfWhatIsNotAllNumbers_IsNotANumber) {
 
 TYPED_TEST(Direction, LargestComponent_IsTheLargestInSize) {
   using Scalar = TypeParam;
-  EXPECT_EQ(largest_component(Vec3<Scalar>(-3, 1, 2)), 3);
-  EXPECT_EQ(largest_component(Vec3<Scalar>(1, -3, 2)), 3);
-  EXPECT_EQ(largest_component(Vec3<Scalar>(1, 2, -3)), 3);
+  EXPECT_EQ(detail::largest_component(Vec3<Scalar>(-3, 1, 2)), 3);
+  EXPECT_EQ(detail::largest_component(Vec3<Scalar>(1, -3, 2)), 3);
+  EXPECT_EQ(detail::largest_component(Vec3<Scalar>(1, 2, -3)), 3);
 }
 
 TYPED_TEST(Direction, Perpendicular_IsUnitAndAtRightAngles) {
@@ -46,7 +46,7 @@ TYPED_TEST(Direction, Perpendicular_IsUnitAndAtRightAngles) {
   for (int i = 1; i < 125; ++i) {  // the grid {-2..2}^3, its middle left out
     const Vec3<Scalar> v(Scalar(i % 5 - 2), Scalar(i / 5 % 5 - 2), Scalar(i / 25 - 2));
     if (v.isZero(0)) continue;
-    const Vec3<Scalar> p = perpendicular(v);
+    const Vec3<Scalar> p = detail::perpendicular(v);
     EXPECT_NEAR(p.norm(), 1, 4 * kRoundOff<Scalar>);
     EXPECT_NEAR(p.dot(v), 0, 8 * kRoundOff<Scalar>);
   }
@@ -55,10 +55,10 @@ TYPED_TEST(Direction, Perpendicular_IsUnitAndAtRightAngles) {
 TYPED_TEST(Direction, Perpendicular_OfTheAxes) {
   using Scalar = TypeParam;
   using V = Vec3<Scalar>;
-  EXPECT_EQ(perpendicular<Scalar>({5, 0, 0}), V(0, 0, -1));
-  EXPECT_EQ(perpendicular<Scalar>({0, 5, 0}), V(0, 0, 1));
-  EXPECT_EQ(perpendicular<Scalar>({0, 0, 5}), V(0, -1, 0));
-  EXPECT_EQ(perpendicular<Scalar>({3, 4, 0}), V(Scalar(-0.8), Scalar(0.6), 0));
+  EXPECT_EQ(detail::perpendicular<Scalar>({5, 0, 0}), V(0, 0, -1));
+  EXPECT_EQ(detail::perpendicular<Scalar>({0, 5, 0}), V(0, 0, 1));
+  EXPECT_EQ(detail::perpendicular<Scalar>({0, 0, 5}), V(0, -1, 0));
+  EXPECT_EQ(detail::perpendicular<Scalar>({3, 4, 0}), V(Scalar(-0.8), Scalar(0.6), 0));
 }
 
 TEST(DirectionDeathTest, UnitOfZero_IsACallersMistake) {

@@ -45,7 +45,7 @@ TYPED_TEST(KdopTest, Directions_AreDifferentAndOfTheStatedKinds) {
   std::set<std::tuple<Scalar, Scalar, Scalar>> seen;
   std::array<int, 4> of_length{};
   for (int i = 0; i < kCount; ++i) {
-    const Vec3<Scalar> d = kdop_direction<Scalar, TypeParam::K>(i);
+    const Vec3<Scalar> d = detail::kdop_direction<Scalar, TypeParam::K>(i);
     seen.insert({d.x(), d.y(), d.z()});
     seen.insert({-d.x(), -d.y(), -d.z()});
     ++of_length[static_cast<std::size_t>(d.squaredNorm())];
@@ -62,9 +62,9 @@ TYPED_TEST(KdopTest, OfACapsule_HoldsItAndIsTightToEightRoundOffs) {
   long double worst = 0;
   for (int n = 0; n < 3000; ++n) {
     const Capsule<Scalar> c = this->capsule();
-    const Kdop<Scalar, K> dop = kdop_of<Scalar, K>(c);
+    const Kdop<Scalar, K> dop = detail::kdop_of<Scalar, K>(c);
     for (int i = 0; i < K / 2; ++i) {
-      const auto d = kdop_direction<Scalar, K>(i).template cast<long double>().eval();
+      const auto d = detail::kdop_direction<Scalar, K>(i).template cast<long double>().eval();
       const long double at_a = d.dot(c.axis.a.template cast<long double>());
       const long double at_b = d.dot(c.axis.b.template cast<long double>());
       const long double reach = d.norm() * c.radius;
@@ -90,9 +90,9 @@ TYPED_TEST(KdopTest, OfTwoCapsulesAndAMargin_HoldsBothAndIsTight) {
   for (int n = 0; n < 1000; ++n) {
     const std::array<Capsule<Scalar>, 2> both = {this->capsule(), this->capsule()};
     const Scalar margin = n % 3 == 0 ? Scalar(0) : Scalar(0.01) * static_cast<Scalar>(n);
-    const Kdop<Scalar, K> dop = kdop_of<Scalar, K>(both[0], both[1], margin);
+    const Kdop<Scalar, K> dop = detail::kdop_of<Scalar, K>(both[0], both[1], margin);
     for (int i = 0; i < K / 2; ++i) {
-      const auto d = kdop_direction<Scalar, K>(i).template cast<long double>().eval();
+      const auto d = detail::kdop_direction<Scalar, K>(i).template cast<long double>().eval();
       long double high = std::numeric_limits<long double>::lowest();
       long double size = 0;
       for (const auto& c : both) {
@@ -115,7 +115,7 @@ TYPED_TEST(KdopTest, OfACapsule_ContainsItsPoints) {
   constexpr int K = TypeParam::K;
   for (int n = 0; n < 1000; ++n) {
     const Capsule<Scalar> c = this->capsule();
-    const Kdop<Scalar, K> dop = kdop_of<Scalar, K>(c);
+    const Kdop<Scalar, K> dop = detail::kdop_of<Scalar, K>(c);
     EXPECT_TRUE(contains(dop, c.axis.a));
     EXPECT_TRUE(contains(dop, c.axis.b));
     if (c.radius == 0) continue;
@@ -135,7 +135,7 @@ TYPED_TEST(KdopTest, OverlappingCapsules_HaveOverlappingDops) {
   for (int n = 0; n < 3000; ++n) {
     const Capsule<Scalar> A{{this->point(), this->point()}, Scalar(0.1)};
     const Capsule<Scalar> B{{this->point(), this->point()}, Scalar(0.1)};
-    const bool maybe = overlaps(kdop_of<Scalar, K>(A), kdop_of<Scalar, K>(B));
+    const bool maybe = overlaps(detail::kdop_of<Scalar, K>(A), detail::kdop_of<Scalar, K>(B));
     if (overlaps(A, B)) {
       ++together;
       EXPECT_TRUE(maybe);
@@ -164,8 +164,8 @@ TYPED_TEST(KdopTest, Touching_CountsAsOverlap) {
 TYPED_TEST(KdopTest, Merge_IsTheLeastThatHoldsBothAndEmptyIsNeutral) {
   using Scalar = typename TypeParam::Scalar;
   using Dop = Kdop<Scalar, TypeParam::K>;
-  const Dop P = kdop_of<Scalar, TypeParam::K>(this->capsule());
-  const Dop Q = kdop_of<Scalar, TypeParam::K>(this->capsule());
+  const Dop P = detail::kdop_of<Scalar, TypeParam::K>(this->capsule());
+  const Dop Q = detail::kdop_of<Scalar, TypeParam::K>(this->capsule());
   const Dop both = merge(P, Q);
   for (std::size_t i = 0; i < both.low.size(); ++i) {
     EXPECT_EQ(both.low[i], std::min(P.low[i], Q.low[i]));
@@ -183,11 +183,11 @@ TYPED_TEST(KdopTest, Inflated_HoldsTheFatterCapsuleAndEmptyStaysEmpty) {
   for (int n = 0; n < 1000; ++n) {
     const Capsule<Scalar> c = this->capsule();
     const Scalar margin = std::abs(this->number());
-    const Kdop<Scalar, K> P = kdop_of<Scalar, K>(c);
+    const Kdop<Scalar, K> P = detail::kdop_of<Scalar, K>(c);
     const Kdop<Scalar, K> fat = inflated(P, margin);
     for (int k = 0; k < K / 2; ++k) {
       const auto i = static_cast<std::size_t>(k);
-      const auto d = kdop_direction<Scalar, K>(k).template cast<long double>().eval();
+      const auto d = detail::kdop_direction<Scalar, K>(k).template cast<long double>().eval();
       const long double move = d.norm() * margin;
       EXPECT_GE(fat.high[i] - (P.high[i] + move), 0);
       EXPECT_LE(fat.low[i] - (P.low[i] - move), 0);
@@ -201,8 +201,8 @@ TYPED_TEST(KdopTest, Inflated_HoldsTheFatterCapsuleAndEmptyStaysEmpty) {
 }
 
 TEST(KdopDeathTest, CallersMistakes_AreTrapped) {
-  EXPECT_DEATH((kdop_direction<float, 6>(3)), "assertion failed");
-  EXPECT_DEATH((kdop_direction<float, 6>(-1)), "assertion failed");
+  EXPECT_DEATH((detail::kdop_direction<float, 6>(3)), "assertion failed");
+  EXPECT_DEATH((detail::kdop_direction<float, 6>(-1)), "assertion failed");
   EXPECT_DEATH(inflated(Kdop<float, 6>(), -1.0F), "assertion failed");
 }
 

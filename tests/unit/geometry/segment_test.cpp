@@ -37,10 +37,10 @@ class SegmentTest : public testing::Test {
       EXPECT_NEAR(x.s, c.s, 8 * kRoundOff<Scalar>);
       EXPECT_NEAR(x.u, c.u, 8 * kRoundOff<Scalar>);
     }
-    const Scalar size = max_of(largest_component(x.p_A), largest_component(x.p_B));
+    const Scalar size = max_of(detail::largest_component(x.p_A), detail::largest_component(x.p_B));
     const Scalar rounding = 4 * kRoundOff<Scalar> * size;
-    EXPECT_LE(largest_component<Scalar>(x.p_A - c.A.at(x.s)), tolerance + rounding);
-    EXPECT_LE(largest_component<Scalar>(x.p_B - c.B.at(x.u)), tolerance + rounding);
+    EXPECT_LE(detail::largest_component<Scalar>(x.p_A - c.A.at(x.s)), tolerance + rounding);
+    EXPECT_LE(detail::largest_component<Scalar>(x.p_B - c.B.at(x.u)), tolerance + rounding);
   }
 };
 using Scalars = testing::Types<float, double>;

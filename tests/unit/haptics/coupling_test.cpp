@@ -43,7 +43,8 @@ Frame after(const Frame& frame, double h) {
 
 /// What the springs hold.
 double potential(const CouplingSettings<double>& settings, const Frame& a, const Frame& b) {
-  const double turn = to_axis_angle(Quat<double>(b.X_W.q_WB * a.X_W.q_WB.conjugate())).angle;
+  const double turn =
+      batuta::detail::to_axis_angle(Quat<double>(b.X_W.q_WB * a.X_W.q_WB.conjugate())).angle;
   return (settings.stiffness * (b.X_W.p_W - a.X_W.p_W).squaredNorm() +
           settings.turn_stiffness * turn * turn) /
          2;

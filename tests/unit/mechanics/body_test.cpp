@@ -127,7 +127,7 @@ TYPED_TEST(BodyOf, InverseInertia_IsSymmetricAndTurnedIntoTheWorld) {
   Source<TypeParam> source(3);
   for (int i = 0; i < 5000; ++i) {
     const Body<TypeParam> body = random_body(source, 1e6);
-    const Mat3<TypeParam> inverse = inverse_inertia_W(body);
+    const Mat3<TypeParam> inverse = detail::inverse_inertia_W(body);
     EXPECT_EQ(inverse, Mat3<TypeParam>(inverse.transpose()));
     const Mat3<Real> R = true_rotation(body);
     const Mat3<Real> truth = R * real(body.inverse_moments).asDiagonal() * R.transpose();
@@ -159,7 +159,7 @@ TYPED_TEST(BodyOf, MomentumOfTwist_GivesBackTheMomentumAlsoAtAnisotropyOneMillio
     // Turning about one principal axis at a time: the error stays relative to that moment's own
     // share.
     const int axis = i % 3;
-    const Mat3<TypeParam> R = to_matrix(body.X_WB.q_WB);
+    const Mat3<TypeParam> R = detail::to_matrix(body.X_WB.q_WB);
     body.momentum.angular_W = R.col(axis);
     const Momentum<TypeParam> back = momentum_of(body, twist_of(body));
     const double spread = static_cast<double>(body.inverse_moments.maxCoeff()) /

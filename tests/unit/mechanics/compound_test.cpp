@@ -212,7 +212,7 @@ Compound<Scalar, 3> made_of(const std::vector<CapsulePart<Scalar>>& parts) {
 TYPED_TEST(CompoundBody, RodAlongAnAxisOfS_HasTheAxesOfS) {
   for (int axis = 0; axis < 3; ++axis) {
     const auto rod = made_of(rod_along<TypeParam>(Vec3<TypeParam>::Unit(axis)));
-    const Mat3<TypeParam> R = to_matrix(rod.body.X_WB.q_WB).cwiseAbs();
+    const Mat3<TypeParam> R = detail::to_matrix(rod.body.X_WB.q_WB).cwiseAbs();
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(R.col(k).maxCoeff(), 1, 4 * u<TypeParam>);
     EXPECT_NEAR(R(axis, 0), 1, 4 * u<TypeParam>) << "the light axis comes first";
     EXPECT_FALSE(rod.body.spin_shows);

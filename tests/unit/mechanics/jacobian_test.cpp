@@ -37,7 +37,7 @@ Mat3<Real> true_jacobian(const Vec3<Real>& r) {
 template <class Scalar>
 double error_at(const Vec3<Scalar>& r) {
   return static_cast<double>(
-      (real(left_jacobian(r)) - true_jacobian(real(r))).cwiseAbs().maxCoeff());
+      (real(detail::left_jacobian(r)) - true_jacobian(real(r))).cwiseAbs().maxCoeff());
 }
 
 TYPED_TEST(LeftJacobian, AtEverySize_WithinRounding) {
@@ -60,12 +60,12 @@ TYPED_TEST(LeftJacobian, SmallVector_KeepsTheFirstOrderTerm) {
   // At these sizes a series entered too late loses the whole difference to the identity.
   for (const double size : {1e-8, 1e-4, 3e-4, 1e-3}) {
     const Vec3<TypeParam> r(0, 0, static_cast<TypeParam>(size));
-    const Mat3<TypeParam> J = left_jacobian(r);
+    const Mat3<TypeParam> J = detail::left_jacobian(r);
     EXPECT_NEAR(J(1, 0), size / 2, size * 1e-6);
     EXPECT_NEAR(J(0, 1), -size / 2, size * 1e-6);
     EXPECT_EQ(J(2, 2), TypeParam(1));
   }
-  EXPECT_EQ(left_jacobian(Vec3<TypeParam>(Vec3<TypeParam>::Zero())),
+  EXPECT_EQ(detail::left_jacobian(Vec3<TypeParam>(Vec3<TypeParam>::Zero())),
             Mat3<TypeParam>(Mat3<TypeParam>::Identity()));
 }
 
@@ -79,7 +79,7 @@ TYPED_TEST(LeftJacobian, PredictsASmallChangeOfTheRotation) {
     const Vec3<Real> before = real(r) - change;
     const Quat<Real> turn = true_exp(after) * true_exp(before).conjugate();
     const Vec3<Real> measured = turn.vec() / turn.w();  // tangent of half the angle: twice the step
-    const Vec3<Real> predicted = real(left_jacobian(r)) * change;
+    const Vec3<Real> predicted = real(detail::left_jacobian(r)) * change;
     EXPECT_LE((measured - predicted).norm() / kStep, 1e-10L + 16 * Real(u<TypeParam>));
   }
 }

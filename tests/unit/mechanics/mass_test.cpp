@@ -107,7 +107,7 @@ TYPED_TEST(Mass, TurnedCapsule_HasTheTurnedTensor) {
     const auto plain = solid_capsule(capsule_along({0, 0, 0}, half, radius), TypeParam(1));
     const auto answer = solid_capsule(capsule_along(middle, turned, radius), TypeParam(1));
     ASSERT_TRUE(plain.ok() && answer.ok());
-    const Mat3<TypeParam> R = to_matrix(q);
+    const Mat3<TypeParam> R = detail::to_matrix(q);
     const Mat3<TypeParam> truth = R * plain.value.inertia_S * R.transpose();
     // The ends are rounded to u |end|, and the moments go with the cube of the length.
     const double bound = 64 * u<TypeParam> * (1 + 4 / static_cast<double>(half.x())) *

@@ -34,12 +34,12 @@ void expect_same_bits(const Pose<Scalar>& X, const Pose<Scalar>& Y) {
 
 /// Torque-free rotation by Euler's equations: q' = w q / 2 with w = R J^-1 R^T b, b constant;
 /// classical Runge-Kutta in long double. It knows nothing of symmetry.
-Quat<Real> integrated(Quat<Real> q, const Vec3<Real>& b_W, const Vec3<Real>& inverse_moments,
+Quat<Real> integrated(Quat<Real> q, const Vec3<Real>& angular_W, const Vec3<Real>& inverse_moments,
                       Real duration, int steps) {
   using Coefficients = Eigen::Matrix<Real, 4, 1>;
   const auto rate = [&](const Coefficients& c) {
     const Quat<Real> unit = Quat<Real>(c).normalized();
-    const Vec3<Real> b_B = unit.conjugate() * b_W;
+    const Vec3<Real> b_B = unit.conjugate() * angular_W;
     const Vec3<Real> w_W = unit * Vec3<Real>(inverse_moments.cwiseProduct(b_B));
     return Coefficients((Quat<Real>(0, w_W.x(), w_W.y(), w_W.z()) * unit).coeffs() / 2);
   };
@@ -289,7 +289,7 @@ TYPED_TEST(MotionOf, IsValid_RefusesWhatIsNotFiniteOrTurnsTooFar) {
   using Limits = std::numeric_limits<TypeParam>;
   Motion<TypeParam> good;
   good.duration = 1;
-  good.twist.w_W = {0, 0, kMaxAngle<TypeParam>};
+  good.twist.w_W = {0, 0, detail::kMaxAngle<TypeParam>};
   EXPECT_TRUE(is_valid(good));
   EXPECT_EQ(pose_at(good, good.duration).p_W, good.X_WB.p_W);
   for (const TypeParam bad : {Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity()}) {
@@ -321,18 +321,18 @@ TYPED_TEST(MotionOf, HidesSpin_OnlyOfCapsulesOnTheOddAxisOfAnAxisymmetricBody) {
   const Capsule<S> beside{{Vec3<S>(-1, S(0.001), 0), Vec3<S>(2, 0, 0)}, S(0.1)};
   Body<S> body;
   body.inverse_moments = Vec3<S>(8, 1, 1);
-  EXPECT_TRUE(hides_spin(body, along_x));
-  EXPECT_FALSE(hides_spin(body, along_z));
-  EXPECT_FALSE(hides_spin(body, beside));
+  EXPECT_TRUE(detail::hides_spin(body, along_x));
+  EXPECT_FALSE(detail::hides_spin(body, along_z));
+  EXPECT_FALSE(detail::hides_spin(body, beside));
   body.inverse_moments = Vec3<S>(4, 4, 1);
-  EXPECT_TRUE(hides_spin(body, along_z));
-  EXPECT_FALSE(hides_spin(body, along_x));
+  EXPECT_TRUE(detail::hides_spin(body, along_z));
+  EXPECT_FALSE(detail::hides_spin(body, along_x));
   body.inverse_moments = Vec3<S>(4, 1, 4);
-  EXPECT_FALSE(hides_spin(body, along_x));
+  EXPECT_FALSE(detail::hides_spin(body, along_x));
   body.inverse_moments = Vec3<S>(3, 2, 1);
-  EXPECT_FALSE(hides_spin(body, along_x));
+  EXPECT_FALSE(detail::hides_spin(body, along_x));
   body.inverse_moments = Vec3<S>(0, 0, 1);
-  EXPECT_FALSE(hides_spin(body, along_z));
+  EXPECT_FALSE(detail::hides_spin(body, along_z));
 }
 
 }  // namespace

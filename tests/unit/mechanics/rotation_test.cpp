@@ -69,7 +69,7 @@ TYPED_TEST(Rotation, MatrixOfQuaternion_TurnsAsTheQuaternionDoes) {
     const Quat<TypeParam> q = source.rotation();
     const Mat3<Real> truth = real(q).normalized().toRotationMatrix();
     // q is unit to 2 u, of which the matrix makes twice as much.
-    EXPECT_LE((real(to_matrix(q)) - truth).cwiseAbs().maxCoeff(), 12 * u<TypeParam>);
+    EXPECT_LE((real(detail::to_matrix(q)) - truth).cwiseAbs().maxCoeff(), 12 * u<TypeParam>);
   }
 }
 
@@ -77,7 +77,7 @@ TYPED_TEST(Rotation, QuaternionOfMatrix_GoesBack) {
   Source<TypeParam> source(3);
   for (int i = 0; i < 20000; ++i) {
     const Quat<TypeParam> q = source.rotation();
-    const Quat<TypeParam> back = to_quaternion(to_matrix(q));
+    const Quat<TypeParam> back = detail::to_quaternion(detail::to_matrix(q));
     EXPECT_LE(apart(back, real(q).normalized()), 8 * u<TypeParam>);
     EXPECT_GE(back.w(), TypeParam(0));
     EXPECT_LE(unit_error(back), 4 * u<TypeParam>);
@@ -92,30 +92,30 @@ TYPED_TEST(Rotation, QuaternionOfHalfTurnMatrix_LosesNothing) {
     const Real angle = kPi - static_cast<Real>(source.log_uniform(1e-12, 1e-1));
     const Quat<Real> truth = true_exp(Vec3<Real>(angle * real(axis).normalized()));
     const Mat3<TypeParam> R = truth.toRotationMatrix().template cast<TypeParam>();
-    EXPECT_LE(apart(to_quaternion(R), truth), 8 * u<TypeParam>);
+    EXPECT_LE(apart(detail::to_quaternion(R), truth), 8 * u<TypeParam>);
   }
 }
 
 TYPED_TEST(Rotation, AxisAngle_AllWaysAgree) {
   Source<TypeParam> source(5);
   for (int i = 0; i < 10000; ++i) {
-    const AxisAngle<TypeParam> turn = {source.direction(), source.uniform(1e-3, 3.14)};
+    const detail::AxisAngle<TypeParam> turn = {source.direction(), source.uniform(1e-3, 3.14)};
     const Vec3<Real> vector = static_cast<Real>(turn.angle) * real(turn.axis);
-    EXPECT_LE(apart(to_quaternion(turn), true_exp(vector)), 4 * u<TypeParam>);
+    EXPECT_LE(apart(detail::to_quaternion(turn), true_exp(vector)), 4 * u<TypeParam>);
     const Mat3<Real> R = true_exp(vector).toRotationMatrix();
-    EXPECT_LE((real(to_matrix(turn)) - R).cwiseAbs().maxCoeff(), 12 * u<TypeParam>);
+    EXPECT_LE((real(detail::to_matrix(turn)) - R).cwiseAbs().maxCoeff(), 12 * u<TypeParam>);
 
-    const AxisAngle<TypeParam> back = to_axis_angle(to_quaternion(turn));
+    const detail::AxisAngle<TypeParam> back = detail::to_axis_angle(detail::to_quaternion(turn));
     EXPECT_NEAR(back.angle, turn.angle, 8 * u<TypeParam>);
     EXPECT_LE((back.axis - turn.axis).norm() * turn.angle, 12 * u<TypeParam>);
-    const AxisAngle<TypeParam> from_matrix = to_axis_angle(to_matrix(turn));
+    const detail::AxisAngle<TypeParam> from_matrix = detail::to_axis_angle(detail::to_matrix(turn));
     EXPECT_NEAR(from_matrix.angle, turn.angle, 24 * u<TypeParam>);
   }
 }
 
 TYPED_TEST(Rotation, AxisAngleOfTheIdentity_IsZeroAboutX) {
   for (const TypeParam w : {TypeParam(1), TypeParam(-1)}) {
-    const AxisAngle<TypeParam> turn = to_axis_angle(Quat<TypeParam>(w, 0, 0, 0));
+    const detail::AxisAngle<TypeParam> turn = detail::to_axis_angle(Quat<TypeParam>(w, 0, 0, 0));
     EXPECT_EQ(turn.angle, TypeParam(0));
     EXPECT_EQ(turn.axis, Vec3<TypeParam>::UnitX());
   }
@@ -125,10 +125,10 @@ TYPED_TEST(Rotation, NegativeAngleAndManyTurns_GiveTheSameRotation) {
   const Vec3<TypeParam> z = Vec3<TypeParam>::UnitZ();
   for (const TypeParam angle : {TypeParam(-1), TypeParam(5), TypeParam(100), TypeParam(-2000)}) {
     const Quat<Real> truth = true_exp(Vec3<Real>(0, 0, static_cast<Real>(angle)));
-    const Quat<TypeParam> q = to_quaternion(AxisAngle<TypeParam>{z, angle});
+    const Quat<TypeParam> q = detail::to_quaternion(detail::AxisAngle<TypeParam>{z, angle});
     EXPECT_LE(apart(q, truth), 4 * u<TypeParam>);
     EXPECT_GE(q.w(), TypeParam(0));
-    const TypeParam positive = to_axis_angle(q).angle;
+    const TypeParam positive = detail::to_axis_angle(q).angle;
     EXPECT_GE(positive, TypeParam(0));
     EXPECT_LE(positive, static_cast<TypeParam>(kPi));
   }

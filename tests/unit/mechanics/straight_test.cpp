@@ -55,14 +55,14 @@ TYPED_TEST(Straight, MovingBody_VelocityAndEnergyOfItsMomentum) {
 }
 
 TYPED_TEST(Straight, Position_StartsWhereItIsAndMovesEvenly) {
-  const StraightMotion<TypeParam> motion{{TypeParam(0.1), 2, 3}, {1, -2, 4}, 2};
-  EXPECT_EQ(position_at(motion, TypeParam(0)), motion.p_W);
-  EXPECT_EQ(position_at(motion, TypeParam(2)), Vec3<TypeParam>(TypeParam(2.1), -2, 11));
+  const detail::StraightMotion<TypeParam> motion{{TypeParam(0.1), 2, 3}, {1, -2, 4}, 2};
+  EXPECT_EQ(detail::position_at(motion, TypeParam(0)), motion.p_W);
+  EXPECT_EQ(detail::position_at(motion, TypeParam(2)), Vec3<TypeParam>(TypeParam(2.1), -2, 11));
 }
 
 TYPED_TEST(Straight, Motion_ValidIfFiniteAndForward) {
   using S = TypeParam;
-  const StraightMotion<S> good{{1, 2, 3}, {4, 5, 6}, 0};
+  const detail::StraightMotion<S> good{{1, 2, 3}, {4, 5, 6}, 0};
   EXPECT_TRUE(is_valid(good));
   for (const S x : {kNan<S>, kInfinity<S>, -kInfinity<S>}) {
     for (int i = 0; i < 3; ++i) {

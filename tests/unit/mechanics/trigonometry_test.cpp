@@ -26,7 +26,7 @@ struct Worst {
 
   template <class Scalar>
   void look_at(Scalar angle) {
-    const SinCos<Scalar> value = sin_cos(angle);
+    const detail::SinCos<Scalar> value = detail::sin_cos(angle);
     sin = std::max(sin, ulps(value.sin, std::sin(static_cast<Real>(angle))));
     cos = std::max(cos, ulps(value.cos, std::cos(static_cast<Real>(angle))));
   }
@@ -57,7 +57,8 @@ TYPED_TEST_SUITE(Trigonometry, Scalars);
 TEST(SinCosFloat, EveryHundredthFloatOfTheRange_WithinBound) {
   Worst worst;
   constexpr std::uint32_t kStride = 101;
-  for (std::uint32_t bits = bits_of(0x1p-13F); bits <= bits_of(kMaxAngle<float>); bits += kStride) {
+  for (std::uint32_t bits = bits_of(0x1p-13F); bits <= bits_of(detail::kMaxAngle<float>);
+       bits += kStride) {
     worst.look_at(float_of_bits(bits));
   }
   worst.expect_within_bound();
@@ -82,7 +83,7 @@ TYPED_TEST(Trigonometry, NeighboursOfEveryQuarterTurn_WithinBound) {
       auto angle = static_cast<TypeParam>(quarters * kHalfPi - offset);
       for (int i = 0; i < 20; ++i) angle = std::nextafter(angle, TypeParam(0));
       for (int i = 0; i < 40; ++i) {
-        if (angle <= kMaxAngle<TypeParam>) worst.look_at(angle);
+        if (angle <= detail::kMaxAngle<TypeParam>) worst.look_at(angle);
         worst.look_at(-angle);
         angle = std::nextafter(angle, TypeParam(10000));
       }
@@ -93,13 +94,13 @@ TYPED_TEST(Trigonometry, NeighboursOfEveryQuarterTurn_WithinBound) {
 
 TYPED_TEST(Trigonometry, SmallAngles_AreTheirOwnSine) {
   using Limits = std::numeric_limits<TypeParam>;
-  EXPECT_EQ(sin_cos(TypeParam(0)).sin, TypeParam(0));
-  EXPECT_EQ(sin_cos(TypeParam(0)).cos, TypeParam(1));
+  EXPECT_EQ(detail::sin_cos(TypeParam(0)).sin, TypeParam(0));
+  EXPECT_EQ(detail::sin_cos(TypeParam(0)).cos, TypeParam(1));
   for (const TypeParam x :
        {Limits::denorm_min(), Limits::min(), TypeParam(1e-30), TypeParam(1e-8)}) {
-    EXPECT_EQ(sin_cos(x).sin, x);
-    EXPECT_EQ(sin_cos(-x).sin, -x);
-    EXPECT_EQ(sin_cos(x).cos, TypeParam(1));
+    EXPECT_EQ(detail::sin_cos(x).sin, x);
+    EXPECT_EQ(detail::sin_cos(-x).sin, -x);
+    EXPECT_EQ(detail::sin_cos(x).cos, TypeParam(1));
   }
 }
 
@@ -107,13 +108,13 @@ TYPED_TEST(Trigonometry, OppositeAngle_SameCosineOppositeSine) {
   Source<TypeParam> source(8);
   for (int i = 0; i < 10000; ++i) {
     const TypeParam x = source.uniform(0, 2526);
-    EXPECT_EQ(sin_cos(-x).sin, -sin_cos(x).sin);
-    EXPECT_EQ(sin_cos(-x).cos, sin_cos(x).cos);
+    EXPECT_EQ(detail::sin_cos(-x).sin, -detail::sin_cos(x).sin);
+    EXPECT_EQ(detail::sin_cos(-x).cos, detail::sin_cos(x).cos);
   }
 }
 
 TYPED_TEST(Trigonometry, EndOfTheRange_StandsTheRoundingOfTheCaller) {
-  const TypeParam largest = kMaxAngle<TypeParam>;
+  const TypeParam largest = detail::kMaxAngle<TypeParam>;
   Worst worst;
   for (const TypeParam x : {largest, std::nextafter(largest, 2 * largest), largest + 1}) {
     worst.look_at(x);
@@ -124,14 +125,14 @@ TYPED_TEST(Trigonometry, EndOfTheRange_StandsTheRoundingOfTheCaller) {
 }
 
 TYPED_TEST(Trigonometry, AngleOutOfRange_IsTheCallersMistake) {
-  EXPECT_DEATH((void)sin_cos(TypeParam(2) * kMaxAngle<TypeParam>), "");
-  EXPECT_DEATH((void)sin_cos(TypeParam(-1e30)), "");
-  EXPECT_DEATH((void)sin_cos(std::numeric_limits<TypeParam>::quiet_NaN()), "");
+  EXPECT_DEATH((void)detail::sin_cos(TypeParam(2) * detail::kMaxAngle<TypeParam>), "");
+  EXPECT_DEATH((void)detail::sin_cos(TypeParam(-1e30)), "");
+  EXPECT_DEATH((void)detail::sin_cos(std::numeric_limits<TypeParam>::quiet_NaN()), "");
 }
 
 template <class Scalar>
 double arc_tangent_error(Scalar y, Scalar x) {
-  return ulps(arc_tangent(y, x), std::atan2(static_cast<Real>(y), static_cast<Real>(x)));
+  return ulps(detail::arc_tangent(y, x), std::atan2(static_cast<Real>(y), static_cast<Real>(x)));
 }
 
 TYPED_TEST(Trigonometry, ArcTangentOfRandomPoints_WithinBound) {
@@ -163,14 +164,14 @@ TYPED_TEST(Trigonometry, ArcTangentWhereTheFormulaSwitches_WithinBound) {
 
 TYPED_TEST(Trigonometry, ArcTangentOnTheAxes_IsTheRoundedQuarterTurn) {
   const auto half_pi = static_cast<TypeParam>(kHalfPi);
-  EXPECT_EQ(arc_tangent(TypeParam(0), TypeParam(0)), TypeParam(0));
-  EXPECT_EQ(arc_tangent(TypeParam(-0.0), TypeParam(-0.0)), TypeParam(0));
-  EXPECT_EQ(arc_tangent(TypeParam(0), TypeParam(3)), TypeParam(0));
-  EXPECT_EQ(arc_tangent(TypeParam(2), TypeParam(0)), half_pi);
-  EXPECT_EQ(arc_tangent(TypeParam(-2), TypeParam(0)), -half_pi);
-  EXPECT_EQ(arc_tangent(TypeParam(0), TypeParam(-3)), 2 * half_pi);
-  EXPECT_EQ(arc_tangent(TypeParam(-0.0), TypeParam(-3)), 2 * half_pi);
-  EXPECT_EQ(arc_tangent(TypeParam(1), TypeParam(1)), half_pi / 2);
+  EXPECT_EQ(detail::arc_tangent(TypeParam(0), TypeParam(0)), TypeParam(0));
+  EXPECT_EQ(detail::arc_tangent(TypeParam(-0.0), TypeParam(-0.0)), TypeParam(0));
+  EXPECT_EQ(detail::arc_tangent(TypeParam(0), TypeParam(3)), TypeParam(0));
+  EXPECT_EQ(detail::arc_tangent(TypeParam(2), TypeParam(0)), half_pi);
+  EXPECT_EQ(detail::arc_tangent(TypeParam(-2), TypeParam(0)), -half_pi);
+  EXPECT_EQ(detail::arc_tangent(TypeParam(0), TypeParam(-3)), 2 * half_pi);
+  EXPECT_EQ(detail::arc_tangent(TypeParam(-0.0), TypeParam(-3)), 2 * half_pi);
+  EXPECT_EQ(detail::arc_tangent(TypeParam(1), TypeParam(1)), half_pi / 2);
 }
 
 TYPED_TEST(Trigonometry, ArcTangentOfExtremePoints_WithinBound) {

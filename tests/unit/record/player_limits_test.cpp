@@ -18,7 +18,7 @@ struct State {
 
   void archive(Archive& ar) { ar(words); }
 };
-constexpr int kStateBytes = kSnapshotHead + 40 + kCheckSum;
+constexpr int kStateBytes = detail::kSnapshotHead + 40 + detail::kCheckSum;
 
 struct Input {
   std::uint8_t byte = 0;
@@ -60,15 +60,16 @@ TEST(Player, RoomForTheStateOrNot_IsAByteApart) {
 TEST(Player, RunUnderAnotherKind_IsDamage) {
   std::vector<std::uint8_t> bytes = recorded(State{});
   std::uint8_t* const record = bytes.data() + kStateBytes;
-  const int size = kRecordHead + (record[1] | record[2] << 8);
-  for (const RecordKind kind : {RecordKind::kStep, RecordKind::kHash, RecordKind::kEnd}) {
+  const int size = detail::kRecordHead + (record[1] | record[2] << 8);
+  for (const detail::RecordKind kind :
+       {detail::RecordKind::kStep, detail::RecordKind::kHash, detail::RecordKind::kEnd}) {
     record[0] = static_cast<std::uint8_t>(kind);
-    seal(record, size);
+    detail::seal(record, size);
     State state;
     EXPECT_EQ(begun(bytes, 256, state), Playback::kDamaged);
   }
-  record[0] = static_cast<std::uint8_t>(RecordKind::kRun);
-  seal(record, size);
+  record[0] = static_cast<std::uint8_t>(detail::RecordKind::kRun);
+  detail::seal(record, size);
   State state;
   EXPECT_EQ(begun(bytes, 256, state), Playback::kReady);
 }

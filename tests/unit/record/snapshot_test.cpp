@@ -97,7 +97,7 @@ TEST(Snapshot, OfAnotherKind_SaysWhich) {
 TEST(Snapshot, OutOfRangeUnderAGoodCheckSum_IsRefused) {
   Bytes bytes = saved(example());
   bytes[36] = 2;  // the flag
-  seal(bytes.data(), 37);
+  detail::seal(bytes.data(), 37);
   State<float> state;
   EXPECT_EQ(restored(state, bytes), Restored::kOutOfRange);
 }

@@ -49,7 +49,7 @@ void hold(test::Draws& draws, Collider<Scalar>& body) {
     body.inverse_mass = 0;
     body.twist.v_W.setZero();
   }
-  const Mat3<Scalar> R = to_matrix(body.X_WB.q_WB);
+  const Mat3<Scalar> R = detail::to_matrix(body.X_WB.q_WB);
   Vec3<Scalar> w_B = R.transpose() * body.twist.w_W;
   for (int i = 0; i < 3; ++i) {
     if (!draws.chance(0.3)) continue;

@@ -181,7 +181,7 @@ TYPED_TEST(FrictionOf, Hinge_TakesNoImpulseWhereNothingGives) {  // I03: K of ra
     door.X_WB.p_W = Vec3<TypeParam>(TypeParam(-0.7), TypeParam(0.4), TypeParam(0.3));
     door.X_WB.q_WB = exp_map<TypeParam>({TypeParam(0.3), TypeParam(-0.5), TypeParam(0.2)});
     door.inverse_moments[axis] = 2;
-    door.twist.w_W = to_matrix(door.X_WB.q_WB).col(axis);
+    door.twist.w_W = detail::to_matrix(door.X_WB.q_WB).col(axis);
     auto contact = floor_contact<TypeParam>();
     const TypeParam rate = relative_velocity(contact, door.X_WB, door.twist, {}, {});
     if (rate > TypeParam(0)) door.twist.w_W = -door.twist.w_W;

@@ -40,7 +40,7 @@ Collider<double> rod(test::Draws& draws, const Quat<double>& q) {
 }
 
 Capsule<double> capsule_on(const Collider<double>& body, double half, double radius) {
-  const V axis = to_matrix(body.X_WB.q_WB).col(2);
+  const V axis = detail::to_matrix(body.X_WB.q_WB).col(2);
   return {{body.X_WB.p_W - half * axis, body.X_WB.p_W + half * axis}, radius};
 }
 
@@ -48,7 +48,7 @@ Capsule<double> capsule_on(const Collider<double>& body, double half, double rad
 /// for A's fall. The nearest point is any of those that share the closest distance.
 Landing<double> flat_landing(test::Draws& draws, double shift, double place) {
   const Quat<double> q = draws.rotation();
-  const Mat3<double> R = to_matrix(q);
+  const Mat3<double> R = detail::to_matrix(q);
   const V n = R.col(0);
   Landing<double> land;
   land.A = rod(draws, q);
@@ -228,7 +228,7 @@ TEST(LineContact, OnePointOfPressure_DoesWhatTwoImpulsesDo) {
 Landing<double> tilted(const Landing<double>& flat, const V& axis_W, const V& pivot_W,
                        double angle) {
   Landing<double> land = flat;
-  const Mat3<double> turn = to_matrix(exp_map<double>(angle * axis_W));
+  const Mat3<double> turn = detail::to_matrix(exp_map<double>(angle * axis_W));
   for (V* end : {&land.A_W.axis.a, &land.A_W.axis.b}) *end = pivot_W + turn * (*end - pivot_W);
   land.A.X_WB.p_W = (land.A_W.axis.a + land.A_W.axis.b) / 2;
   land.nearest = contact_from(capsule_gap(land.A_W, land.B_W), V::Zero().eval());

@@ -105,7 +105,7 @@ double least_gap(const World<SceneT>& world) {
     for (std::uint16_t b = 0; b < a; ++b) {
       const auto* A = world.get(world.id_at(a));
       const auto* B = world.get(world.id_at(b));
-      if (A == nullptr || B == nullptr || !may_meet(*A, *B)) continue;
+      if (A == nullptr || B == nullptr || !detail::may_meet(*A, *B)) continue;
       if (A->body.inverse_mass == 0 && B->body.inverse_mass == 0) continue;
       least = std::min(least, gap_of(*A, *B));
     }
@@ -156,9 +156,9 @@ class Draw {
 template <class SceneT>
 Actor<Told<SceneT>> told(const Actor<SceneT>& actor) {
   Actor<Told<SceneT>> same;
-  static_cast<ShapeOf<SceneT>&>(same) = actor;
-  static_cast<Owned&>(same) = actor;
-  static_cast<Filtered&>(same) = actor;
+  static_cast<detail::ShapeOf<SceneT>&>(same) = actor;
+  static_cast<detail::Owned&>(same) = actor;
+  static_cast<detail::Filtered&>(same) = actor;
   same.restitution = actor.restitution;
   same.body = actor.body;
   return same;

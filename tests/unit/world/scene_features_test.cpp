@@ -108,7 +108,7 @@ TEST(SceneFeatures, PlainestActor_IsABodyAndItsShape) {
 TEST(SceneFeatures, Settings_HoldWhatTheSceneKnows) {
   using Search = AdvancementOptions<float>;
   EXPECT_EQ(kSettings<Plainest>, sizeof(Search));
-  EXPECT_EQ(kSettings<TwoBlades>, sizeof(RestSettings<float>) + sizeof(Search));
+  EXPECT_EQ(kSettings<TwoBlades>, sizeof(detail::RestSettings<float>) + sizeof(Search));
   EXPECT_EQ(kSettings<WithGravity>, sizeof(Vec3<float>) + kSettings<TwoBlades>);
   EXPECT_EQ(kSettings<Balls>, sizeof(float));
 }
@@ -167,7 +167,7 @@ TEST(SceneCost, ReadyMadeScenes_CostWhatTheirWorldsTake) {
   expect_cost_is_that_of_the_world<TwoBlades>();
   expect_cost_is_that_of_the_world<DetectionOnly>();
   expect_cost_is_that_of_the_world<Rack>();
-  expect_cost_is_that_of_the_world<Duel<>::SceneType>();
+  expect_cost_is_that_of_the_world<fencing::Duel<>::SceneType>();
   EXPECT_EQ(scene_cost<StraightSpheres>.world, kWorld<StraightSpheres>);
   EXPECT_EQ(scene_cost<StraightSpheres>.event, 0U);
 }

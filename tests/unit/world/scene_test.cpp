@@ -44,7 +44,8 @@ TEST(Scene, EachOptionOutOfRange_IsRefused) {
   }
   EXPECT_TRUE(refuses<Paper>([](auto& settings) { settings.search.max_steps = 0; }));
   EXPECT_TRUE(refuses<Paper>([](auto& settings) { settings.search.halvings = -1; }));
-  EXPECT_TRUE(refuses<Paper>([](auto& settings) { settings.search.halvings = kMaxHalvings + 1; }));
+  EXPECT_TRUE(
+      refuses<Paper>([](auto& settings) { settings.search.halvings = detail::kMaxHalvings + 1; }));
 }
 
 // The longest step is a constant of the scene, whatever the settings.

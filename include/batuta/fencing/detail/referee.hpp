@@ -51,7 +51,7 @@ class Referee {
   }
 
  private:
-  struct Place {
+  struct RefereeSide {
     FencerBuild<Scalar> build;
     Pose<Scalar> X_WF;
     Target<Scalar> target;
@@ -64,8 +64,8 @@ class Referee {
     }
   };
 
-  Place& at(Side side) { return places_[index_of(side)]; }
-  const Place& at(Side side) const { return places_[index_of(side)]; }
+  RefereeSide& at(Side side) { return places_[index_of(side)]; }
+  const RefereeSide& at(Side side) const { return places_[index_of(side)]; }
   TouchSearch<Scalar> touch_by(Side side, const Blade& blade, const Settings& settings, Scalar dt,
                                DuelReport& report) const;
   void note(Side by, const TouchSearch<Scalar>& search, const Settings& settings,
@@ -73,7 +73,7 @@ class Referee {
   bool is_within_window(const Settings& settings, const Moment<Scalar>& second) const;
   void close_window(const Settings& settings, std::uint32_t next_step);
 
-  std::array<Place, 2> places_;
+  std::array<RefereeSide, 2> places_;
   Bout<Scalar> bout_;
 };
 

@@ -32,7 +32,7 @@ Piece<Scalar> piece_between(const Waypoint<Scalar>& start, const Waypoint<Scalar
 template <class SceneT>
 void Referee<SceneT>::place(Side side, const FencerBuild<Scalar>& build, const Pose<Scalar>& X_WF,
                             const Pose<Scalar>& X_WH) {
-  Place& place = at(side);
+  RefereeSide& place = at(side);
   place.build = build;
   place.X_WF = X_WF;
   place.target.place(pose_body(build, X_WF, X_WH));
@@ -41,7 +41,7 @@ void Referee<SceneT>::place(Side side, const FencerBuild<Scalar>& build, const P
 template <class SceneT>
 void Referee<SceneT>::follow(Side side, const Pose<Scalar>& X_WH, const Pose<Scalar>& X_WB,
                              Scalar dt) {
-  Place& place = at(side);
+  RefereeSide& place = at(side);
   place.target.move_to(pose_body(place.build, place.X_WF, X_WH), dt);
   place.start_WB = X_WB;
 }
@@ -128,7 +128,7 @@ void Referee<SceneT>::close_window(const Settings& settings, std::uint32_t next_
 template <class SceneT>
 bool Referee<SceneT>::is_sound(Scalar dt) const {
   bool good = bout_.touches.size() == detail::touches_in(bout_.state);
-  for (const Place& place : places_) {  // Bound: 2
+  for (const RefereeSide& place : places_) {  // Bound: 2
     good = good && validate(place.build) == Status::kOk;
   }
   for (const Touch<Scalar>& touch : bout_.touches) {  // Bound: 2

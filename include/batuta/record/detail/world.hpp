@@ -76,40 +76,40 @@ void archive(Archive& ar, StepReport<Scalar>& report) {
 
 // Features of a scene: what is left out takes no bytes.
 template <int kNumber>
-void archive(Archive& ar, Absent<kNumber>& /*feature*/) {
+void archive(Archive& ar, detail::Absent<kNumber>& /*feature*/) {
   ar.constant(0);
 }
 template <class Scalar>
-void archive(Archive& ar, BallShape<Scalar>& shape) {
+void archive(Archive& ar, detail::BallShape<Scalar>& shape) {
   auto& [radius] = shape;
   ar(radius);
 }
 template <class Scalar>
-void archive(Archive& ar, CapsuleShape<Scalar>& shape) {
+void archive(Archive& ar, detail::CapsuleShape<Scalar>& shape) {
   auto& [capsule_B] = shape;
   ar(capsule_B);
 }
 template <class Scalar, int N>
-void archive(Archive& ar, CapsulesShape<Scalar, N>& shape) {
+void archive(Archive& ar, detail::CapsulesShape<Scalar, N>& shape) {
   auto& [capsules_B] = shape;
   ar(capsules_B);
 }
 template <class Controller>
-void archive(Archive& ar, Controlled<Controller>& controlled) {
+void archive(Archive& ar, detail::Controlled<Controller>& controlled) {
   auto& [controller] = controlled;
   ar(controller);
 }
 template <class Scalar>
-void archive(Archive& ar, Bouncy<Scalar>& bouncy) {
+void archive(Archive& ar, detail::Bouncy<Scalar>& bouncy) {
   auto& [restitution] = bouncy;
   ar(restitution);
 }
 template <class Scalar>
-void archive(Archive& ar, Rough<Scalar>& rough) {
+void archive(Archive& ar, detail::Rough<Scalar>& rough) {
   auto& [friction] = rough;
   ar(friction);
 }
-inline void archive(Archive& ar, Owned& owned) {
+inline void archive(Archive& ar, detail::Owned& owned) {
   auto& [owner] = owned;
   ar(owner);
 }
@@ -117,17 +117,17 @@ inline void archive(Archive& ar, Filter& filter) {
   auto& [groups, meets] = filter;
   ar(groups, meets);
 }
-inline void archive(Archive& ar, Filtered& filtered) {
+inline void archive(Archive& ar, detail::Filtered& filtered) {
   auto& [filter] = filtered;
   ar(filter);
 }
 template <class Scalar>
-void archive(Archive& ar, RestSettings<Scalar>& settings) {
+void archive(Archive& ar, detail::RestSettings<Scalar>& settings) {
   auto& [rest_speed, separation, min_separation_time] = settings;
   ar(rest_speed, separation, min_separation_time);
 }
 template <class Scalar>
-void archive(Archive& ar, GravitySettings<Scalar>& settings) {
+void archive(Archive& ar, detail::GravitySettings<Scalar>& settings) {
   auto& [gravity_W] = settings;
   ar(gravity_W);
 }
@@ -141,12 +141,14 @@ void archive(Archive& ar, Actor<SceneT>& actor) {
                     !detail::takes<A, Nothing, Nothing, Nothing, Nothing, Nothing, Nothing, Nothing,
                                    Nothing>(),
                 "archive: Actor has other bases or members than those listed below");
-  ar(static_cast<ShapeOf<SceneT>&>(actor));
-  ar(static_cast<FeatureIf<SceneT::kRotation, Controlled<typename SceneT::Controller>, 0>&>(actor));
-  ar(static_cast<FeatureIf<SceneT::kRestitution, Bouncy<Scalar>, 1>&>(actor));
-  ar(static_cast<FeatureIf<SceneT::kFriction, Rough<Scalar>, 2>&>(actor));
-  ar(static_cast<FeatureIf<SceneT::kOwners, Owned, 3>&>(actor));
-  ar(static_cast<FeatureIf<SceneT::kFilters, Filtered, 4>&>(actor));
+  ar(static_cast<detail::ShapeOf<SceneT>&>(actor));
+  ar(static_cast<
+      detail::FeatureIf<SceneT::kRotation, detail::Controlled<typename SceneT::Controller>, 0>&>(
+      actor));
+  ar(static_cast<detail::FeatureIf<SceneT::kRestitution, detail::Bouncy<Scalar>, 1>&>(actor));
+  ar(static_cast<detail::FeatureIf<SceneT::kFriction, detail::Rough<Scalar>, 2>&>(actor));
+  ar(static_cast<detail::FeatureIf<SceneT::kOwners, detail::Owned, 3>&>(actor));
+  ar(static_cast<detail::FeatureIf<SceneT::kFilters, detail::Filtered, 4>&>(actor));
   ar(actor.body);
 }
 
@@ -157,8 +159,10 @@ void archive(Archive& ar, WorldSettings<SceneT>& settings) {
   static_assert(detail::takes<WorldSettings<SceneT>, Nothing, Nothing, Nothing>() &&
                     !detail::takes<WorldSettings<SceneT>, Nothing, Nothing, Nothing, Nothing>(),
                 "archive: WorldSettings has other bases or members than those listed below");
-  ar(static_cast<FeatureIf<kKnowsRest<SceneT>, RestSettings<Scalar>, 0>&>(settings));
-  ar(static_cast<FeatureIf<SceneT::kGravity, GravitySettings<Scalar>, 1>&>(settings));
+  ar(static_cast<detail::FeatureIf<detail::kKnowsRest<SceneT>, detail::RestSettings<Scalar>, 0>&>(
+      settings));
+  ar(static_cast<detail::FeatureIf<SceneT::kGravity, detail::GravitySettings<Scalar>, 1>&>(
+      settings));
   if constexpr (SceneT::Search::kForSpheres) {
     auto& [contact_tolerance] = settings.search;
     ar(contact_tolerance);

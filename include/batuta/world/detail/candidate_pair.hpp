@@ -26,7 +26,6 @@ struct CandidatePair {
 constexpr bool precedes(ProxyPair P, ProxyPair Q) {
   return P.first < Q.first || (P.first == Q.first && P.second < Q.second);
 }
-using batuta::is_same;  // of vectors: the one below would hide it
 constexpr bool is_same(ProxyPair P, ProxyPair Q) {
   return P.first == Q.first && P.second == Q.second;
 }
@@ -73,6 +72,7 @@ struct CandidateOrder {
 template <class PairQuery, class Scalar, bool kMany>
 class EarliestQuery {
  public:
+  [[gnu::noinline]] EarliestQuery() {}
   /// first == second: unknown.
   ProxyPair pair() const { return pair_; }
   PairQuery& earliest() { return queries_[kept_]; }

@@ -165,7 +165,8 @@ class GeneralWorld : private SeedsOf<SceneT>,
   void refresh();
   void drop_candidates();
   void plan(std::size_t slot, bool is_begin);
-  bool plan_motion(std::size_t slot, bool is_begin);
+  /// Kept apart: what it needs of the stack is free again while pairs are searched.
+  [[gnu::noinline]] bool plan_motion(std::size_t slot, bool is_begin);
   void fall(std::size_t slot, Scalar time);
   void leave_out(std::size_t slot);
   void put_boxes(std::size_t slot, bool idle);

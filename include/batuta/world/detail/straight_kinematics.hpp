@@ -21,7 +21,7 @@ struct StraightKinematics {
   struct PlanType {
     MotionType motion;
   };
-  struct PairQuery {
+  struct StraightQuery {
     Outcome outcome_ = Outcome::kInvalid;
     Scalar t_free_ = 0;
     Scalar t_hit_ = 0;
@@ -34,6 +34,7 @@ struct StraightKinematics {
     Scalar near_after() const { return t_free_ - (t_hit_ - t_free_); }
     std::uint32_t evaluations() const { return evaluations_; }
   };
+  using PairQuery = StraightQuery;
   struct Mover {
     const ActorType* actor = nullptr;
     int part = 0;
@@ -83,8 +84,8 @@ struct StraightKinematics {
   }
 
   /// As search(), for balls.
-  static PairQuery search_flight(const SphereFlight<Scalar>& flight,
-                                 const typename Search::Options& options) {
+  static StraightQuery search_flight(const SphereFlight<Scalar>& flight,
+                                     const typename Search::Options& options) {
     const SphereResult<Scalar> resolution = Search::search(flight, options);
     const bool parts =
         resolution.outcome == Outcome::kTouching && !(resolution.closing > Scalar(0));
@@ -92,7 +93,8 @@ struct StraightKinematics {
   }
   /// Convex bodies that do not turn and do not approach never meet, however near they are: their
   /// distance is a convex function of time.
-  static PairQuery search(const Mover& A, const Mover& B, const typename Search::Options& options) {
+  static StraightQuery search(const Mover& A, const Mover& B,
+                              const typename Search::Options& options) {
     if constexpr (kBalls) {
       const SphereFlight<Scalar> flight = {B.motion.p_W - A.motion.p_W, B.motion.v_W - A.motion.v_W,
                                            A.actor->radius + B.actor->radius, A.motion.duration};

@@ -26,7 +26,7 @@ struct TurningKinematics {
   using ActorType = Actor<SceneT>;
 
   /// What a search saw of a pair.
-  struct PairQuery {
+  struct TurningQuery {
     SearchResult<Scalar> search;
     Vec3<Scalar> origin_W = Vec3<Scalar>::Zero();
     Scalar scale = 0;        ///< S of the pair, m
@@ -41,10 +41,12 @@ struct TurningKinematics {
     }
     std::uint32_t evaluations() const { return search.evaluations; }
   };
+  using PairQuery = TurningQuery;
   /// One side of a pair: a part and how it moves from now on.
   using Mover = MovingCapsule<Scalar>;
 
-  static bool is_usable(const BodyType& body) {
+  /// Kept apart: some calls, and no copies.
+  [[gnu::noinline]] static bool is_usable(const BodyType& body) {
     return is_finite(body.X_WB.p_W) && is_finite(body.X_WB.q_WB) &&
            is_finite(body.momentum.linear_W) && is_finite(body.momentum.angular_W) &&
            is_finite(body.inverse_mass) && body.inverse_mass >= Scalar(0) &&

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // A world of two capsules in free flight: detection, impulse, separation, events.
 
-#include "batuta/world/scenes.hpp"
 #include "batuta/world/world.hpp"
 
 namespace {
 
-using Scene = batuta::TwoBlades;
+constexpr batuta::SceneOptions two_capsules() {
+  return {};
+}
+using Scene = batuta::Scene<two_capsules>;
 
 batuta::World<Scene> world;
 float volatile step_s;

@@ -58,7 +58,7 @@ SAME_CONTACTS = [(name, name + BY_HAND) for name in budgets.BY_HAND]
 
 # Where to leave something out does cost, and why that is meant: (leaner scene, figure).
 MEANT = {
-    ("StraightSpheres", "step.free"): "few balls without events need neither boxes nor watches: less than half the flash, but "
+    ("StraightSpheres", "step.free"): "few balls without events need neither boxes nor candidate pairs: less than half the flash, but "
                                       "every pair is searched in every step",
     ("StraightSpheres", "step.hit"): "as step.free: all pairs are searched again after a contact",
 }
@@ -69,18 +69,18 @@ LAYOUT_SHARE = 0.01
 
 # What is left out is not in the image: names, as c++filt writes them, that a scene must not have.
 TURNING = r"Quaternion|\bpose_at<|\bfree_flight<|\bsin_cos|\barc_|\bcapsule_path|\bswept_aabb<"
-RESPONSE = r"_impulse<|\bseparate<|\banswer_contact<"
+RESPONSE = r"_impulse<|\bseparate<|\bresolve_contact<"
 EXTRAS = r"\bfriction_impulse<|\bpressure_contact<|\bcoarse_swept|Grip|Duel|Fencer"
 OTHER_SEARCHES = r"\bsearch_(translation|stepping|spheres)<"
 NEVER = {
-    "StraightSpheres": [TURNING, EXTRAS, r"\bcollision_impulse<|\bseparate<|\banswer_contact<", r"ContactEvent",
+    "StraightSpheres": [TURNING, EXTRAS, r"\bcollision_impulse<|\bseparate<|\bresolve_contact<", r"ContactEvent",
                         r"\bsearch_(advancement|translation|stepping)<", r"\bclosest_points<"],
     "DetectionOnly": [RESPONSE, EXTRAS, OTHER_SEARCHES],
     "TwoBlades": [EXTRAS, OTHER_SEARCHES, r"\bstraight_"],
     "Rack": [r"\bcoarse_swept|Grip|Duel|Fencer", OTHER_SEARCHES, r"\bstraight_"],
     "NoResponse": [RESPONSE, EXTRAS, OTHER_SEARCHES],
     "NoEvents": [r"ContactEvent"],
-    "NoRotation": [TURNING, EXTRAS, r"\bcollision_impulse<|\bseparate<|\banswer_contact<"],
+    "NoRotation": [TURNING, EXTRAS, r"\bcollision_impulse<|\bseparate<|\bresolve_contact<"],
     "WithTranslation": [r"\bsearch_(advancement|stepping|spheres)<"],
     "WithStepping": [r"\bsearch_(translation|advancement|spheres)<"],
     "WithCoarseBox": [r" batuta::swept_aabb<"],

@@ -20,13 +20,11 @@ constexpr double kSeconds = 1;
 constexpr long kReferenceSteps = 50000;
 
 /// One body alone in a world.
+constexpr SceneOptions space() {
+  return {};
+}
 template <class S>
-struct Space : Scene {
-  using Scalar = S;
-  using Search = Advancement<S>;
-  using Controller = FreeFlight<S>;
-  static constexpr std::uint32_t kBudget = Search::kDefaultBudget;
-};
+using Space = Scene<space, Advancement<S>>;
 
 struct Shape {
   const char* name;
@@ -45,8 +43,8 @@ const std::array<Shape, 3>& shapes() {
 struct Flight {
   Vec3<double> moments;
   Quat<double> q_WB;
-  Vec3<double> b_W;  ///< kg m^2/s
-  Spin end;          ///< by the reference
+  Vec3<double> angular_W;  ///< kg m^2/s
+  Spin end;                ///< by the reference
 };
 
 /// At 10 rad/s or so; a function of (shape, index) alone.

@@ -11,7 +11,6 @@
 #include "parts.hpp"
 
 namespace batuta::report {
-using namespace fencing;
 namespace {
 
 struct Case {

@@ -10,7 +10,6 @@
 #include "rod_in_room.hpp"
 
 namespace batuta::report {
-using namespace fencing;
 namespace {
 
 constexpr std::array<double, 4> kFrictions = {0.05, 0.2, 0.5, 1};

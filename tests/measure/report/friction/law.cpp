@@ -4,7 +4,6 @@
 #include <cmath>
 
 namespace batuta::report {
-using namespace fencing;
 
 std::string name_of(int rounds) {
   return rounds == 0 ? "closed form" : "Newton " + std::to_string(rounds);

@@ -7,7 +7,6 @@
 #include "parts.hpp"
 
 namespace batuta::report {
-using namespace fencing;
 namespace {
 
 constexpr double kDegree = 3.14159265358979324 / 180;

@@ -33,7 +33,7 @@ class Entrant {
     const auto made = make_moving_pair(test::cast<Scalar>(query.A), test::cast<Scalar>(query.B));
     const MovingPair<Scalar>& pair = made.value;
     const AdvancementOptions<Scalar> options;
-    const Scalar eps = static_cast<Scalar>(inflation_) * kInflation<Scalar>;
+    const Scalar eps = static_cast<Scalar>(inflation_) * detail::kInflation<Scalar>;
     note(advancement_, pair, search_inflated(pair, options, kNoSeed, eps), truth, probed);
     if (test::turns(family) || inflation_ != 1) return;
     note(translation_, pair, search_translation(pair, options), truth, probed);

@@ -57,10 +57,10 @@ template <class S>
 struct Grid {
   int n;
   Quat<S> q_ref;
-  std::vector<KeyPoint<S>> points;
+  std::vector<detail::KeyPoint<S>> points;
 
   KeyedPose<S> at(const Vec2<S>& stick) const {
-    return pose_on(KeyGridView<S>{points.data(), n, n, q_ref}, stick);
+    return detail::pose_on(detail::KeyGridView<S>{points.data(), n, n, q_ref}, stick);
   }
 };
 
@@ -73,8 +73,8 @@ Grid<S> sampled(const Truth& truth, int n) {
     keys.push_back({pose.p_W.cast<S>(), pose.q_WB.cast<S>()});
   }
   const auto centre = static_cast<std::size_t>((n - 1) / 2 * (n + 1));
-  Grid<S> grid{n, renewed(keys[centre].q_WB), std::vector<KeyPoint<S>>(keys.size())};
-  if (relate_keys(keys.data(), grid.q_ref, grid.points.data(), n * n) != Status::kOk) {
+  Grid<S> grid{n, renewed(keys[centre].q_WB), std::vector<detail::KeyPoint<S>>(keys.size())};
+  if (detail::relate_keys(keys.data(), grid.q_ref, grid.points.data(), n * n) != Status::kOk) {
     std::fprintf(stderr, "keyframes: the keys of '%s' are out of range\n", truth.name);
     std::exit(1);
   }

@@ -10,9 +10,9 @@ namespace {
 
 /// Largest speed along the unit vector n, either way, that turning gives an end of the axis.
 template <class Scalar>
-Scalar turning_speed_along(const CapsulePath<Scalar>& path, const Vec3<Scalar>& n) {
+Scalar turning_speed_along(const detail::CapsulePath<Scalar>& path, const Vec3<Scalar>& n) {
   Scalar most = 0;
-  for (const EndPath<Scalar>& end : path.ends) {
+  for (const detail::EndPath<Scalar>& end : path.ends) {
     most = std::max(most, std::hypot(n.dot(end.arm), n.dot(end.side)));
   }
   return path.turn_rate * most;

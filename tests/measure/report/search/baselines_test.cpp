@@ -84,7 +84,7 @@ TEST(FalsePosition, BothForms_FindTheRootWithinTheBracketOfStepping) {
 
 TEST(PlainSegmentDistance, GeneralPosition_IsTheDistance) {
   for_each_case([](const Case&, const MovingPair<double>& pair) {
-    const CapsulesAt<double> at = capsules_at(pair, 0.0);
+    const detail::CapsulesAt<double> at = detail::capsules_at(pair, 0.0);
     EXPECT_NEAR(plain_segment_distance(at.A.axis, at.B.axis),
                 closest_points(at.A.axis, at.B.axis).distance, 1e-12 * pair.scale);
   });

@@ -46,7 +46,7 @@ SteppingOptions<Scalar> halvings_options(double halvings) {
 /// The inflation twice: once for what the search adds, once for the rounding of the judge's input.
 template <class Scalar>
 double rounding(const Pair<Scalar>& pair) {
-  return 2 * static_cast<double>(kInflation<Scalar> * pair.scale);
+  return 2 * static_cast<double>(detail::kInflation<Scalar> * pair.scale);
 }
 
 template <class Scalar>

@@ -32,7 +32,7 @@ inline InputSample left_report(const BeatPlan& plan, int k) {
   InputSample sample;
   sample.time = static_cast<Microseconds>(k) * static_cast<Microseconds>(kReportUs);
   sample.sequence = static_cast<std::uint32_t>(k);
-  sample.x = -plan.bounding_radius * static_cast<float>(kLeftReports[static_cast<std::size_t>(k)]);
+  sample.x = -plan.reach * static_cast<float>(kLeftReports[static_cast<std::size_t>(k)]);
   return sample;
 }
 

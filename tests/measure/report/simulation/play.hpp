@@ -12,6 +12,7 @@
 #include "section.hpp"
 
 namespace batuta::report {
+using namespace fencing;
 
 /// All step lengths of this section divide the longest one: places are compared whenever it is
 /// over.
@@ -42,9 +43,10 @@ class Play {
  public:
   using Scalar = ScalarT;
   using Search = SearchT;
+  using Scene = DuelScene<two_fencers, Search>;
 
   explicit Play(std::int32_t step_us) : step_us_(step_us) {
-    auto settings = duel_settings<Scalar, Search>();
+    auto settings = duel_settings<Scene>();
     settings.step_us = step_us;
     const Status status =
         duel_->configure(settings, first_fencer<Scalar>(), second_fencer<Scalar>());
@@ -64,7 +66,7 @@ class Play {
   std::int64_t now_us() const { return std::int64_t{step_us_} * duel_->steps(); }
   /// The longest step is over: time to compare places.
   bool at_mark() const { return now_us() % kLongestStepUs == 0; }
-  const Duel<Scalar, Search>& duel() const { return *duel_; }
+  const Duel<Scene>& duel() const { return *duel_; }
   const std::vector<Blow>& blows() const { return blows_; }
   /// Host time of all steps, ns.
   double ns() const { return ns_; }
@@ -85,7 +87,7 @@ class Play {
   }
 
   std::int32_t step_us_;
-  std::unique_ptr<Duel<Scalar, Search>> duel_ = std::make_unique<Duel<Scalar, Search>>();
+  std::unique_ptr<Duel<Scene>> duel_ = std::make_unique<Duel<Scene>>();
   std::vector<Blow> blows_;
   double ns_ = 0;
 };

@@ -106,8 +106,9 @@ double time_of(Form form, const Timed& timed, const Exact& exact, const Coarse& 
 }
 
 void write_times(Table& table, Form form, const Timed& timed) {
-  const double box = time_of(form, timed, swept_aabb<float>, coarse_swept_aabb<float>);
-  const double dop = time_of(form, timed, swept_kdop<float, 26>, coarse_swept_kdop<float, 26>);
+  const double box = time_of(form, timed, swept_aabb<float>, detail::coarse_swept_aabb<float>);
+  const double dop =
+      time_of(form, timed, detail::swept_kdop<float, 26>, detail::coarse_swept_kdop<float, 26>);
   const double plain = plain_ns();
   table.min("time_box_ns", box)
       .min("time_box_in_plain", box / plain)

@@ -16,7 +16,7 @@ Aabb<double> in_double(const Aabb<float>& box) {
   return same;
 }
 
-Aabb<double> box_of_sphere(const SweptSphere<float>& swept) {
+Aabb<double> box_of_sphere(const detail::SweptSphere<float>& swept) {
   Aabb<double> box;
   const auto radius = static_cast<double>(swept.radius);
   for (int i = 0; i < 3; ++i) {
@@ -67,9 +67,9 @@ Aabb<double> box_of(Form form, const MovingCapsule<float>& moving) {
     case Form::kExact:
       return in_double(swept_aabb(moving));
     case Form::kCoarse:
-      return in_double(coarse_swept_aabb(moving));
+      return in_double(detail::coarse_swept_aabb(moving));
     case Form::kSphere:
-      return box_of_sphere(swept_sphere(moving));
+      return box_of_sphere(detail::swept_sphere(moving));
     default:
       return sampled_box(moving, 1);
   }

@@ -13,7 +13,6 @@
 #include "section.hpp"
 
 namespace batuta::worlds {
-using namespace fencing;
 namespace {
 
 constexpr int kLooks = 20;  ///< a second

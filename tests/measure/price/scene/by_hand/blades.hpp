@@ -35,7 +35,7 @@ class Blades {
       blade.restitution = restitution;
       if (!is_usable(blade)) return false;
       blade.body.X_WB.q_WB = renewed(blade.body.X_WB.q_WB);
-      blade.body.spin_shows = !hides_spin(blade.body, blade.capsule_B);
+      blade.body.spin_shows = !detail::hides_spin(blade.body, blade.capsule_B);
     }
     return true;
   }

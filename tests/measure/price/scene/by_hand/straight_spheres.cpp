@@ -120,7 +120,8 @@ void hit(Ball& A, Ball& B, Outcome outcome) {
   const float gap = distance - (A.radius + B.radius);
   Vec3<float> normal = Vec3<float>::UnitX();
   if (distance > 0.F) normal = to_A / distance;
-  const auto done = straight_impulse(A.body, B.body, normal, max_of(A.restitution, B.restitution));
+  const auto done =
+      detail::straight_impulse(A.body, B.body, normal, max_of(A.restitution, B.restitution));
   if (done.impulse > 0.F) ++report.collisions;
   if (outcome == Outcome::kTouching && !(gap > 0.F)) {
     ++report.overlaps_at_start;

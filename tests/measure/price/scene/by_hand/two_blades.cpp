@@ -61,7 +61,7 @@ class Duelists : public price::Blades {
     const AdvancementOptions<float> options;
     const float size =
         length(blades[0].body.X_WB.p_W) + length(blades[1].body.X_WB.p_W) + pair.scale;
-    return 2 * (contact_tolerance_of(pair, options) + inflation_of(pair)) +
+    return 2 * (contact_tolerance_of(pair, options) + detail::inflation_of(pair)) +
            64 * kRoundOff<float> * size;
   }
 
