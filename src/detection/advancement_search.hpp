@@ -16,8 +16,8 @@ namespace batuta {
 template <class Scalar>
 class AdvancementSearch {
  public:
-  /// @param pair  with lengths in the ScaleWindow; it must outlive the advancement
-  /// @param contact tolerance  in its unit
+  /// @param pair  with lengths in the ScaleWindow; it must outlive the search
+  /// @param contact_tolerance  in its unit
   /// @param inflation  kInflation; tests try less, to see that it is needed
   // cppcheck-suppress uninitMemberVar ; deviation: search-features
   AdvancementSearch(const MovingPair<Scalar>& pair, Scalar contact_tolerance, Scalar inflation)
@@ -125,7 +125,7 @@ class AdvancementSearch {
 
  private:
   /// An upper bound of both arms; rounding has changed them by some u of the
-  /// reach.
+  /// bounding radius.
   static Scalar arm(const detail::CapsulePath<Scalar>& path) {
     return path.longest_arm + detail::kInflation<Scalar> * path.bounding_radius;
   }
@@ -178,7 +178,7 @@ Vec3<Scalar> direction_of(const Vec3<Scalar>& seed, const Vec3<Scalar>& other) {
   return detail::largest_component(line) > Scalar(0) ? unit(line) : line;
 }
 
-/// How a advancement ended, and its last witness.
+/// How a search ended, and its last witness.
 template <class Scalar>
 struct AdvancementEnd {
   Outcome outcome = Outcome::kBudget;
@@ -215,7 +215,7 @@ AdvancementEnd<Scalar> search_on(AdvancementSearch<Scalar>& advancement, std::ui
   return end;
 }
 
-/// The answer to `pair`, from a advancement over the same in units of 1 / scale metres.
+/// The answer to `pair`, from a search over the same in units of 1 / scale metres.
 /// @param first  the direction that was tried without an evaluation
 template <class Scalar>
 SearchResult<Scalar> result_of(const MovingPair<Scalar>& pair,

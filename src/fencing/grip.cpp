@@ -79,7 +79,7 @@ void Grip<Scalar>::command(const Pose<Scalar>& X_WB, Scalar step) {
   hand_ = motion_between(target_, X_WB, step);
   hand_.duration =
       (Scalar(1) +
-       batuta::detail::kLeastHorizon<Scalar>)*step;  // a late plan looks beyond the step
+       batuta::detail::kLeastHorizon<Scalar>)*step;  // what is planned late looks beyond the step
   target_ = X_WB;
   step_ = step;
 }

@@ -88,7 +88,8 @@ bool is_good(const Bone<Scalar>& bone) {
          is_within_reach(bone.start_P) && is_within_reach(axis.a) && is_within_reach(axis.b);
 }
 
-/// The limb whose first bone is `first` and whose second is the next one.
+/// Whether a limb can be posed: numbers in range, and two bones of some length, `first` and the
+/// next.
 template <class Scalar>
 bool is_good(const FencerBuild<Scalar>& build, const Limb<Scalar>& limb, BodyPart first) {
   const Bone<Scalar>& upper = build.bones[slot(first)];

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The map from the stick's two coordinates to the hand's six [Kavan §5, Fig. 5]: key poses on a
-// grid over the square
-// [-1, 1]^2, and a continuously differentiable surface through them. Frames: W, or any other in
-// which the keys are given; H the hand. Mathematics: src/control/keyframes.md.
+// grid over the square [-1, 1]^2, and a continuously differentiable surface through them. Frames:
+// W, or any other in which the keys are given; H the hand. Mathematics: src/control/keyframes.md.
 
 #include <array>
 
@@ -57,15 +56,15 @@ struct KeyGridView {
 
 /// Turns key poses into points relative to the central one.
 /// @returns kOk | kInvalidArgument (a key is not finite, beyond kLargestCoordinate, or turned by
-/// more than kMaxKeyTurn against the central key);
-///   `points` may then be partly written
+/// more than kMaxKeyTurn against the central key); `points` may then be partly written
 /// Bound: `count` keys.
 template <class Scalar>
 Status relate_keys(const Pose<Scalar>* poses, const Quat<Scalar>& q_ref, KeyPoint<Scalar>* points,
                    int count);
 
-/// Pose and Jacobian at a stick position; clamped at the rim. @pre stick finite; the grid has at
-/// least 2 x 2 keys Bound: 16 keys are looked at, whatever the size of the grid.
+/// Pose and Jacobian at a stick position; clamped at the rim.
+/// @pre stick finite; the grid has at least 2 x 2 keys
+/// Bound: 16 keys are looked at, whatever the size of the grid.
 template <class Scalar>
 KeyedPose<Scalar> pose_on(const KeyGridView<Scalar>& grid, const Vec2<Scalar>& stick);
 

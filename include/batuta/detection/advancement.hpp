@@ -30,7 +30,8 @@ inline constexpr std::uint32_t kMaxBudget = 4096;
 /// How far search_advancement() and search_translation() go.
 template <class Scalar>
 struct AdvancementOptions {
-  /// A gap of at most contact_tolerance S counts as contact, S = MovingPair::scale; in [0, 1].
+  /// A gap of at most contact_tolerance times S counts as contact, S = MovingPair::scale; in
+  /// [0, 1].
   Scalar contact_tolerance = Scalar(1e-6);
   /// Distance evaluations, at most kMaxBudget. Where they do not suffice the answer is kBudget.
   std::uint32_t budget = 64;
@@ -40,8 +41,8 @@ struct AdvancementOptions {
 template <class Scalar>
 Status validate(const AdvancementOptions<Scalar>& options);
 
-/// The gap, m, that counts as contact for this pair: max(contact_tolerance S,
-/// kLeastContactTolerance L).
+/// The gap, m, that counts as contact for this pair: contact_tolerance times S, and at least
+/// kLeastContactTolerance times L.
 template <class Scalar>
 Scalar contact_tolerance_of(const MovingPair<Scalar>& pair,
                             const AdvancementOptions<Scalar>& options);

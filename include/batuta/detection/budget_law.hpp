@@ -2,12 +2,13 @@
 #pragma once
 // How many distance evaluations to allow a certified search, for pairs that stay close for a whole
 // step:
-//   contact tolerance = kappa^3 / 6 * lever (turn / budget)^3
-// `turn` is the furthest that a body turns in the step, rad; `lever` the sum of the two distances
-// of the axis ends from their axes of rotation, m. Each of the three follows from the two others,
-// at compile time. kappa is measured, not proven, and pairs that slide along each other at about
-// the contact tolerance's distance may need more (src/detection/budget_law.md): the search then
-// answers kBudget, free up to t_free. Nothing is missed. "Suffices" below means: by the law.
+//   tolerance = kappa^3 / 6 * lever (turn / budget)^3
+// `tolerance` is the gap that counts as contact, m; `turn` the furthest that a body turns in the
+// step, rad; `lever` the sum of the two distances of the axis ends from their axes of rotation, m.
+// Of tolerance, turn and budget each follows from the two others, at compile time. kappa is
+// measured, not proven, and pairs that slide along each other at a gap of about the tolerance may
+// need more (src/detection/budget_law.md): the search then answers kBudget, free up to t_free.
+// Nothing is missed. "Suffices" below means: by the law.
 
 #include "batuta/core/types.hpp"
 
@@ -50,9 +51,8 @@ constexpr Scalar contact_tolerance_for(Scalar turn, std::uint32_t budget) {
   return share * share * share / Scalar(6) * rounded_up;
 }
 
-/// Furthest turn in a step, rad, at which `budget` evaluations suffice for a contact tolerance over
-/// the lever.
-/// @pre contact tolerance >= 0; budget >= kLeastLawBudget
+/// Furthest turn in a step, rad, at which `budget` evaluations suffice for a contact tolerance.
+/// @pre contact_tolerance >= 0, over the lever; budget >= kLeastLawBudget
 template <class Scalar>
 constexpr Scalar turn_for(std::uint32_t budget, Scalar contact_tolerance) {
   const Scalar rounded_down = Scalar(1) - Scalar(16) * kRoundOff<Scalar>;
@@ -61,7 +61,7 @@ constexpr Scalar turn_for(std::uint32_t budget, Scalar contact_tolerance) {
 }
 
 /// Fewest evaluations that suffice.
-/// @pre turn >= 0; contact tolerance over the lever > 0
+/// @pre turn >= 0, rad; contact_tolerance > 0, over the lever
 /// @returns at least kLeastLawBudget; the largest number there is where no number suffices
 template <class Scalar>
 constexpr std::uint32_t budget_for(Scalar turn, Scalar contact_tolerance) {

@@ -2,15 +2,16 @@
 #pragma once
 // The searches behind one shape. A scene names one of these types; what it does not name is not
 // linked. Members of each:
-//   Options, options(budget, contact tolerance)   its options for a budget of distance evaluations;
-//   a contact tolerance of 0:
-//                                    its own default
+//   Options                          what one search needs to know
+//   options(budget, tolerance)       those for a budget of distance evaluations and a contact
+//                                    tolerance; 0: its own default
 //   most_evaluations(options)        bound of one search
 //   kDefaultBudget                   suits its default options
-//   kHasContactTolerance                         a gap within a contact tolerance counts as
-//   contact; else a gap <= 0 does contact_gap(pair, options)       the largest gap, m, at which it
-//   may speak of contact kUsesSeed                        a normal from an earlier search of the
-//   same pair helps kNumber                          tells it from the others in what is saved
+//   kHasContactTolerance             a gap within a contact tolerance counts as contact; else a
+//                                    gap <= 0 does
+//   contact_gap(pair, options)       the largest gap, m, at which it may speak of contact
+//   kUsesSeed                        a normal from an earlier search of the same pair helps
+//   kNumber                          tells it from the others in what is saved
 //   kForStraightFlight               serves scenes in which nothing turns
 //   kForSpheres                      of these, one whose only shape is the sphere
 //   search(pair, options, seed_AB)   first contact in [0, duration]; seed_AB zero: none
@@ -144,8 +145,8 @@ struct Spheres {
   using Scalar = ScalarT;
   /// What one search needs to know.
   struct Options {
-    Scalar contact_tolerance =
-        0;  ///< m, >= 0: a gap that counts as contact; raised to what can be resolved
+    /// m, >= 0: a gap that counts as contact; raised to what can be resolved
+    Scalar contact_tolerance = 0;
   };
   /// Tells this search from the others in what is saved.
   static constexpr std::uint32_t kNumber = 4;

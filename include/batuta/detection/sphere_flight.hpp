@@ -37,17 +37,16 @@ struct SphereResult {
 ///   kBudget: nothing is known, t_free = 0, where the certificate fails; by sphere_flight.md it
 ///     does not;
 ///   kInvalid: not finite (but an infinite contact tolerance: all touch); negative radii, duration
-///   or contact tolerance; S^2
-///     not finite.
+///     or contact tolerance; S^2 not finite.
 /// Bound: no loop; one evaluation.
 template <class Scalar>
 SphereResult<Scalar> search_spheres(const SphereFlight<Scalar>& flight, Scalar contact_tolerance);
 
 namespace detail {
 
-/// The largest gap, m, at which search_spheres() may speak of contact:
-/// tau + 16 u S, tau = max(contact tolerance, 128 u (S + 2^-40 m)). @pre the flight and the contact
-/// tolerance are valid
+/// The largest gap, m, at which search_spheres() may speak of contact: tau + 16 u S,
+/// tau = max(contact_tolerance, 128 u (S + 2^-40 m)).
+/// @pre the flight and the contact tolerance are valid
 template <class Scalar>
 Scalar contact_gap_of(const SphereFlight<Scalar>& flight, Scalar contact_tolerance);
 

@@ -35,8 +35,9 @@ Status validate(const SteppingOptions<Scalar>& options);
 ///   kContact: t_hit - t_free <= step / 2^halvings, or neighbouring numbers;
 ///   kTouching: gap <= 0 at t = 0;
 ///   kBudget: n > max_steps, and no contact at the end of any of the first max_steps steps; t_free
-///   is the last of these; kInvalid: options out of range, an epsilon of 0 (relative to a thinner
-///   radius of 0: give it in metres), or a distance that cannot be told (Proximity::kInvalid).
+///     is the last of these;
+///   kInvalid: options out of range, an epsilon of 0 (relative to a thinner radius of 0: give it in
+///     metres), or a distance that cannot be told (Proximity::kInvalid).
 ///   `t_free` is always an instant at which the gap was evaluated and positive, or 0; for kFree it
 ///   is duration.
 /// Bound: max_steps + halvings + 1 evaluations; one if nothing moves.

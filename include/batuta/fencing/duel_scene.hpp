@@ -14,8 +14,8 @@
 
 namespace batuta::fencing {
 
-/// Of two blades. In a function that returns them, `DuelOptions scene = two_fencers();` and what is
-/// different.
+/// The options of a duel of two blades. In a function that returns them, `DuelOptions scene =
+/// two_fencers();` and what is different.
 struct DuelOptions : SceneOptions {
   /// Blades are held by a grip that a blow loosens [Kavan eq. 32]. Off: each blade is carried by a
   /// Hand, which has whatever strength it takes; Fencer::grip is not looked at.
@@ -137,7 +137,7 @@ using OtherVerdict = std::conditional_t<broken_duel_rule<SceneT>() == DuelRule::
 template <class SceneT>
 using PlayedScene = typename detail::DuelVerdict<SceneT>::Played;
 
-/// Where a blade was when a contact of the step was answered, for the touches of the same step.
+/// Where a blade was when a contact of the step was resolved, for the touches of the same step.
 template <class Scalar>
 struct Waypoint {
   Scalar time = 0;    ///< in the step, s
@@ -191,7 +191,7 @@ struct BladeController : CornersOf<SceneT> {
   }
   /// Keeps the corner, and tells the carrier.
   void on_contact(const Body<Scalar>& body, const Feedback<Scalar>& feedback) {
-    // Never full: the world answers at most kMaxContacts in a step.
+    // Never full: the world resolves at most kMaxContacts in a step.
     if constexpr (SceneT::kTargets) this->corners.push({feedback.time, body.X_WB});
     carrier.on_contact(body, feedback);
   }

@@ -33,8 +33,7 @@ struct WeaponBody {
   Capsule<Scalar> blade_B;                      ///< the part that collides
 };
 
-/// @returns kOk | kInvalidArgument (a part's mass or shape, or the restitution, is out of
-/// range)
+/// @returns kOk | kInvalidArgument (a part's mass or shape, or the restitution, is out of range)
 /// Bound: kParts parts.
 template <class Scalar>
 Result<WeaponBody<Scalar>> weapon_body(const Weapon<Scalar>& weapon);

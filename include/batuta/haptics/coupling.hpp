@@ -55,9 +55,9 @@ Scalar stored_energy(const CouplingSettings<Scalar>& settings, const Pose<Scalar
 /// momenta by what the coupling does to it over the coming step, and returns the mean wrench on the
 /// commanded frame over it, about the *body's* centre of mass. Implicit in the body's motion: for
 /// any stiffness, damping, mass, limit and dt no energy comes from the integration, but to second
-/// order in the turn of a step. What a hand feels of a
-/// body that is held has the gains K / s and (B + K dt) / s, s = 1 + dt (K dt + B) / mass: these
-/// are for check() of gain_advisor.hpp.
+/// order in the turn of a step. What a hand feels of a body that is kept where it is has the gains
+/// K / s and (B + K dt) / s, s = 1 + dt (K dt + B) / mass: these are for check() of
+/// gain_advisor.hpp.
 /// @param commanded_W  where B should be, and how it should move, at the start of the step
 /// @returns kInvalidArgument: not finite, also in the result, or dt <= 0; then nothing is changed.
 ///   A body that cannot be moved is not, but is felt.

@@ -44,7 +44,8 @@ PrincipalFrame<Scalar> settled_frame(const MassProperties<Scalar>& mass);
 /// capsules are moved from S to B in place. @pre X_WS.q_WB (here: S into W) is unit
 /// @returns kOk | kInvalidArgument (count < 1, a capsule that is not valid, mass or a moment that
 /// is not positive and finite, an inertia that is not symmetric or that no body has, pose not
-/// finite); then the capsules may be changed Bound: count capsules.
+/// finite); then the capsules may be changed
+/// Bound: count capsules.
 template <class Scalar>
 Result<Body<Scalar>> place_compound(const MassProperties<Scalar>& mass, const Pose<Scalar>& X_WS,
                                     Capsule<Scalar>* capsules, int count);

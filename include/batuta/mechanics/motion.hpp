@@ -37,8 +37,7 @@ Motion<Scalar> motion_between(const Pose<Scalar>& X0_WB, const Pose<Scalar>& X1_
 /// move with the constant twist that joins them.
 /// @pre duration >= 0
 /// @returns a motion that is not valid (see is_valid()) where such a body turns by pi or more in
-/// the time, because that
-///   could not be told from a shorter turn
+///   the time, because that could not be told from a shorter turn
 /// Bound: five turns.
 template <class Scalar>
 Motion<Scalar> free_flight(const Body<Scalar>& body, Scalar duration);

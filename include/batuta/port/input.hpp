@@ -25,9 +25,8 @@ class InputDevice {
  public:
   /// The latest sample that is not newer than `now`. Never blocks, never waits for the device.
   /// @returns kOk: `sample` is new | kUnavailable: nothing new since the last call, or the device
-  /// is gone; `sample`
-  ///   unchanged | kInvalidArgument: the device delivered a position that is not finite or outside
-  ///   [-1, 1]; unchanged
+  ///   is gone; `sample` is unchanged | kInvalidArgument: the device delivered a position that is
+  ///   not finite or outside [-1, 1]; `sample` is unchanged
   Status read(Microseconds now, InputSample& sample);
 
  protected:

@@ -26,7 +26,7 @@ class AnyController {
     return std::get_if<Controller>(&controller_);
   }
 
-  /// The plan of the controller that it is. @pre 0 <= t, 0 <= duration
+  /// The plan of the controller that it is at present. @pre 0 <= t, 0 <= duration
   PlannedMotion<Scalar> plan(const Body<Scalar>& body, Scalar t, Scalar duration) const {
     return plan_of<First, Others...>(body, t, duration);
   }

@@ -9,7 +9,7 @@
 
 namespace batuta {
 
-/// What a controller answers.
+/// Where a body goes, as its controller plans it.
 template <class Scalar>
 struct PlannedMotion {
   Motion<Scalar> motion;     ///< of the geometry, over the rest of the step
@@ -29,11 +29,11 @@ struct Feedback {
 /// A body that nobody moves.
 template <class Scalar>
 struct Fixed {
-  /// The plan over [t, t + duration] of the step. @pre 0 <= t, 0 <= duration
+  /// Over [t, t + duration] of the step it stays where it is. @pre 0 <= t, 0 <= duration
   PlannedMotion<Scalar> plan(const Body<Scalar>& body, Scalar t, Scalar duration) const;
-  /// Tells what a contact did.
+  /// Nothing to do.
   void on_contact(const Body<Scalar>& body, const Feedback<Scalar>& feedback);
-  /// The step of length dt is over; the body is where it is.
+  /// Nothing to do.
   void on_step_end(const Body<Scalar>& body, Scalar dt);
 };
 
@@ -73,7 +73,7 @@ struct Hand {
   PlannedMotion<Scalar> plan(const Body<Scalar>& body, Scalar t, Scalar duration) const;
   /// A blow takes a body that can be moved out of the hand for the rest of the step.
   void on_contact(const Body<Scalar>& body, const Feedback<Scalar>& feedback);
-  /// The hand takes hold again.
+  /// The hand takes the body back.
   void on_step_end(const Body<Scalar>& body, Scalar dt);
 };
 

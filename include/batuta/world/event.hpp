@@ -11,7 +11,7 @@ namespace batuta {
 /// Where in the life of a contact an event stands.
 enum class EventKind : std::uint8_t {
   kBegin,    ///< the pair was not in contact before
-  kPersist,  ///< the pair was in contact already, and was answered again
+  kPersist,  ///< the pair was in contact already, and met again
   kEnd,      ///< the gap of a pair in contact has opened beyond twice the separation distance
 };
 
@@ -19,7 +19,7 @@ enum class EventKind : std::uint8_t {
 template <class Scalar>
 struct ContactEvent {
   EventKind kind = EventKind::kBegin;  ///< begins, persists or ends
-  /// How the bodies moved along the normal before the answer
+  /// How the bodies moved along the normal before it
   ContactKind contact_kind = ContactKind::kResting;
   std::uint16_t body_A = 0;  ///< slot of A
   std::uint16_t body_B = 0;  ///< body_A < body_B
@@ -38,8 +38,8 @@ template <class Scalar>
 struct StepReport {
   std::uint32_t evaluations = 0;  ///< distance evaluations of all searches
   std::uint32_t pairs = 0;        ///< pairs searched, summed over the rounds of the step
-  std::uint32_t collisions = 0;   ///< colliding contacts, answered by an impulse
-  std::uint32_t separations = 0;  ///< resting and overlapping contacts, answered by separation
+  std::uint32_t collisions = 0;   ///< colliding contacts, which got an impulse
+  std::uint32_t separations = 0;  ///< resting and overlapping contacts, which were separated
   /// Contacts of two bodies that nothing can push: both held for the rest of the step
   std::uint32_t blocked = 0;
   /// Pairs that overlapped when a search began: by rounding; because the caller put them there, or
@@ -49,22 +49,23 @@ struct StepReport {
   std::uint32_t overlaps_at_start = 0;
   Scalar deepest_overlap = 0;  ///< of these, m
   std::uint32_t asleep = 0;    ///< bodies that slept through the step
-  /// Pairs that used up their answers of a step, and were frozen for the rest of it (kSettling).
+  /// Pairs that used up max_separations in a step or found no room, and were frozen for the rest of
+  /// it (kSettling).
   std::uint32_t frozen = 0;
   // What did not fit; the bodies concerned were held where they were proven free. All zero in a
   // healthy scene.
-  std::uint32_t pairs_dropped = 0;     ///< beyond kMaxPairs
-  std::uint32_t contacts_dropped = 0;  ///< beyond kMaxContacts
+  std::uint32_t pairs_dropped = 0;     ///< beyond SceneOptions::max_pairs
+  std::uint32_t contacts_dropped = 0;  ///< beyond SceneOptions::max_contacts
   std::uint32_t searches_cut = 0;      ///< the search ran out of its budget
   std::uint32_t searches_invalid = 0;  ///< the search could not be asked (see Outcome::kInvalid)
-  std::uint32_t resolutions_invalid =
-      0;  ///< the contact could not be answered: its numbers overflow
+  /// The contact could not be resolved: its numbers overflow
+  std::uint32_t resolutions_invalid = 0;
   /// A body or its controller's plan was not finite, turned too far, or is so far from the origin
   /// that numbers there are further apart than it is large
   std::uint32_t plans_invalid = 0;
-  std::uint32_t events_dropped = 0;  ///< beyond kMaxEvents: not recorded, but answered
-  std::uint32_t contacts_untracked =
-      0;                 ///< beyond the pairs that can be followed: no persist and end events
+  std::uint32_t events_dropped = 0;  ///< beyond SceneOptions::max_events: not told, but resolved
+  /// Beyond the pairs that can be followed: no persist and end events
+  std::uint32_t contacts_untracked = 0;
   Scalar time_held = 0;  ///< longest time for which a body was held in the step, s
 
   /// Whether nothing was left out: all counts of what did not fit are zero.

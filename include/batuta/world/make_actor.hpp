@@ -16,8 +16,7 @@ namespace batuta {
 /// @param X_WG  where G is in W
 /// @param twist  velocity of the capsule's middle, and angular velocity: zero without rotation
 /// @returns kOk | kInvalidArgument: what solid_body() refuses; without rotation, an angular
-/// velocity;
-///   for Spheres, a capsule that is none
+///   velocity; for Spheres, a capsule that is none
 /// Bound: no loop.
 template <class SceneT>
 Result<Actor<SceneT>> make_actor(const Capsule<typename Actor<SceneT>::Scalar>& capsule_G,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A scene is a type: what it holds and what it answers are constants of it, so that memory and the
-// longest step are known when it is compiled. A function returns the options, and names the scene:
+// A scene is a type: what it has room for and what it does are constants of it, so that memory and
+// the longest step are known when it is compiled. A function returns the options, and names the
+// scene:
 //   constexpr SceneOptions duel() { SceneOptions scene; scene.max_bodies = 8; return scene; }
 //   using MyScene = batuta::Scene<duel>;
 
@@ -113,13 +114,13 @@ struct SceneConstants : SceneMark {
 
 }  // namespace detail
 
+/// The scene with the options that a function returns.
 /// @tparam kOptions  a constexpr function that returns SceneOptions
 /// @tparam SearchT  how contacts are found: Advancement (never misses), Translation (the same where
 ///   nothing turns), Spheres, or Stepping (the paper's); see detection/search.hpp. The others are
 ///   not linked. Its Scalar is the scene's.
 /// @tparam ControllerT  who moves a body; see controller.hpp. Not asked where rotation is false:
-/// there,
-///   bodies fly by their momenta.
+///   there, bodies fly by their momenta.
 /// @tparam BoundT  what holds a capsule over a step: SweptBox (exact) or CoarseBox; see bound.hpp
 template <auto kOptions, class SearchT = Advancement<float>,
           class ControllerT = FreeFlight<typename detail::SearchScalar<SearchT>::Type>,

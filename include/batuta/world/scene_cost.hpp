@@ -11,7 +11,7 @@ namespace batuta {
 /// What a scene costs, in bytes and in the most that a step can take.
 struct SceneCost {
   std::size_t world = 0;     ///< bytes of World<Scene>, all that the scene needs
-  std::size_t body = 0;      ///< of these, for one more body: actor, plan, boxes
+  std::size_t body = 0;      ///< of these, for one more body: actor, planned motion, boxes
   std::size_t pair = 0;      ///< for one more of max_pairs
   std::size_t event = 0;     ///< for one more of max_events
   std::uint64_t rounds = 0;  ///< most rounds of a step

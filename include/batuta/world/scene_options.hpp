@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What a scene holds and what it answers, as a value with named members. A function returns it, and
-// the function names the scene (scene.hpp):
+// What a scene has room for and what it does, as a value with named members. A function returns it,
+// and the function names the scene (scene.hpp):
 //   constexpr SceneOptions rack() {
 //     SceneOptions scene;
 //     scene.max_bodies = 64;
@@ -25,14 +25,14 @@ enum class Engine : std::uint8_t {
 
 /// What a scene does about contacts in which nearly nothing approaches [Kavan §4.2].
 enum class RestingContact : std::uint8_t {
-  /// Nothing: every approaching contact is answered by an impulse, however slow.
+  /// Nothing special: every approaching contact gets an impulse, however slow.
   kNone,
-  /// The paper's: the bodies are moved apart to D and stand still for f(D). For what a controller
-  /// holds.
+  /// The paper's: the bodies are moved apart to D and held for f(D). For bodies that a hand or a
+  /// grip moves.
   kSeparation,
   /// For bodies that lie on each other: what is left of the approach is taken out by an impulse
   /// without restitution, the gap is restored to D, and nobody stands still. The
-  /// max_separations-th answer of a pair in a step, of whatever kind, is without restitution and
+  /// max_separations-th contact of a pair in a step, of whatever kind, is without restitution and
   /// freezes the pair for the rest of it.
   kSettling,
 };
@@ -52,12 +52,12 @@ struct SceneOptions {
   /// Where more do, the bodies of the surplus pairs are held for the rest of the step, and counted.
   /// Engine::kSmall has room for all pairs.
   int max_pairs = 1;
-  /// Contacts answered in one step. Where more happen, the bodies concerned are held for the rest
+  /// Contacts resolved in one step. Where more happen, the bodies concerned are held for the rest
   /// of it, and counted.
   int max_contacts = 8;
   /// Events kept for reading after a step; a surplus is counted. 0: none, and no pair is followed.
   int max_events = 16;
-  /// Answers of one pair in one step, the last of which freezes it (kSettling).
+  /// Contacts of one pair in one step, the last of which freezes it (kSettling).
   int max_separations = 4;
   /// Steps in which a body must not go further than at rest_speed to be put to sleep (sleep), 1
   /// ... 65535.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The members of this room's options, for record/archive.hpp.
+// The members of the options of room detection, for record/archive.hpp.
 
 #include "batuta/detection/advancement.hpp"
 #include "batuta/detection/stepping.hpp"

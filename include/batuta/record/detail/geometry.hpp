@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The members of this room's state, for record/archive.hpp. In a header of their own, so that who
-// saves nothing compiles nothing of it.
+// The members of the state of room geometry, for record/archive.hpp. In a header of their own, so
+// that who saves nothing compiles nothing of it.
 
 #include "batuta/geometry/capsule.hpp"
 #include "batuta/geometry/kdop.hpp"

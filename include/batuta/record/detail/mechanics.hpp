@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The members of this room's state, for record/archive.hpp.
+// The members of the state of room mechanics, for record/archive.hpp.
 
 #include "batuta/mechanics/motion.hpp"
 #include "batuta/record/detail/geometry.hpp"

@@ -94,13 +94,13 @@ class EarliestQuery {
   Scalar until_ = 0;
 };
 
-/// How often each pair was answered in this step.
+/// How many contacts of each pair were resolved in this step.
 template <int N>
 class RepeatBook {
  protected:
   void clear_repeats() { repeats_.clear(); }
-  /// Counts one more answer. @returns how many there were with it. Bound: N. Never full: N contacts
-  /// are answered in a step.
+  /// Counts one more contact. @returns how many there were with it. Bound: N. Never full: N
+  /// contacts are resolved in a step.
   int repeat(ProxyPair pair) {
     for (int i = 0; i < repeats_.size(); ++i) {  // Bound: kMaxContacts
       if (is_same(repeats_[i].pair, pair)) return ++repeats_[i].count;

@@ -91,9 +91,8 @@ Result<Impulse<Scalar_of<SceneT>>> GeneralWorld<SceneT>::impulse_for(
   }
 }
 
-/// Counts the answers of a pair, whatever their kind: where bodies settle, a few of them between
-/// others would else take all answers of a step among themselves. @returns whether this is the
-/// pair's last
+/// Counts the contacts of a pair, whatever their kind: else, where bodies settle, a few pairs
+/// between others would take all contacts of a step. @returns whether this is the pair's last
 template <class SceneT>
 bool GeneralWorld<SceneT>::uses_up_resolutions(ProxyPair pair) {
   bool is_last = false;
@@ -110,9 +109,9 @@ Scalar_of<SceneT> GeneralWorld<SceneT>::opened(const Resolution<Scalar>& resolut
   return length(resolution.separation.shift_A_W) + length(resolution.separation.shift_B_W);
 }
 
-/// Time for a separation: the paper's f(D), for which both stand still. Where bodies settle, a pair
-/// is frozen by its last answer of a step, or by one that its neighbours left no room for: it would
-/// be found touching again at once.
+/// Time for a separation: the paper's f(D), for which both are held. Where bodies settle, a pair
+/// is frozen by its last contact of a step, or by one that its neighbours left no room for: it
+/// would be found touching again at once.
 template <class SceneT>
 void GeneralWorld<SceneT>::apply_separation_time(ProxyPair pair,
                                                  const Resolution<Scalar>& resolution,

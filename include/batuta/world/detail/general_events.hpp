@@ -189,7 +189,7 @@ void GeneralWorld<SceneT>::archive(Archive& ar) {
   }
 }
 
-/// What was read of a body's plan: whether it stood where it is. What sleeps flew by its
+/// What was read of a body's planned motion: whether it stood where it is. What sleeps flew by its
 /// momentum; and who was disturbed before it was saved stands nowhere.
 template <class SceneT>
 void GeneralWorld<SceneT>::take_stand(std::size_t slot, bool stands) {

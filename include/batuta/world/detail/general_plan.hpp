@@ -77,7 +77,7 @@ void GeneralWorld<SceneT>::refresh() {
   search_candidates();
 }
 
-/// What was known of a body whose plan changes is no longer true.
+/// What was known of a body whose planned motion changes is no longer true.
 template <class SceneT>
 void GeneralWorld<SceneT>::drop_candidates() {
   const auto is_stale = [this](ProxyPair pair) {
@@ -265,8 +265,8 @@ void GeneralWorld<SceneT>::search_pair(ProxyPair pair, Scalar until, PairQuery& 
 }
 
 /// A pair that touches and parts, but cannot be opened to the margin: because neither can be
-/// pushed, or because their neighbours left no room when they were answered (src/world/world.md,
-/// "No room").
+/// pushed, or because their neighbours left no room when their contact was resolved
+/// (src/world/world.md, "No room").
 template <class SceneT>
 bool GeneralWorld<SceneT>::may_part(ProxyPair pair, const PairQuery& query) const {
   if (!(query.search.gap_rate > rest_speed_)) return false;

@@ -115,7 +115,7 @@ void GeneralWorld<SceneT>::resolve(const CandidateType& candidate, Scalar time) 
   hold_pair(candidate.pair, dt_);
 }
 
-/// What is to be known of a contact; that of the only pair there is, is always known.
+/// What is to be known of a contact; of a scene's only pair it is always known.
 template <class SceneT>
 typename GeneralWorld<SceneT>::PairQuery& GeneralWorld<SceneT>::seen(ProxyPair pair,
                                                                      bool is_known) {
@@ -146,7 +146,7 @@ void GeneralWorld<SceneT>::count_cut(const CandidateType& candidate) {
   }
 }
 
-/// Moves a body on its plan, up to now; it has to be planned from there.
+/// Moves a body on its planned motion, up to now; from there it has to be planned anew.
 template <class SceneT>
 void GeneralWorld<SceneT>::advance(std::size_t slot, Scalar elapsed) {
   BodyState& state = states_[slot];
@@ -160,7 +160,7 @@ void GeneralWorld<SceneT>::advance(std::size_t slot, Scalar elapsed) {
 }
 
 /// The body stays where it is now. What is held for longer already stays held. Its weight is
-/// carried for so long: it would else gain the speed of a fall by standing still.
+/// carried for so long: else it would gain the speed of a fall by standing still.
 template <class SceneT>
 void GeneralWorld<SceneT>::hold(std::size_t slot, Scalar until) {
   BodyState& state = states_[slot];

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Many bodies, one step: everybody moves to the first contact, the contact is answered, and so on
+// Many bodies, one step: everybody moves to the first contact, the contact is resolved, and so on
 // to the end of the step [Kavan §2.1, §3, §4.2]. Only the bodies of a contact are planned, bounded
-// and searched anew; the others keep their plan (src/world/world.md). One object, placed by the
-// caller; its size and the longest step are constants. Frame W, SI units; times within a step run
-// from 0 to dt.
+// and searched anew; the others keep their planned motions (src/world/world.md). One object, placed
+// by the caller; its size and the longest step are constants. Frame W, SI units; times within a
+// step run from 0 to dt.
 
 #include "batuta/core/arithmetic.hpp"
 #include "batuta/core/pool.hpp"
@@ -148,11 +148,11 @@ class GeneralWorld : private SeedsOf<SceneT>,
     Scalar start = 0;       ///< in the step, s: the body's own pose is the one of this time
     Scalar held_until = 0;  ///< in the step, s; the body stays where it is until then
     bool present = false;   ///< takes part in the step
-    bool changed = false;   ///< its plan has to be planned
-    bool fresh = false;     ///< its plan was planned, its pairs are not collected yet
-    bool stands = false;    ///< its plan was to stand still for a whole step, and did
+    bool changed = false;   ///< it has to be planned anew
+    bool fresh = false;     ///< it was planned, its pairs are not collected yet
+    bool stands = false;    ///< it was planned to stand still for a whole step, and did
     bool falls = false;     ///< was given its fall of this step
-    bool boxed = false;     ///< its boxes are those of its last plan
+    bool boxed = false;     ///< its boxes are those of its planned motion
   };
 
   // Plan: general_plan.hpp.
@@ -270,8 +270,8 @@ class GeneralWorld : private SeedsOf<SceneT>,
   /// What counts as rest in this step, m/s.
   Scalar rest_speed_ = 0;
   int contacts_resolved_ = 0;
-  bool is_begin_ = false;    ///< nobody's plan of this step is planned yet
-  bool is_changed_ = false;  ///< somebody's plan has to be planned
+  bool is_begin_ = false;    ///< nobody is planned in this step yet
+  bool is_changed_ = false;  ///< somebody has to be planned anew
 };
 
 }  // namespace batuta::detail

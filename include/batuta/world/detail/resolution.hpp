@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What one contact does to its two bodies: which kind it is, and the paper's answer to that kind
+// What one contact does to its two bodies: which kind it is, and what the paper asks for that kind
 // [Kavan §4].
 
 #include "batuta/response/impulse.hpp"
@@ -11,7 +11,7 @@ namespace batuta::detail {
 /// One side of a contact.
 template <class Scalar>
 struct ContactSide {
-  Body<Scalar>* body = nullptr;  ///< changed by the answer; never null
+  Body<Scalar>* body = nullptr;  ///< changed by the resolution; never null
   Twist<Scalar> twist;           ///< of its matter, at the contact
   Scalar room = 0;               ///< how far it may be shifted without reaching a neighbour, m
 };
@@ -20,7 +20,7 @@ struct ContactSide {
 template <class Scalar>
 Collider<Scalar> collider_of(const ContactSide<Scalar>& side);
 
-/// How contacts are answered.
+/// How contacts are resolved.
 template <class Scalar>
 struct ResolutionOptions {
   Scalar rest_speed = 0;           ///< eps_r, m/s, > 0
@@ -47,7 +47,7 @@ struct Resolution {
 /// charge, so that the next search does not take parting bodies for touching ones.
 /// @param impulse  of the pair's law at this contact: collision_impulse() or friction_impulse()
 /// @returns kOk | kInvalidArgument (options or contact out of range, no impulse); then the bodies
-/// are unchanged
+///   are unchanged
 /// Bound: no loop.
 template <class Scalar>
 Result<Resolution<Scalar>> resolve_contact(const ContactSide<Scalar>& A,

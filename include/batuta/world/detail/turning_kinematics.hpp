@@ -95,8 +95,8 @@ struct TurningKinematics {
     rest.duration = duration;
     return rest;
   }
-  /// What `time` of falling adds to a body that its momentum moves, and to its plan; a time below
-  /// zero takes it back.
+  /// What `time` of falling adds to a body that its momentum moves, and to its planned motion; a
+  /// time below zero takes it back.
   static void fall(BodyType& body, PlanType& plan, const Vec3<Scalar>& gravity_W, Scalar time) {
     if (!plan.by_momentum || !(body.inverse_mass > Scalar(0))) return;
     body.momentum.linear_W += (time / body.inverse_mass) * gravity_W;
