@@ -78,8 +78,7 @@ void Grip<Scalar>::command(const Pose<Scalar>& X_WB, Scalar step) {
   BATUTA_ASSERT(is_finite(step) && step > Scalar(0));
   hand_ = motion_between(target_, X_WB, step);
   hand_.duration =
-      (Scalar(1) +
-       batuta::detail::kLeastHorizon<Scalar>)*step;  // what is planned late looks beyond the step
+      (Scalar(1) + kLeastHorizon<Scalar>)*step;  // what is planned late looks beyond the step
   target_ = X_WB;
   step_ = step;
 }
@@ -99,7 +98,7 @@ Pose<Scalar> Grip<Scalar>::planned_at(Scalar t) const {
 template <class Scalar>
 PlannedMotion<Scalar> Grip<Scalar>::plan(const Body<Scalar>& body, Scalar t,
                                          Scalar duration) const {
-  const Scalar horizon = max_of(step_ - t, batuta::detail::kLeastHorizon<Scalar> * step_);
+  const Scalar horizon = max_of(step_ - t, kLeastHorizon<Scalar> * step_);
   if (!(horizon > Scalar(0))) return {still(body.X_WB, duration), false};
   const Offset<Scalar> offset = offset_of(body.X_WB, planned_at(t));
   const Scalar kept = max_of(Scalar(1) - horizon / settings_.recover_time, Scalar(0));

@@ -33,7 +33,7 @@ template <class Scalar>
 PlannedMotion<Scalar> Hand<Scalar>::plan(const Body<Scalar>& body, Scalar t,
                                          Scalar duration) const {
   if (struck) return {free_flight(body, duration), true};
-  const Scalar horizon = max_of(max_of(step - t, detail::kLeastHorizon<Scalar> * step), duration);
+  const Scalar horizon = max_of(max_of(step - t, kLeastHorizon<Scalar> * step), duration);
   if (!(horizon > Scalar(0))) return {still(body.X_WB, duration), false};
   PlannedMotion<Scalar> resolution = {motion_between(body.X_WB, target_W, horizon), false};
   resolution.motion.duration = duration;

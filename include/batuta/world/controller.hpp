@@ -48,15 +48,11 @@ struct FreeFlight {
   void on_step_end(const Body<Scalar>& body, Scalar dt);
 };
 
-namespace detail {
-
 /// A plan towards a place is aimed at least this share of a step ahead: a body that was pushed
 /// aside late in the step comes late rather than fast, and its velocity is a difference over a time
 /// in which rounding does not show.
 template <class Scalar>
 inline constexpr Scalar kLeastHorizon = Scalar(0.125);
-
-}  // namespace detail
 
 /// A body that a hand carries to `target_W` by the end of the step, whatever it weighs. A blow
 /// takes it out of the hand for the rest of the step; in the next one the hand fetches it, at
