@@ -67,12 +67,12 @@ int main() {
                   1e-3 * millisecond + static_cast<double>(event.time));
     }
   }
-  const Vec3<float> v_W = twist_of(world.get(ball_id.value)->body).v_W;
+  const Twist<float> flight = twist_of(world.get(ball_id.value)->body);
   const Vec3<float> p_W = world.get(bat_id.value)->body.X_WB.p_W;
   const Swing* swung = world.get(bat_id.value)->controller.as<Swing>();
   if (swung == nullptr) return 1;
-  std::printf("the ball flies at (%.4f %.4f %.4f) m/s\n", static_cast<double>(v_W.x()),
-              static_cast<double>(v_W.y()), static_cast<double>(v_W.z()));
+  std::printf("the ball flies at (%.4f %.4f %.4f) m/s\n", static_cast<double>(flight.v_W.x()),
+              static_cast<double>(flight.v_W.y()), static_cast<double>(flight.v_W.z()));
   std::printf("after 1 s and %d blow the bat is at %.4f rad\n", swung->blows,
               std::atan2(static_cast<double>(p_W.y()), static_cast<double>(p_W.x())));
   return swung->blows == 1 ? 0 : 1;

@@ -15,7 +15,7 @@
 using namespace batuta;
 
 using Blades = World<TwoBlades>;
-constexpr int kSteps = 500;
+constexpr int kMilliseconds = 500;
 
 // What comes from outside in a step, and all that is recorded of it.
 struct Push {
@@ -51,7 +51,7 @@ int main() {
     return 1;
   }
   std::uint32_t beats = 0;
-  for (int millisecond = 0; millisecond < kSteps; ++millisecond) {
+  for (int millisecond = 0; millisecond < kMilliseconds; ++millisecond) {
     const Push push = {{6, 0, 0.02F * static_cast<float>(millisecond % 7)}};  // from a hand, say
     if (!step(world, push)) return 1;
     beats += world.report().collisions;
