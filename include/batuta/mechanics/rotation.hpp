@@ -14,8 +14,8 @@ namespace detail {
 /// A turn by `angle` about the unit vector `axis`. The identity has angle 0 and the x axis.
 template <class Scalar>
 struct AxisAngle {
-  Vec3<Scalar> axis = {1, 0, 0};  ///< unit; the same in both frames
-  Scalar angle = 0;               ///< rad; answers lie in [0, pi]
+  Vec3<Scalar> axis = Vec3<Scalar>::UnitX();  ///< unit; the same in both frames
+  Scalar angle = 0;                           ///< rad; answers lie in [0, pi]
 };
 
 }  // namespace detail
