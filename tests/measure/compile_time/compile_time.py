@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """How much longer a user's file takes to compile than one that includes Eigen alone.
 
-    compile_time.py COMPILER FLAG_FILE [PAIRS] [--at-most RATIO]
+    compile_time.py COMPILER FLAG_FILE [PAIRS] [--bound RATIO] [--at-most RATIO]
 
 The user's file is user.cpp, without optimization; each of its runs is paired with one of eigen.cpp right after it, and what counts is
 the processor's time of the compiler, so that other work on the machine slows both alike. Printed is the ratio of the shortest
@@ -41,10 +41,13 @@ def main():
     parser.add_argument("flag_file", help="options, one a line, in a form that the compiler reads with @")
     parser.add_argument("pairs", nargs="?", type=int, default=9)
     parser.add_argument("--at-most", type=float, help="fail where the ratio of the shortest runs is larger")
+    parser.add_argument("--bound", type=float, help="what was promised: said where it is missed")
     arguments = parser.parse_args()
     command = [arguments.compiler, "@" + arguments.flag_file, "-O0", "-fsyntax-only"]
     shortest, median = ratios(measured(command, arguments.pairs))
     print(f"a user's file takes {shortest:.3f} times as long as Eigen alone (median of {arguments.pairs} pairs: {median:.3f})")
+    if arguments.bound is not None and min(shortest, median) > arguments.bound:
+        print(f"the bound of {arguments.bound} is missed")
     if arguments.at_most is not None and min(shortest, median) > arguments.at_most:
         raise SystemExit(f"that is more than {arguments.at_most}: look with clang++ -ftime-trace at what a World instantiates")
 
