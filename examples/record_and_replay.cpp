@@ -24,7 +24,7 @@ struct Push {
   void archive(Archive& ar) { ar(force_W); }
 };
 
-bool add_blade(Blades& world, Vec3<float> center) {
+bool add_blade(Blades& world, const Vec3<float>& center) {
   const Capsule<float> steel = {{{0, 0, -0.45F}, {0, 0, 0.45F}}, 0.005F};
   auto blade = make_actor<TwoBlades>(steel, 7850.0F, {center, Quat<float>::Identity()});
   blade.value.restitution = 0.6F;

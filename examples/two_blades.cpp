@@ -17,7 +17,7 @@ struct Totals {
   float energy = 0;                            // J
 };
 
-bool add_blade(Blades& world, Vec3<float> center, Vec3<float> velocity) {
+bool add_blade(Blades& world, const Vec3<float>& center, const Vec3<float>& velocity) {
   const Capsule<float> steel = {{{0, 0, -0.45F}, {0, 0, 0.45F}}, 0.005F};  // 0.9 m, 5 mm radius
   auto blade = make_actor<TwoBlades>(steel, 7850.0F, {center, Quat<float>::Identity()},
                                      {velocity, Vec3<float>::Zero()});

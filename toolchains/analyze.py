@@ -25,6 +25,7 @@ IN_NO_DATABASE = {
     "port/programs/live/open_sdl_absent.cpp": "is compiled where SDL is missing",
     "tests/compile_fail/cases/": "must not compile",
     "tests/consumer/project/": "projects of their own, built by a test",
+    "tests/measure/compile_time/": "are compiled by the test that times them",
 }
 # Configured, not built, for what is compiled for a board only. Their databases say what the host's does not know.
 CROSS_COMPILER = "arm-none-eabi-g++"

@@ -61,7 +61,7 @@ bool is_still(const Twist<Scalar>& twist) {
 template <class Scalar>
 Result<SolidBody<Scalar>> solid_body(const Capsule<Scalar>& capsule_G, Scalar density,
                                      const Pose<Scalar>& X_WG, const Twist<Scalar>& twist) {
-  const auto refused = failure<SolidBody<Scalar>>(Status::kInvalidArgument);
+  auto refused = failure<SolidBody<Scalar>>(Status::kInvalidArgument);
   if (!is_valid(capsule_G) || !is_finite(X_WG.p_W) || !is_finite(X_WG.q_WB)) return refused;
   const OwnFrame<Scalar> own = own_frame(capsule_G);
   const auto mass = inertia_of(own.capsule_B, density);

@@ -91,9 +91,8 @@ void check_answer(const Blow& blow, const Impulse<float>& hit, bool hits) {
   require(is_finite(hit.magnitude) && hit.magnitude >= 0, "nothing is pulled");
   require(hit.on_B.linear_W == -hit.on_A.linear_W, "B gets the opposite");
   if (!hits) {
-    require(
-        is_same(hit.twist_A, blow.A.twist) && is_same(hit.twist_B, blow.B.twist),
-        "no impulse, no change");
+    require(is_same(hit.twist_A, blow.A.twist) && is_same(hit.twist_B, blow.B.twist),
+            "no impulse, no change");
   }
   if (blow.A.inverse_mass == 0) require(hit.twist_A.v_W == blow.A.twist.v_W, "A's place is held");
   if (blow.B.inverse_mass == 0) require(hit.twist_B.v_W == blow.B.twist.v_W, "B's place is held");
@@ -166,8 +165,7 @@ void check_impulse(const Blow& blow, Numbers from) {
   const Impulse<float>& hit = answer.value;
   check_answer(blow, hit, hit.magnitude > 0);
   require(hit.magnitude == back.value.magnitude && hit.on_A.linear_W == back.value.on_B.linear_W &&
-              is_same(hit.twist_A, back.value.twist_B) &&
-              is_same(hit.twist_B, back.value.twist_A),
+              is_same(hit.twist_A, back.value.twist_B) && is_same(hit.twist_B, back.value.twist_A),
           "the same blow from the other side, to the last bit");
   const Impulse<float> dull = collision_impulse(blow.A, blow.B, blow.contact, C / 2).value;
   require(dull.magnitude <= hit.magnitude, "bouncier is stronger");
@@ -205,8 +203,7 @@ void check_friction(const Blow& blow, Numbers from) {
   FrictionLaw<float> smooth = blow.law;
   smooth.friction = 0;
   const Impulse<float> bare = friction_impulse(blow.A, blow.B, blow.contact, smooth).value;
-  require(is_same(bare.twist_A, plain.value.twist_A) &&
-              is_same(bare.twist_B, plain.value.twist_B),
+  require(is_same(bare.twist_A, plain.value.twist_A) && is_same(bare.twist_B, plain.value.twist_B),
           "without friction it is the impulse, to the last bit");
   if (from == Numbers::kAny || plain.value.magnitude == 0) return;
   Blow smooth_blow = blow;  // with the velocities that friction finds

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parts.hpp"
+#include "play.hpp"
 #include "programs/devices/default_recording.hpp"
 #include "programs/devices/replay_device.hpp"
 #include "programs/devices/script_device.hpp"
-#include "parts.hpp"
-#include "play.hpp"
 
 namespace batuta::report {
 namespace {
