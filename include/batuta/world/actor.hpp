@@ -49,6 +49,12 @@ template <class Scalar>
 struct Rough {
   Scalar friction = 0;  ///< mu, >= 0; a pair takes pair_friction() of its two
 };
+/// Of an actor in a scene with rolling resistance.
+template <class Scalar>
+struct Rolling {
+  /// The lever of the load that resists turning, m, >= 0; a pair takes pair_rolling() of its two
+  Scalar rolling_resistance = 0;
+};
 /// Of an actor in a scene with owners.
 struct Owned {
   std::uint16_t owner = 0;  ///< bodies of one owner other than 0 never meet
@@ -86,6 +92,8 @@ struct Actor
                         detail::Bouncy<detail::ScalarFor<SceneT>>, 1>,
       detail::FeatureIf<detail::SceneFor<SceneT>::kFriction,
                         detail::Rough<detail::ScalarFor<SceneT>>, 2>,
+      detail::FeatureIf<detail::SceneFor<SceneT>::kRollingResistance,
+                        detail::Rolling<detail::ScalarFor<SceneT>>, 5>,
       detail::FeatureIf<detail::SceneFor<SceneT>::kOwners, detail::Owned, 3>,
       detail::FeatureIf<detail::SceneFor<SceneT>::kFilters, detail::Filtered, 4> {
   /// The scene's.
@@ -127,6 +135,12 @@ constexpr Scalar pair_friction(Scalar a, Scalar b) {
   return min_of(a, b);
 }
 
+/// Rolling resistance of a pair: the softer one decides.
+template <class Scalar>
+constexpr Scalar pair_rolling(Scalar a, Scalar b) {
+  return max_of(a, b);
+}
+
 /// Where an actor's own point is, m.
 template <class SceneT>
 const Vec3<typename SceneT::Scalar>& position_of(const Actor<SceneT>& actor) {
@@ -150,6 +164,9 @@ bool has_valid_features(const Actor<SceneT>& actor) {
   }
   if constexpr (SceneT::kFriction) {
     good = good && is_finite(actor.friction) && actor.friction >= Scalar(0);
+  }
+  if constexpr (SceneT::kRollingResistance) {
+    good = good && is_finite(actor.rolling_resistance) && actor.rolling_resistance >= Scalar(0);
   }
   if constexpr (SceneT::Search::kForSpheres) {
     good = good && is_finite(actor.radius) && actor.radius >= Scalar(0) &&

@@ -94,11 +94,12 @@ struct SceneConstants : SceneMark {
   static constexpr int kMaxContacts = kStated.max_contacts;
   static constexpr int kMaxEvents = kStated.max_events;
   static constexpr int kMaxSeparations = kStated.max_separations;
-  static constexpr int kSleepSteps = kStated.sleep_steps;
+  static constexpr float kSleepTime = kStated.sleep_time;
   static constexpr bool kRotation = kStated.rotation;
   static constexpr bool kResponse = kStated.response;
   static constexpr bool kRestitution = kStated.restitution;
   static constexpr bool kFriction = kStated.friction;
+  static constexpr bool kRollingResistance = kStated.rolling_resistance;
   static constexpr bool kLineContact = kStated.line_contact;
   static constexpr RestingContact kResting = kStated.resting;
   static constexpr bool kGravity = kStated.gravity;
@@ -134,12 +135,14 @@ template <class SceneT, class Archive>
 void archive_scene(Archive& ar) {
   ar.constant(static_cast<std::uint32_t>(SceneT::kMaxContacts));
   ar.constant(static_cast<std::uint32_t>(SceneT::kMaxSeparations));
-  ar.constant(static_cast<std::uint32_t>(SceneT::kSleepSteps));
+  constexpr float kMicroseconds = 1e6F;
+  ar.constant(static_cast<std::uint32_t>(kMicroseconds * SceneT::kSleepTime));
   ar.constant(static_cast<std::uint32_t>(SceneT::kBudget));
   ar.constant(static_cast<std::uint32_t>(SceneT::kResting));
   ar.constant(SceneT::Search::kNumber);
   constexpr std::uint32_t kFlags = (SceneT::kRotation ? 1U : 0U) | (SceneT::kResponse ? 2U : 0U) |
-                                   (SceneT::kLineContact ? 4U : 0U) | (SceneT::kGravity ? 8U : 0U);
+                                   (SceneT::kLineContact ? 4U : 0U) | (SceneT::kGravity ? 8U : 0U) |
+                                   (SceneT::kSleep ? 16U : 0U);
   ar.constant(kFlags);
 }
 

@@ -30,10 +30,10 @@ enum class RestingContact : std::uint8_t {
   /// The paper's: the bodies are moved apart to D and held for f(D). For bodies that a hand or a
   /// grip moves.
   kSeparation,
-  /// For bodies that lie on each other: what is left of the approach is taken out by an impulse
-  /// without restitution, the gap is restored to D, and nobody stands still. The
-  /// max_separations-th contact of a pair in a step, of whatever kind, is without restitution and
-  /// freezes the pair for the rest of it.
+  /// For bodies that lie on each other: contacts that last are solved together before anybody
+  /// moves, group by group; blows are answered one by one, and passed on through the group. A pair
+  /// that asks for more than max_separations answers in a step goes on as one body for the rest of
+  /// it.
   kSettling,
 };
 
@@ -44,24 +44,25 @@ struct SceneOptions {
   Engine engine = Engine::kGeneral;
 
   // Capacities.
-  /// Bodies at the same time, 2 ... 1024.
+  /// Bodies at the same time, 2 ... 65534.
   int max_bodies = 2;
   /// Capsules of one body, 1 ... 255. One: Actor::capsule_B; more: Actor::capsules_B.
   int capsules_per_body = 1;
   /// Pairs of capsules whose swept volumes may meet at the same time, at least max_bodies / 2.
-  /// Where more do, the bodies of the surplus pairs are held for the rest of the step, and counted.
+  /// Where more do, the bodies of the surplus pairs go on together for the rest of the step, and
+  /// are counted.
   /// Engine::kSmall has room for all pairs.
   int max_pairs = 1;
-  /// Contacts resolved in one step. Where more happen, the bodies concerned are held for the rest
-  /// of it, and counted.
+  /// Contacts answered in one step, and contacts that last at the same time (kSettling). Where more
+  /// happen, the bodies concerned go on together for the rest of it, and are counted.
   int max_contacts = 8;
   /// Events kept for reading after a step; a surplus is counted. 0: none, and no pair is followed.
   int max_events = 16;
-  /// Contacts of one pair in one step, the last of which freezes it (kSettling).
+  /// Answers of one pair in one step; beyond them its bodies go on together (kSettling).
   int max_separations = 4;
-  /// Steps in which a body must not go further than at rest_speed to be put to sleep (sleep), 1
-  /// ... 65535.
-  int sleep_steps = 250;
+  /// For so long the bodies of a group must not go further than at rest_speed to be put to sleep
+  /// (sleep), s, above 0 and at most 60.
+  float sleep_time = 0.25F;
 
   // Features. What is off is absent: no member, no code.
   /// Bodies turn. Off: StraightBody, no quaternion, no inertia; the search is Translation or
@@ -73,6 +74,8 @@ struct SceneOptions {
   bool restitution = true;
   /// Actor::friction: Coulomb's law, sticking or sliding (response/friction.hpp).
   bool friction = false;
+  /// Actor::rolling_resistance: what presses resists turning (kSettling with friction).
+  bool rolling_resistance = false;
   /// Near-parallel capsules touch at two points (response/line_contact.hpp).
   bool line_contact = false;
   /// What becomes of contacts in which nearly nothing approaches.
@@ -90,7 +93,7 @@ struct SceneOptions {
   /// The axis along which a scene is longest, 0 ... 2: boxes are kept in order along it.
   int sweep_axis = 0;
   /// Distance evaluations of one search; 0: the search's own default. Where they do not suffice,
-  /// the bodies are held, and counted.
+  /// the bodies go on together, and are counted.
   std::uint32_t budget = 0;
   // A scene may state two of turn_per_step, contact_tolerance and budget; detection/budget_law.hpp
   // gives the third.

@@ -47,9 +47,9 @@ using TwoBlades = Scene<two_blades>;
 constexpr SceneOptions rack() {
   SceneOptions scene;
   scene.max_bodies = 64;
-  scene.max_pairs = 256;
-  scene.max_contacts = 256;
-  scene.max_events = 256;
+  scene.max_pairs = 512;
+  scene.max_contacts = 384;
+  scene.max_events = 384;
   scene.friction = true;
   scene.line_contact = true;
   scene.gravity = true;

@@ -50,6 +50,18 @@ void archive(Archive& ar, StraightBody<Scalar>& body) {
   ar(p_W, momentum_W, inverse_mass);
 }
 
+inline void archive(Archive& ar, detail::ProxyPair& pair);
+/// Where it was, how hard it pressed, and in which directions that is written.
+template <class Scalar>
+void archive(Archive& ar, detail::ContactPoint<Scalar>& point) {
+  ar(point.normal_W, point.tangent_W, point.place, point.normal, point.along, point.across);
+}
+template <class Scalar>
+void archive(Archive& ar, detail::LastingContact<Scalar>& contact) {
+  ar(contact.pair, contact.count, contact.is_solved, contact.is_told, contact.points[0],
+     contact.points[1]);
+}
+
 inline void archive(Archive& ar, detail::ProxyPair& pair) {
   auto& [first, second] = pair;
   ar(first, second);
@@ -109,6 +121,11 @@ void archive(Archive& ar, detail::Rough<Scalar>& rough) {
   auto& [friction] = rough;
   ar(friction);
 }
+template <class Scalar>
+void archive(Archive& ar, detail::Rolling<Scalar>& rolling) {
+  auto& [rolling_resistance] = rolling;
+  ar(rolling_resistance);
+}
 inline void archive(Archive& ar, detail::Owned& owned) {
   auto& [owner] = owned;
   ar(owner);
@@ -137,9 +154,10 @@ void archive(Archive& ar, Actor<SceneT>& actor) {
   using Scalar = typename SceneT::Scalar;
   using A = Actor<SceneT>;
   using detail::Nothing;
-  static_assert(detail::takes<A, Nothing, Nothing, Nothing, Nothing, Nothing, Nothing, Nothing>() &&
+  static_assert(detail::takes<A, Nothing, Nothing, Nothing, Nothing, Nothing, Nothing, Nothing,
+                              Nothing>() &&
                     !detail::takes<A, Nothing, Nothing, Nothing, Nothing, Nothing, Nothing, Nothing,
-                                   Nothing>(),
+                                   Nothing, Nothing>(),
                 "archive: Actor has other bases or members than those listed below");
   ar(static_cast<detail::ShapeOf<SceneT>&>(actor));
   ar(static_cast<
@@ -147,6 +165,8 @@ void archive(Archive& ar, Actor<SceneT>& actor) {
       actor));
   ar(static_cast<detail::FeatureIf<SceneT::kRestitution, detail::Bouncy<Scalar>, 1>&>(actor));
   ar(static_cast<detail::FeatureIf<SceneT::kFriction, detail::Rough<Scalar>, 2>&>(actor));
+  ar(static_cast<detail::FeatureIf<SceneT::kRollingResistance, detail::Rolling<Scalar>, 5>&>(
+      actor));
   ar(static_cast<detail::FeatureIf<SceneT::kOwners, detail::Owned, 3>&>(actor));
   ar(static_cast<detail::FeatureIf<SceneT::kFilters, detail::Filtered, 4>&>(actor));
   ar(actor.body);

@@ -1,244 +1,336 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// GeneralWorld, third part: what happens at a contact. Included by general_world.hpp.
+// GeneralWorld: what happens at a contact. Included by general_world.hpp.
 
 #include "batuta/geometry/direction.hpp"
 #include "batuta/world/detail/general_world.hpp"
 
 namespace batuta::detail {
 
-/// A pair as it is now, without a search: for a contact whose search was not kept.
+/// @param time  not later than the candidate's own: another one that ties with it may be earlier
 template <class SceneT>
-void GeneralWorld<SceneT>::look(ProxyPair pair, PairQuery& query) {
-  const auto moving_pair = make_moving_pair(mover(pair.first, dt_), mover(pair.second, dt_));
-  query = {};
-  if (!moving_pair.ok()) return;
-  query.origin_W = moving_pair.value.origin_W;
-  query.scale = moving_pair.value.scale;
-  query.contact_gap = Search::contact_gap(moving_pair.value, settings_.search);
-  query.search.outcome = Outcome::kContact;
-  query.search.witness = gap_at(moving_pair.value, Scalar(0));
-  query.search.gap_rate = gap_rate_at(moving_pair.value, query.search.witness, Scalar(0));
-  queries_.forget();
+void GeneralWorld<SceneT>::resolve(const CandidateType& candidate, Scalar time) {
+  const bool is_own_time = time == candidate.free_until();
+  const std::size_t a = BodiesT::body_of(candidate.pair.first);
+  const std::size_t b = BodiesT::body_of(candidate.pair.second);
+  bodies_.now = time;
+  if constexpr (!SceneT::kResponse) return report_only(candidate);
+  if constexpr (SceneT::kSleep) {
+    const auto woken = [this](std::size_t slot) {
+      groups_.wake(bodies_, slot);
+      bodies_.wake_now(slot);
+    };
+    for (const std::size_t slot : {a, b}) sleep_.wake(bodies_, groups_, slot, woken);  // Bound: 2
+  }
+  const bool has_room = contacts_answered_ < SceneT::kMaxContacts;
+  if (!candidate.is_contact() || !has_room) return cut(candidate);
+  ++contacts_answered_;
+  answer(candidate, is_own_time);
+}
+
+/// What cannot be answered in this step: the two go on together.
+template <class SceneT>
+void GeneralWorld<SceneT>::cut(const CandidateType& candidate) {
+  if (candidate.is_contact()) {
+    ++bodies_.report.contacts_dropped;
+  } else if (candidate.outcome == Outcome::kBudget) {
+    ++bodies_.report.searches_cut;
+  } else {
+    ++bodies_.report.searches_invalid;
+  }
+  if constexpr (SceneT::kResponse) {
+    bodies_.weld(BodiesT::body_of(candidate.pair.first), BodiesT::body_of(candidate.pair.second),
+                 bodies_.dt);
+  }
+}
+
+/// A body of a candidate, to now: by the time that its search found where that is the same, to the
+/// last bit. A wall stays what it is.
+template <class SceneT>
+void GeneralWorld<SceneT>::bring(const CandidateType& candidate, std::size_t slot,
+                                 bool is_own_time) {
+  if (bodies_.is_wall(slot)) return;
+  const Scalar start = bodies_.states[slot].start;
+  const bool is_of_search = is_own_time && start == candidate.since;
+  bodies_.advance(slot, is_of_search ? candidate.free_for : bodies_.now - start);
 }
 
 template <class SceneT>
-void GeneralWorld<SceneT>::resolve_turning(const CandidateType& candidate, const PairQuery& query) {
-  const std::size_t a = body_of(candidate.pair.first);
-  const std::size_t b = body_of(candidate.pair.second);
-  const CapsuleGap<Scalar>& witness = query.search.witness;
-  Nearest<Scalar> nearest = {contact_from(witness, query.origin_W), witness.axes.s, witness.axes.u};
-  if constexpr (kLeads) {
-    if (is_immovable(candidate.pair)) return block(candidate, query, nearest);
-  }
-  const Scalar margin = margin_of(query, candidate.pair);
-  const std::array<Momentum<Scalar>, 2> before = {actor_at(a).body.momentum,
-                                                  actor_at(b).body.momentum};
-  std::array<ContactSide<Scalar>, 2> sides = {side(a), side(b)};
-  if constexpr (SceneT::kLineContact) {
-    nearest.contact = pressed(candidate.pair, sides, nearest.contact, margin);
-  }
-  const auto options = options_for(margin);
-  if constexpr (SceneT::kMaxBodies > 2) {
-    make_room(candidate.pair, nearest.contact, options, sides);
-  }
-  const bool is_last = uses_up_resolutions(candidate.pair);
-  const auto impulse = impulse_for(candidate.pair, sides, nearest.contact, is_last);
-  const auto resolution = resolve_contact(sides[0], sides[1], nearest.contact, impulse, options);
-  if (!resolution.ok()) {
-    actor_at(a).body.momentum = before[0];
-    actor_at(b).body.momentum = before[1];
-    ++report_.resolutions_invalid;
-    hold_pair(candidate.pair, dt_);
-    return;
-  }
-  const bool is_tight =
-      resolution.value.separated && nearest.contact.gap + opened(resolution.value) < margin;
-  apply_separation_time(candidate.pair, resolution.value, is_last || is_tight);
-  if constexpr (kSettles) {
-    if (is_tight) stop_pair(candidate.pair);
-  }
-  notify_controller(a, resolution.value, resolution.value.separation.shift_A_W);
-  notify_controller(b, resolution.value, resolution.value.separation.shift_B_W);
-  record(candidate, nearest, resolution.value);
-}
-
-/// The impulse that the pair's laws give; without restitution where the scene's bodies settle.
-template <class SceneT>
-Result<Impulse<Scalar_of<SceneT>>> GeneralWorld<SceneT>::impulse_for(
-    ProxyPair pair, const std::array<ContactSide<Scalar>, 2>& sides, const Contact<Scalar>& contact,
-    bool is_last) const {
-  const ActorType& P = actor_at(body_of(pair.first));
-  const ActorType& Q = actor_at(body_of(pair.second));
-  const Collider<Scalar> A = collider_of(sides[0]);
-  const Collider<Scalar> B = collider_of(sides[1]);
-  Scalar restitution = 0;
-  if constexpr (SceneT::kRestitution) {
-    restitution = pair_restitution(P.restitution, Q.restitution);
-    if constexpr (kSettles) {
-      const Scalar v_rel = relative_velocity(contact, A.X_WB, A.twist, B.X_WB, B.twist);
-      const bool bounces = classify(v_rel, rest_speed_) == ContactKind::kColliding;
-      if (is_last || !bounces) restitution = 0;
+void GeneralWorld<SceneT>::answer(const CandidateType& candidate, bool is_own_time) {
+  const std::size_t a = BodiesT::body_of(candidate.pair.first);
+  const std::size_t b = BodiesT::body_of(candidate.pair.second);
+  bool is_welded = false;
+  for (const std::size_t slot : {a, b}) {  // Bound: 2
+    if (bodies_.states[slot].group == BodiesT::kAlone) continue;
+    if constexpr (kSeparates) {  // what strikes a pair that is being separated ends that
+      bodies_.part_group(slot);
+    } else {
+      is_welded = true;
     }
   }
+  if (is_welded || uses_up_answers(candidate.pair)) {
+    if (!is_welded) ++bodies_.report.frozen;
+    bodies_.weld(a, b, bodies_.dt);
+    return;
+  }
+  bring(candidate, a, is_own_time);
+  bring(candidate, b, is_own_time);
+  if constexpr (SceneT::kRotation) {
+    answer_turning(candidate, pairs_.seen(bodies_, candidate.pair, is_own_time));
+  } else {
+    answer_straight(candidate);
+  }
+}
+
+/// Counts the answers of a pair. @returns whether it has had all that one step has for it
+template <class SceneT>
+bool GeneralWorld<SceneT>::uses_up_answers(ProxyPair pair) {
+  if constexpr (kSolves) {
+    return this->repeat(pair) > SceneT::kMaxSeparations;
+  } else {
+    return false;
+  }
+}
+
+/// What counts as rest: where bodies settle, also what gravity makes in a step.
+template <class SceneT>
+typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::rest_speed() const {
+  if constexpr (SceneT::kResting == RestingContact::kNone) {
+    return std::numeric_limits<Scalar>::min();  // all that approaches collides
+  } else {
+    Scalar speed = bodies_.settings.rest_speed;
+    if constexpr (kSolves && SceneT::kGravity) {
+      speed = max_of(speed, bodies_.dt * length(bodies_.settings.gravity_W));
+    }
+    return speed;
+  }
+}
+
+template <class SceneT>
+typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::restitution_of(ProxyPair pair) const {
+  if constexpr (SceneT::kRestitution) {
+    return pair_restitution(bodies_.actor(BodiesT::body_of(pair.first)).restitution,
+                            bodies_.actor(BodiesT::body_of(pair.second)).restitution);
+  } else {
+    return Scalar(0);
+  }
+}
+
+/// The impulse of a blow, given to both momenta. One that its controller moves first gets the
+/// momentum that goes with that, so that the impulse is added to what the body really has.
+template <class SceneT>
+Result<Impulse<typename GeneralWorld<SceneT>::Scalar>> GeneralWorld<SceneT>::strike(
+    ProxyPair pair, const Contact<Scalar>& contact, Scalar restitution) {
+  std::array<Collider<Scalar>, 2> sides;
+  std::array<Momentum<Scalar>, 2> before;
+  for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2
+    const std::size_t slot = BodiesT::body_of(i == 0 ? pair.first : pair.second);
+    auto& body = bodies_.actor(slot).body;
+    before[i] = body.momentum;
+    const auto& plan = bodies_.states[slot].plan;
+    if (!plan.by_momentum) body.momentum = momentum_of(body, plan.motion.twist);
+    sides[i] = {body.X_WB, bodies_.twist_now(slot), body.inverse_mass, body.inverse_moments};
+  }
+  Result<Impulse<Scalar>> hit;
   if constexpr (SceneT::kFriction) {
     FrictionLaw<Scalar> law;
     law.restitution = restitution;
-    law.friction = pair_friction(P.friction, Q.friction);
-    return friction_impulse(A, B, contact, law);
+    law.friction = pair_friction(bodies_.actor(BodiesT::body_of(pair.first)).friction,
+                                 bodies_.actor(BodiesT::body_of(pair.second)).friction);
+    hit = friction_impulse(sides[0], sides[1], contact, law);
   } else {
-    return collision_impulse(A, B, contact, restitution);
+    hit = collision_impulse(sides[0], sides[1], contact, restitution);
+  }
+  for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2
+    auto& body = bodies_.actor(BodiesT::body_of(i == 0 ? pair.first : pair.second)).body;
+    const Momentum<Scalar>& change = i == 0 ? hit.value.on_A : hit.value.on_B;
+    if (!hit.ok()) {
+      body.momentum = before[i];
+    } else {
+      if (body.inverse_mass > Scalar(0)) body.momentum.linear_W += change.linear_W;
+      if (!is_zero(body.inverse_moments)) body.momentum.angular_W += change.angular_W;
+    }
+  }
+  return hit;
+}
+
+/// v_rel of a pair at its contact, m/s.
+template <class SceneT>
+typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::velocity_between(
+    ProxyPair pair, const Contact<Scalar>& contact) const {
+  const std::size_t a = BodiesT::body_of(pair.first);
+  const std::size_t b = BodiesT::body_of(pair.second);
+  if constexpr (SceneT::kRotation) {
+    return relative_velocity(contact, bodies_.actor(a).body.X_WB, bodies_.twist_now(a),
+                             bodies_.actor(b).body.X_WB, bodies_.twist_now(b));
+  } else {
+    return contact.normal_BA_W.dot(bodies_.twist_now(a) - bodies_.twist_now(b));
   }
 }
 
-/// Counts the contacts of a pair, whatever their kind: else, where bodies settle, a few pairs
-/// between others would take all contacts of a step. @returns whether this is the pair's last
+/// Whether one of the two falls and the other does not, so that gravity would close the contact
+/// within the step: then what falls is carried for the rest of it.
 template <class SceneT>
-bool GeneralWorld<SceneT>::uses_up_resolutions(ProxyPair pair) {
-  bool is_last = false;
-  if constexpr (kCountsRepeats<SceneT>) {
-    const int resolutions = this->repeat(pair);
-    is_last = kSettles && resolutions >= SceneT::kMaxSeparations;
-  }
-  return is_last;
-}
-
-/// By how much a separation has opened the gap, m.
-template <class SceneT>
-Scalar_of<SceneT> GeneralWorld<SceneT>::opened(const Resolution<Scalar>& resolution) {
-  return length(resolution.separation.shift_A_W) + length(resolution.separation.shift_B_W);
-}
-
-/// Time for a separation: the paper's f(D), for which both are held. Where bodies settle, a pair
-/// is frozen by its last contact of a step, or by one that its neighbours left no room for: it
-/// would be found touching again at once.
-template <class SceneT>
-void GeneralWorld<SceneT>::apply_separation_time(ProxyPair pair,
-                                                 const Resolution<Scalar>& resolution,
-                                                 bool freezes) {
-  if constexpr (kReleases) {
-    if (resolution.separated) hold_pair(pair, now_ + resolution.separation.duration);
-  }
-  if constexpr (kSettles) {
-    if (!freezes) return;
-    ++report_.frozen;
-    hold_pair(pair, dt_);
+bool GeneralWorld<SceneT>::takes_load(ProxyPair pair, const Contact<Scalar>& contact) {
+  if constexpr (SceneT::kGravity && !kSolves) {
+    const std::size_t a = BodiesT::body_of(pair.first);
+    const std::size_t b = BodiesT::body_of(pair.second);
+    const bool falls_a = bodies_.falls(a);
+    if (falls_a == bodies_.falls(b)) return false;
+    const Scalar fall = (bodies_.dt - bodies_.now) *
+                        contact.normal_BA_W.dot(bodies_.settings.gravity_W);
+    const Scalar at_end = velocity_between(pair, contact) + (falls_a ? fall : -fall);
+    if (!(at_end < Scalar(0))) return false;
+    bodies_.states[falls_a ? a : b].loaded = true;
+    return true;
+  } else {
+    return false;
   }
 }
 
-/// What has no room to move has stopped: of its momentum remains the share of the step in which it
-/// did move. Kept, it would come out again as soon as there is room.
 template <class SceneT>
-void GeneralWorld<SceneT>::stop_pair(ProxyPair pair) {
-  const Scalar share = now_ / dt_;
-  for (const Slot proxy : {pair.first, pair.second}) {  // Bound: 2
-    Body<Scalar>& body = actor_at(body_of(proxy)).body;
-    if (!states_[body_of(proxy)].plan.by_momentum) continue;
-    body.momentum.linear_W *= share;
-    body.momentum.angular_W *= share;
+void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const PairQuery& query) {
+  const ProxyPair pair = candidate.pair;
+  const std::size_t a = BodiesT::body_of(pair.first);
+  const std::size_t b = BodiesT::body_of(pair.second);
+  const CapsuleGap<Scalar>& witness = query.search.witness;
+  Nearest<Scalar> at = {contact_from(witness, query.origin_W), witness.axes.s, witness.axes.u};
+  if (is_fixed(bodies_.actor(a).body) && is_fixed(bodies_.actor(b).body)) {
+    return block(candidate, query, at);
   }
+  if constexpr (SceneT::kLineContact) {
+    const auto collider = [this](std::size_t slot) {
+      const auto& body = bodies_.actor(slot).body;
+      return Collider<Scalar>{body.X_WB, bodies_.twist_now(slot), body.inverse_mass,
+                              body.inverse_moments};
+    };
+    at.contact = pressure_contact(collider(a), collider(b),
+                                  bodies_.shape_W(pair.first), bodies_.shape_W(pair.second),
+                                  at.contact, PairsT::margin_of(bodies_, query, pair));
+  }
+  Answer<Scalar> answer;
+  answer.v_rel = velocity_between(pair, at.contact);
+  answer.kind = classify(answer.v_rel, rest_speed());
+  answer.is_overlap = candidate.outcome == Outcome::kTouching && !(at.contact.gap > Scalar(0));
+  const bool collides = answer.kind == ContactKind::kColliding;
+  if (collides || kSolves) {
+    const auto hit = strike(pair, at.contact, collides ? restitution_of(pair) : Scalar(0));
+    if (!hit.ok()) {
+      ++bodies_.report.resolutions_invalid;
+      bodies_.weld(a, b, bodies_.dt);
+      return;
+    }
+    answer.impulse = hit.value.magnitude;
+  }
+  if (!kSolves && takes_load(pair, at.contact)) {
+    const auto press = strike(pair, at.contact, Scalar(0));
+    if (press.ok()) answer.impulse += press.value.magnitude;
+  }
+  touches_.record(bodies_, pair, at, answer);
+  const bool is_resting = kSeparates && answer.kind == ContactKind::kResting;
+  if constexpr (kSolves) {
+    tell_controllers(pair, answer.impulse, Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero());
+    groups_.pass_on(bodies_, pairs_, pair, [this](ProxyPair next) { strike_neighbour(next); });
+  } else if (is_resting || at.contact.gap < Scalar(0)) {
+    separate_pair(pair, query, at.contact, answer, is_resting);
+  } else {
+    tell_controllers(pair, answer.impulse, Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero());
+  }
+}
+
+/// A blow that is passed on: where the two are now.
+template <class SceneT>
+void GeneralWorld<SceneT>::strike_neighbour(ProxyPair pair) {
+  const CapsuleGap<Scalar> gap =
+      capsule_gap(bodies_.shape_W(pair.first), bodies_.shape_W(pair.second));
+  const Nearest<Scalar> at = {contact_from(gap, Vec3<Scalar>::Zero().eval()), gap.axes.s,
+                              gap.axes.u};
+  const auto hit = strike(pair, at.contact, restitution_of(pair));
+  if (!hit.ok()) return;
+  Answer<Scalar> answer;
+  answer.kind = ContactKind::kColliding;
+  answer.v_rel = hit.value.v_rel;
+  answer.impulse = hit.value.magnitude;
+  touches_.record(bodies_, pair, at, answer);
+  tell_controllers(pair, answer.impulse, Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero());
 }
 
 /// Neither body can be pushed: where one is moved into the other, both stop.
 template <class SceneT>
-bool GeneralWorld<SceneT>::is_immovable(ProxyPair pair) const {
-  return is_fixed(actor_at(body_of(pair.first)).body) &&
-         is_fixed(actor_at(body_of(pair.second)).body);
-}
-
-template <class SceneT>
 void GeneralWorld<SceneT>::block(const CandidateType& candidate, const PairQuery& query,
                                  const Nearest<Scalar>& nearest) {
-  Resolution<Scalar> resolution;
-  resolution.v_rel = query.search.gap_rate;
-  resolution.kind = classify(resolution.v_rel, rest_speed_);
-  ++report_.blocked;
-  hold_pair(candidate.pair, dt_);
-  record(candidate, nearest, resolution);
+  Answer<Scalar> answer;
+  answer.v_rel = query.search.gap_rate;
+  answer.kind = classify(answer.v_rel, rest_speed());
+  ++bodies_.report.blocked;
+  touches_.record(bodies_, candidate.pair, nearest, answer);
+  bodies_.weld(BodiesT::body_of(candidate.pair.first), BodiesT::body_of(candidate.pair.second),
+               bodies_.dt);
 }
 
+/// The paper's separation to D, for which the two go on together for f(D); or, where the pair is in
+/// each other by less than can be told from touching, just clear of it.
 template <class SceneT>
-ResolutionOptions<Scalar_of<SceneT>> GeneralWorld<SceneT>::options_for(Scalar margin) const {
-  ResolutionOptions<Scalar> options;
-  options.margin = margin;
-  options.settles = kSettles;
-  if constexpr (SceneT::kResting != RestingContact::kNone) {
-    options.rest_speed = rest_speed_;
-    options.separation = settings_.separation;
-    options.min_separation_time = settings_.min_separation_time;
-  } else {  // all that approaches collides
-    options.rest_speed = std::numeric_limits<Scalar>::min();
-    options.separation = options.min_separation_time = options.rest_speed;
+void GeneralWorld<SceneT>::separate_pair(ProxyPair pair, const PairQuery& query,
+                                         const Contact<Scalar>& contact,
+                                         const Answer<Scalar>& answer, bool is_resting) {
+  const std::size_t a = BodiesT::body_of(pair.first);
+  const std::size_t b = BodiesT::body_of(pair.second);
+  const Scalar margin = PairsT::margin_of(bodies_, query, pair);
+  const bool is_charged = is_resting || (kSeparates && contact.gap < -margin);
+  SeparationOptions<Scalar> options;
+  options.distance = margin;
+  options.rest_speed = options.min_duration = std::numeric_limits<Scalar>::min();
+  if constexpr (kSeparates) {
+    options.rest_speed = bodies_.settings.rest_speed;
+    options.min_duration = bodies_.settings.min_separation_time;
+    if (is_charged) options.distance = max_of(margin, bodies_.settings.separation);
   }
-  return options;
+  const Scalar shift = options.distance - min_of(contact.gap, Scalar(0));
+  if constexpr (SceneT::kMaxBodies > 2 || SceneT::kCapsulesPerBody > 1) {
+    options.limit_A = room_of(a, pair, contact.normal_BA_W, shift);
+    options.limit_B = room_of(b, pair, -contact.normal_BA_W, shift);
+  }
+  const auto made = separate(contact, answer.v_rel, bodies_.actor(a).body.inverse_mass,
+                             bodies_.actor(b).body.inverse_mass, options);
+  if (!made.ok()) {
+    ++bodies_.report.resolutions_invalid;
+    return bodies_.weld(a, b, bodies_.dt);
+  }
+  bodies_.actor(a).body.X_WB.p_W += made.value.shift_A_W;
+  bodies_.actor(b).body.X_WB.p_W += made.value.shift_B_W;
+  bodies_.reseat(a);
+  bodies_.reseat(b);
+  tell_controllers(pair, answer.impulse, made.value.shift_A_W, made.value.shift_B_W);
+  if (!is_charged) return;
+  ++bodies_.report.separations;
+  bodies_.weld(a, b, min_of(bodies_.dt, bodies_.now + made.value.duration));
 }
 
-/// The gap from which the next search lets parting bodies go (src/world/detail/resolution.md).
-template <class SceneT>
-typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::margin_of(const PairQuery& query,
-                                                                      ProxyPair pair) const {
-  constexpr Scalar kContactGaps = 2;
-  constexpr Scalar kUlps = 64;
-  const Scalar size = length(actor_at(body_of(pair.first)).body.X_WB.p_W) +
-                      length(actor_at(body_of(pair.second)).body.X_WB.p_W) + query.scale;
-  return kContactGaps * query.contact_gap + kUlps * kRoundOff<Scalar> * size;
-}
-
-/// A body at a contact. One that its controller moves gets the momentum that goes with the
-/// controller's twist, so that the impulse is added to what the body really has.
-template <class SceneT>
-ContactSide<Scalar_of<SceneT>> GeneralWorld<SceneT>::side(std::size_t slot) {
-  Body<Scalar>& body = actor_at(slot).body;
-  const PlannedMotion<Scalar>& plan = states_[slot].plan;
-  if (!plan.by_momentum) body.momentum = momentum_of(body, plan.motion.twist);
-  return {&body, plan.by_momentum ? twist_of(body) : plan.motion.twist,
-          std::numeric_limits<Scalar>::max()};
-}
-
-/// Near-parallel capsules press along a line: the contact at its centre of pressure.
-template <class SceneT>
-Contact<Scalar_of<SceneT>> GeneralWorld<SceneT>::pressed(
-    ProxyPair pair, const std::array<ContactSide<Scalar>, 2>& sides, const Contact<Scalar>& contact,
-    Scalar slack) const {
-  return pressure_contact(collider_of(sides[0]), collider_of(sides[1]), shape_W(pair.first),
-                          shape_W(pair.second), contact, slack);
-}
-
-/// How far each of the two may be shifted.
-template <class SceneT>
-void GeneralWorld<SceneT>::make_room(ProxyPair pair, const Contact<Scalar>& contact,
-                                     const ResolutionOptions<Scalar>& options,
-                                     std::array<ContactSide<Scalar>, 2>& sides) const {
-  const std::size_t a = body_of(pair.first);
-  const std::size_t b = body_of(pair.second);
-  const Scalar shift = max_of(options.separation, options.margin) - min_of(contact.gap, Scalar(0));
-  sides[0].room = room_of(a, b, contact.normal_BA_W, shift);
-  sides[1].room = room_of(b, a, -contact.normal_BA_W, shift);
-}
-
-/// Half the way to the nearest neighbour: both may be pushed towards each other in the same round.
-/// A neighbour that the shift does not lead towards stays as far away as it is: the plane between
-/// the two goes on separating them.
+/// How far a body of a pair may be shifted: half the way to its nearest neighbour, because both may
+/// be shifted towards each other. What the shift does not lead towards stays as far away as it is.
 /// @param away_W  direction of the shift
 /// @param shift   the longest that may be asked for, m; what is further away is no neighbour
 template <class SceneT>
 typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::room_of(std::size_t slot,
-                                                                    std::size_t other,
+                                                                    ProxyPair pair,
                                                                     const Vec3<Scalar>& away_W,
                                                                     Scalar shift) const {
   Scalar room = std::numeric_limits<Scalar>::max();
-  for (int part = 0; part < parts_of(actor_at(slot)); ++part) {  // Bound: kCapsulesPerBody
-    const Capsule<Scalar> shape = shape_W(proxy_of(slot, part));
+  for (int part = 0; part < parts_of(bodies_.actor(slot)); ++part) {  // Bound: kCapsulesPerBody
+    const int own = BodiesT::proxy_of(slot, part);
+    const Capsule<Scalar> shape = bodies_.shape_W(own);
     const Aabb<Scalar> near = kdop_of<Scalar, 6>(shape, shape, 2 * shift);
-    for (int k = 0; k < kProxies; ++k) {  // Bound: all capsules
-      const std::size_t neighbour = body_of(k);
-      const bool is_third = neighbour != slot && neighbour != other;
-      if (!is_third || !sweep_.contains(static_cast<Slot>(k)) ||
-          !overlaps<Scalar, 6>(near, sweep_.box(static_cast<Slot>(k))) ||
-          !may_meet(actor_at(slot), actor_at(neighbour))) {
+    for (int k = 0; k < BodiesT::kProxies; ++k) {  // Bound: all capsules
+      const std::size_t other = BodiesT::body_of(k);
+      const bool is_pair = (own == pair.first && k == pair.second) ||
+                           (own == pair.second && k == pair.first);
+      if (other == slot || is_pair || !pairs_.boxes().contains(static_cast<std::uint16_t>(k)) ||
+          !overlaps<Scalar, 6>(near, pairs_.boxes().box(static_cast<std::uint16_t>(k))) ||
+          !may_meet(bodies_.actor(slot), bodies_.actor(other))) {
         continue;
       }
-      const CapsuleGap<Scalar> gap = capsule_gap(shape, shape_W(k));
+      const CapsuleGap<Scalar> gap = capsule_gap(shape, bodies_.shape_W(k));
       const bool leads_away = gap.gap > Scalar(0) && !(gap.axes.normal_AB.dot(away_W) > Scalar(0));
       if (!leads_away) room = min_of(room, gap.gap / Scalar(2));
     }
@@ -246,65 +338,61 @@ typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::room_of(std::size_t 
   return max_of(room, Scalar(0));
 }
 
-/// A capsule where it is now.
 template <class SceneT>
-Capsule<Scalar_of<SceneT>> GeneralWorld<SceneT>::shape_W(int proxy) const {
-  const ActorType& actor = actor_at(body_of(proxy));
-  const BodyState& state = states_[body_of(proxy)];
-  const bool is_here = !(state.start < now_);
-  const Pose<Scalar> X_WB =
-      is_here ? actor.body.X_WB : pose_at(state.plan.motion, now_ - state.start);
-  return to_world(X_WB, part_of(actor, part_at(proxy)));
-}
-
-template <class SceneT>
-void GeneralWorld<SceneT>::notify_controller(std::size_t slot, const Resolution<Scalar>& resolution,
-                                             const Vec3<Scalar>& shift_W) {
-  ActorType& actor = actor_at(slot);
-  if constexpr (SceneT::kSleep) {
-    // A blow has to show first; what only lies on a sleeper lets it sleep on.
-    const bool is_blow = resolution.kind == ContactKind::kColliding && this->sleeps(slot);
-    if (is_blow) this->rouse(slot);
-    this->wake(slot);
+void GeneralWorld<SceneT>::tell_controllers(ProxyPair pair, Scalar impulse,
+                                            const Vec3<Scalar>& shift_A_W,
+                                            const Vec3<Scalar>& shift_B_W) {
+  for (int i = 0; i < 2; ++i) {  // Bound: 2
+    ActorType& actor = bodies_.actor(BodiesT::body_of(i == 0 ? pair.first : pair.second));
+    actor.controller.on_contact(
+        actor.body, Feedback<Scalar>{bodies_.now, impulse, i == 0 ? shift_A_W : shift_B_W});
   }
-  actor.controller.on_contact(actor.body, Feedback<Scalar>{now_, resolution.impulse, shift_W});
 }
 
 /// Bodies that do not turn: an impulse, after which they part, and what parts is free for good.
 template <class SceneT>
-void GeneralWorld<SceneT>::resolve_straight(const CandidateType& candidate) {
-  ActorType& A = actor_at(body_of(candidate.pair.first));
-  ActorType& B = actor_at(body_of(candidate.pair.second));
-  Scalar restitution = 0;
-  if constexpr (SceneT::kRestitution) {
-    restitution = pair_restitution(A.restitution, B.restitution);
+void GeneralWorld<SceneT>::answer_straight(const CandidateType& candidate) {
+  const ProxyPair pair = candidate.pair;
+  const std::size_t a = BodiesT::body_of(pair.first);
+  const std::size_t b = BodiesT::body_of(pair.second);
+  const Nearest<Scalar> at = BodiesT::Kinematics::nearest(
+      bodies_.actor(a), BodiesT::part_at(pair.first), bodies_.actor(b),
+      BodiesT::part_at(pair.second));
+  const Vec3<Scalar>& normal_W = at.contact.normal_BA_W;
+  auto hit = bodies_.strike_straight(a, b, normal_W, restitution_of(pair));
+  if (takes_load(pair, at.contact)) {
+    hit.impulse += bodies_.strike_straight(a, b, normal_W, Scalar(0)).impulse;
   }
-  const Nearest<Scalar> at = nearest(candidate.pair);
-  const auto hit = straight_impulse(A.body, B.body, at.contact.normal_BA_W, restitution);
-  Resolution<Scalar> resolution;
-  resolution.kind = ContactKind::kColliding;
-  resolution.v_rel = hit.v_rel;
-  resolution.impulse = hit.impulse;
-  record(candidate, at, resolution);
+  Answer<Scalar> answer;
+  answer.kind = ContactKind::kColliding;
+  answer.v_rel = hit.v_rel;
+  answer.impulse = hit.impulse;
+  answer.is_overlap = candidate.outcome == Outcome::kTouching && !(at.contact.gap > Scalar(0));
+  touches_.record(bodies_, pair, at, answer);
 }
 
 /// Without response: the contact is told once, and everybody moves on.
 template <class SceneT>
 void GeneralWorld<SceneT>::report_only(const CandidateType& candidate) {
-  if (!candidate.is_contact() || contacts_resolved_ == SceneT::kMaxContacts)
-    return count_cut(candidate);
-  ++contacts_resolved_;
+  if (!candidate.is_contact() || contacts_answered_ == SceneT::kMaxContacts) return cut(candidate);
+  ++contacts_answered_;
+  Answer<Scalar> answer;
   if constexpr (SceneT::kRotation) {
-    PairQuery& query = queries_.earliest();
-    if constexpr (SceneT::kMaxPairs > 1) look(candidate.pair, query);  // the only pair's is known
-    Resolution<Scalar> resolution;
-    resolution.v_rel = query.search.gap_rate;
-    resolution.kind = classify(resolution.v_rel, settings_.rest_speed);
+    const PairQuery& query = pairs_.seen(bodies_, candidate.pair, false);
     const CapsuleGap<Scalar>& witness = query.search.witness;
-    record(candidate, {contact_from(witness, query.origin_W), witness.axes.s, witness.axes.u},
-           resolution);
+    answer.v_rel = query.search.gap_rate;
+    answer.kind = classify(answer.v_rel, bodies_.settings.rest_speed);
+    answer.is_overlap = candidate.outcome == Outcome::kTouching && !(witness.gap > Scalar(0));
+    touches_.record(bodies_, candidate.pair,
+                    {contact_from(witness, query.origin_W), witness.axes.s, witness.axes.u},
+                    answer);
   } else {
-    record(candidate, nearest(candidate.pair), {});
+    const Nearest<Scalar> at = BodiesT::Kinematics::nearest(
+        bodies_.actor(BodiesT::body_of(candidate.pair.first)),
+        BodiesT::part_at(candidate.pair.first),
+        bodies_.actor(BodiesT::body_of(candidate.pair.second)),
+        BodiesT::part_at(candidate.pair.second));
+    touches_.record(bodies_, candidate.pair, at, answer);
   }
 }
 

@@ -1,82 +1,111 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// GeneralWorld, second part: the rounds of a step, in the order in which they happen. Included by
-// general_world.hpp.
+// GeneralWorld: the step, in the order in which things happen. Included by general_world.hpp.
 
 #include "batuta/world/detail/general_world.hpp"
 
 namespace batuta::detail {
 
 template <class SceneT>
-Result<typename GeneralWorld<SceneT>::BodyId> GeneralWorld<SceneT>::add(const ActorType& actor) {
-  if (!is_usable(actor)) return failure<BodyId>(Status::kInvalidArgument);
-  ActorType added = actor;
-  Kinematics::prepare(added);
-  const auto id = actors_.make(added);
-  if (id.ok()) begin_life(static_cast<std::size_t>(actors_.index_of(id.value)));
-  return id;
-}
-
-/// Nothing is left of who was in the slot before.
-template <class SceneT>
-void GeneralWorld<SceneT>::begin_life(std::size_t slot) {
-  states_[slot].stands = false;
-  states_[slot].boxed = false;
-  if constexpr (SceneT::kSleep) this->start_over(slot, actor_at(slot).body.X_WB);
-}
-
-template <class SceneT>
-void GeneralWorld<SceneT>::restore(const GeneralWorld& saved) {
-  if (&saved == this) return;
-  this->copy_seeds(saved);
-  this->copy_events(saved);
-  this->copy_sleep(saved);
-  settings_ = saved.settings_;
-  actors_.restore(saved.actors_);
-  report_ = saved.report_;
-  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    BodyState& state = states_[slot];
-    state.plan = saved.states_[slot].plan;
-    state.stands = saved.states_[slot].stands;
-    state.boxed = false;
-  }
-}
-
-template <class SceneT>
 Status GeneralWorld<SceneT>::step(Scalar dt) {
   if (!is_positive(dt)) return Status::kInvalidArgument;
   begin_step(dt);
-  for (int round = 0; round < kMaxRounds && now_ < dt_; ++round) run_round();  // Bound: kMaxRounds
-  BATUTA_INVARIANT(!(now_ < dt_));
+  if constexpr (kSolves) solve_lasting();
+  for (int round = 0; round < kMaxRounds && bodies_.now < bodies_.dt; ++round) {
+    run_round();
+  }
+  BATUTA_INVARIANT(!(bodies_.now < bodies_.dt));
   end_step();
   return Status::kOk;
 }
 
-/// To the next thing that happens: a contact, a search that ended without an answer, the end of a
-/// hold, or the end of the step.
 template <class SceneT>
-void GeneralWorld<SceneT>::run_round() {
-  refresh();
-  const Scalar released = next_release();
-  const int earliest = CandidateOrder::earliest(candidates_);
-  if (earliest == CandidateOrder::kNone || released < candidates_[earliest].free_until()) {
-    return release(released);
-  }
-  const Scalar time = min_of(candidates_[earliest].free_until(), dt_);
-  const int chosen =
-      SceneT::kMaxPairs > 1 ? CandidateOrder::among_ties(candidates_, earliest) : earliest;
-  const CandidateType candidate = candidates_[chosen];
-  candidates_.remove_swapping(chosen);
-  resolve(candidate, time);
+void GeneralWorld<SceneT>::begin_step(Scalar dt) {
+  bodies_.report = {};
+  bodies_.now = 0;
+  bodies_.dt = dt;
+  contacts_answered_ = 0;
+  touches_.begin_step();
+  pairs_.begin_step();
+  this->clear_repeats();
+  if constexpr (SceneT::kSleep) sleep_.begin_step(bodies_, groups_);
+  begin_bodies();
+  is_begin_ = bodies_.is_changed = true;
 }
 
-/// The first time at which a held body is released, or the end of the step.
+template <class SceneT>
+void GeneralWorld<SceneT>::begin_bodies() {
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    auto& state = bodies_.states[slot];
+    const bool was_present = state.present;
+    if (bodies_.actors.at_index(slot) == nullptr) {
+      state.present = state.changed = false;
+      if (was_present) pairs_.remove_boxes(slot);
+      continue;
+    }
+    state.stands = bodies_.begin(slot);
+    state.changed = state.present;
+    if (!state.present) pairs_.remove_boxes(slot);
+  }
+}
+
+/// What touches and does not strike is solved with the velocities of the step's end; then courses
+/// are planned from what came out.
+template <class SceneT>
+void GeneralWorld<SceneT>::solve_lasting() {
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    auto& state = bodies_.states[slot];
+    if (!state.present) continue;
+    state.changed = false;
+    const bool idle = state.stands && Kinematics::is_still(state.plan.motion);
+    if (idle && state.boxed && pairs_.boxes().is_idle(BodiesT::proxy_of(slot, 0))) continue;
+    pairs_.put_wide_boxes(bodies_, slot, idle);
+  }
+  is_begin_ = bodies_.is_changed = false;
+  pairs_.collect_all(bodies_);
+  groups_.find_near(bodies_, pairs_);
+  groups_.solve(bodies_);
+  groups_.tell_begun([this](ProxyPair pair, const Contact<Scalar>& contact, Scalar impulse) {
+    touches_.record_lasting(bodies_, pair, contact, impulse);
+  });
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    auto& state = bodies_.states[slot];
+    if (!state.present || state.changed) continue;
+    const bool was_still = state.stands;
+    bodies_.plan(slot);
+    state.stands = Kinematics::is_still(state.plan.motion);
+    const bool idle = pairs_.boxes().is_idle(BodiesT::proxy_of(slot, 0));
+    if (state.stands && (was_still || !idle)) continue;
+    if ((idle && !state.stands) || !pairs_.holds_course(bodies_, slot)) {
+      state.changed = bodies_.is_changed = true;
+    }
+  }
+}
+
+/// To the next thing that happens: a contact, a search that ended without an answer, the end of a
+/// separation's time, or the end of the step.
+template <class SceneT>
+void GeneralWorld<SceneT>::run_round() {
+  pairs_.refresh(bodies_, is_begin_);
+  is_begin_ = false;
+  pairs_.search_all(bodies_);
+  const Scalar released = next_release();
+  CandidateType candidate;
+  Scalar time = 0;
+  if (pairs_.take_first(released, candidate, time)) {
+    resolve(candidate, time);
+  } else {
+    release(released);
+  }
+}
+
+/// The first time at which a group parts, or the end of the step.
 template <class SceneT>
 typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::next_release() const {
-  Scalar time = dt_;
-  if constexpr (kReleases) {
-    for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-      if (is_present(slot) && is_held(slot)) time = min_of(time, states_[slot].held_until);
+  Scalar time = bodies_.dt;
+  if constexpr (kSeparates) {
+    for (const auto& state : bodies_.states) {  // Bound: kMaxBodies
+      if (state.present && state.group != BodiesT::kAlone) time = min_of(time, state.held_until);
     }
   }
   return time;
@@ -84,114 +113,138 @@ typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::next_release() const
 
 template <class SceneT>
 void GeneralWorld<SceneT>::release(Scalar time) {
-  now_ = time;
-  if constexpr (kReleases) {
-    if (!(now_ < dt_)) return;
+  bodies_.now = time;
+  if constexpr (kSeparates) {
+    if (!(time < bodies_.dt)) return;
     for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-      const BodyState& state = states_[slot];
-      if (state.present && state.held_until == now_) advance(slot, now_ - state.start);
+      const auto& state = bodies_.states[slot];
+      const bool is_over = state.group != BodiesT::kAlone && !(time < state.held_until);
+      if (state.present && is_over) bodies_.part_group(slot);
     }
   }
-}
-
-/// @param time  not later than the candidate's own: another one that ties with it may be earlier
-template <class SceneT>
-void GeneralWorld<SceneT>::resolve(const CandidateType& candidate, Scalar time) {
-  const bool is_own_time = time == candidate.free_until();
-  const bool is_known = is_own_time && is_same(candidate.pair, queries_.pair());
-  now_ = time;
-  if constexpr (!SceneT::kResponse) return report_only(candidate);
-  advance_to_contact(candidate, body_of(candidate.pair.first), is_own_time);
-  advance_to_contact(candidate, body_of(candidate.pair.second), is_own_time);
-  if (candidate.is_contact() && contacts_resolved_ < SceneT::kMaxContacts) {
-    ++contacts_resolved_;
-    if constexpr (SceneT::kRotation) {
-      return resolve_turning(candidate, seen(candidate.pair, is_known));
-    } else {
-      return resolve_straight(candidate);
-    }
-  }
-  count_cut(candidate);
-  hold_pair(candidate.pair, dt_);
-}
-
-/// What is to be known of a contact; of a scene's only pair it is always known.
-template <class SceneT>
-typename GeneralWorld<SceneT>::PairQuery& GeneralWorld<SceneT>::seen(ProxyPair pair,
-                                                                     bool is_known) {
-  if constexpr (SceneT::kMaxPairs > 1) {
-    if (!is_known) look(pair, queries_.earliest());
-  }
-  return queries_.earliest();
-}
-
-/// A body of a candidate, to now: by the time that its search found where that is the same, to the
-/// last bit.
-template <class SceneT>
-void GeneralWorld<SceneT>::advance_to_contact(const CandidateType& candidate, std::size_t slot,
-                                              bool is_own_time) {
-  const bool is_of_search = is_own_time && states_[slot].start == candidate.since;
-  advance(slot, is_of_search ? candidate.free_for : now_ - states_[slot].start);
-}
-
-/// A candidate that ends without an answer.
-template <class SceneT>
-void GeneralWorld<SceneT>::count_cut(const CandidateType& candidate) {
-  if (candidate.is_contact()) {
-    ++report_.contacts_dropped;
-  } else if (candidate.outcome == Outcome::kBudget) {
-    ++report_.searches_cut;
-  } else {
-    ++report_.searches_invalid;
-  }
-}
-
-/// Moves a body on its planned motion, up to now; from there it has to be planned anew.
-template <class SceneT>
-void GeneralWorld<SceneT>::advance(std::size_t slot, Scalar elapsed) {
-  BodyState& state = states_[slot];
-  Kinematics::move(actor_at(slot).body, state.plan.motion, elapsed);
-  if constexpr (SceneT::kRotation && SceneT::kMaxPairs > 1) {  // look() asks where it is
-    state.plan.motion.X_WB = actor_at(slot).body.X_WB;
-  }
-  state.start = now_;
-  state.changed = true;
-  is_changed_ = true;
-}
-
-/// The body stays where it is now. What is held for longer already stays held. Its weight is
-/// carried for so long: else it would gain the speed of a fall by standing still.
-template <class SceneT>
-void GeneralWorld<SceneT>::hold(std::size_t slot, Scalar until) {
-  BodyState& state = states_[slot];
-  if (state.start < now_) advance(slot, now_ - state.start);
-  const Scalar held_before = max_of(state.held_until, now_);
-  state.held_until = max_of(state.held_until, min_of(until, dt_));
-  fall(slot, held_before - state.held_until);
-  state.plan.motion = Kinematics::standing(actor_at(slot).body, state.plan.motion.duration);
-  state.changed = true;
-  is_changed_ = true;
-  report_.time_held = max_of(report_.time_held, state.held_until - now_);
-}
-
-template <class SceneT>
-void GeneralWorld<SceneT>::hold_pair(ProxyPair pair, Scalar until) {
-  if constexpr (!SceneT::kResponse) return;
-  hold(body_of(pair.first), until);
-  hold(body_of(pair.second), until);
 }
 
 template <class SceneT>
 void GeneralWorld<SceneT>::end_step() {
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    if (!states_[slot].present) continue;
-    ActorType& actor = actor_at(slot);
-    const BodyState& state = states_[slot];
-    if (!state.stands) Kinematics::move(actor.body, state.plan.motion, dt_ - state.start);
-    if constexpr (SceneT::kRotation) actor.controller.on_step_end(actor.body, dt_);
+    if (bodies_.states[slot].present) bodies_.finish(slot);
   }
-  if constexpr (SceneT::kMaxEvents > 0) end_touches();
-  if constexpr (SceneT::kSleep) put_to_sleep();
+  if constexpr (kSolves) {
+    touches_.end_step(
+        bodies_, [this](ProxyPair pair) { return pairs_.rest_gap(bodies_, pair); },
+        [this](ProxyPair pair) { return groups_.presses(pair); });
+    groups_.end_step();
+  } else if constexpr (SceneT::kMaxEvents > 0) {
+    touches_.end_step(
+        bodies_, [this](ProxyPair) { return bodies_.settings.separation; },
+        [](ProxyPair) { return false; });
+  }
+  if constexpr (SceneT::kSleep) sleep_.end_step(bodies_, groups_);
+}
+
+template <class SceneT>
+Status GeneralWorld<SceneT>::configure(const WorldSettings<SceneT>& settings) {
+  const Status status = validate(settings);
+  if (status != Status::kOk) return status;
+  if constexpr (SceneT::kSleep && SceneT::kGravity) {
+    if (!is_same(settings.gravity_W, bodies_.settings.gravity_W)) sleep_.wake_all(bodies_);
+  }
+  bodies_.settings = settings;
+  return status;
+}
+
+template <class SceneT>
+Result<typename GeneralWorld<SceneT>::BodyId> GeneralWorld<SceneT>::add(const ActorType& actor) {
+  if (!has_valid_features(actor) || !Kinematics::is_usable(actor.body))
+    return failure<BodyId>(Status::kInvalidArgument);
+  ActorType added = actor;
+  Kinematics::prepare(added);
+  const auto id = bodies_.actors.make(added);
+  if (!id.ok()) return id;
+  const auto slot = static_cast<std::size_t>(bodies_.actors.index_of(id.value));
+  bodies_.states[slot] = {};
+  if constexpr (SceneT::kSleep) sleep_.start_over(bodies_, slot);
+  return id;
+}
+
+template <class SceneT>
+Status GeneralWorld<SceneT>::remove(BodyId id) {
+  const int index = bodies_.actors.index_of(id);
+  const Status status = bodies_.actors.remove(id);
+  if (status != Status::kOk) return status;
+  const auto slot = static_cast<std::size_t>(index);
+  if constexpr (SceneT::kSleep) {
+    groups_.for_each_neighbour(slot, [this](std::size_t other) {
+      sleep_.wake(bodies_, groups_, other, [](std::size_t) {});
+    });
+  }
+  if constexpr (kSolves) groups_.remove(slot);
+  touches_.remove(slot);
+  for (int part = 0; part < BodiesT::kParts; ++part) {  // Bound: kCapsulesPerBody
+    pairs_.forget(BodiesT::proxy_of(slot, part));
+  }
+  pairs_.remove_boxes(slot);
+  bodies_.states[slot] = {};
+  return status;
+}
+
+template <class SceneT>
+void GeneralWorld<SceneT>::restore(const GeneralWorld& saved) {
+  if (&saved == this) return;
+  pairs_.copy(saved.pairs_);
+  touches_.copy(saved.touches_);
+  if constexpr (kSolves) groups_.copy(saved.groups_);
+  if constexpr (SceneT::kSleep) sleep_.copy(saved.sleep_);
+  bodies_.settings = saved.bodies_.settings;
+  bodies_.actors.restore(saved.bodies_.actors);
+  bodies_.report = saved.bodies_.report;
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    auto& state = bodies_.states[slot];
+    state.plan = saved.bodies_.states[slot].plan;
+    state.stands = saved.bodies_.states[slot].stands;
+    state.asleep = saved.bodies_.states[slot].asleep;
+    state.boxed = false;
+  }
+}
+
+/// What a step sets up for itself is not part of what is saved, but for who stands where.
+template <class SceneT>
+template <class Archive>
+void GeneralWorld<SceneT>::archive(Archive& ar) {
+  archive_scene<SceneT>(ar);
+  pairs_.archive(ar);
+  if constexpr (SceneT::kSleep) sleep_.archive(ar);
+  ar(bodies_.settings, bodies_.actors, bodies_.report);
+  touches_.archive(ar, bodies_);
+  if constexpr (kSolves) groups_.archive(ar, bodies_);
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    const auto& state = bodies_.states[slot];
+    const bool is_present = bodies_.actors.at_index(slot) != nullptr;
+    bool stands = state.stands && is_present &&
+                  Kinematics::is_at_start(bodies_.actor(slot).body, state.plan.motion);
+    bool asleep = state.asleep && is_present;
+    ar(stands);
+    if constexpr (SceneT::kSleep) ar(asleep);
+    if (ar.reading()) take_stand(slot, stands, asleep);
+  }
+}
+
+/// What was read of a body's planned motion: whether it stood where it is. What sleeps flew by its
+/// momentum; and who was disturbed before it was saved stands nowhere.
+template <class SceneT>
+void GeneralWorld<SceneT>::take_stand(std::size_t slot, bool stands, bool asleep) {
+  auto& state = bodies_.states[slot];
+  const bool is_present = bodies_.actors.at_index(slot) != nullptr;
+  state = {};
+  state.stands = stands;
+  if constexpr (SceneT::kSleep) {
+    state.asleep = asleep && is_present;
+    state.plan.by_momentum = state.asleep;
+    if (!stands) state.plan.motion.X_WB.p_W.setConstant(std::numeric_limits<Scalar>::quiet_NaN());
+  }
+  if (stands && is_present) {
+    state.plan.motion = Kinematics::standing(bodies_.actor(slot).body, Scalar(0));
+  }
 }
 
 }  // namespace batuta::detail

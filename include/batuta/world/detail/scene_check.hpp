@@ -123,7 +123,7 @@ struct SceneVerdict : KeptScene<SceneT, broken_rule_of<SceneT>() == SceneRule::k
       "Scene: its controller lacks void on_step_end(const Body<Scalar>& body, Scalar dt)");
   static_assert(kRule != R::kBound, "Scene: its fourth argument is SweptBox or CoarseBox");
 
-  static_assert(kRule != R::kMaxBodies, "Scene: max_bodies: choose 2 ... 1024");
+  static_assert(kRule != R::kMaxBodies, "Scene: max_bodies: choose 2 ... 65534");
   static_assert(
       kRule != R::kCapsules,
       "Scene: capsules_per_body: choose 1 ... 255, and no more than 65535 capsules in all");
@@ -132,7 +132,8 @@ struct SceneVerdict : KeptScene<SceneT, broken_rule_of<SceneT>() == SceneRule::k
   static_assert(kRule != R::kMaxEvents, "Scene: max_events: at least 0");
   static_assert(kRule != R::kMaxSeparations, "Scene: max_separations: at least 1");
   static_assert(kRule != R::kSweepAxis, "Scene: sweep_axis: choose 0, 1 or 2");
-  static_assert(kRule != R::kSleepSteps, "Scene: sleep_steps: choose 1 ... 65535");
+  static_assert(kRule != R::kSleepTime,
+                "Scene: sleep_time: choose a time above 0, at most 60 s");
   static_assert(kRule != R::kFewPairs,
                 "Scene: max_pairs: at least max_bodies / 2, so that each body can be near another");
 
@@ -162,6 +163,9 @@ struct SceneVerdict : KeptScene<SceneT, broken_rule_of<SceneT>() == SceneRule::k
       kRule != R::kFrictionSeparation,
       "Scene: friction takes resting = RestingContact::kSettling (or kNone): a separation pushes "
       "nothing that could rub");
+  static_assert(kRule != R::kRollingRest,
+                "Scene: rolling_resistance takes friction = true and resting = "
+                "RestingContact::kSettling");
   static_assert(kRule != R::kSleepRest, "Scene: sleep takes resting = RestingContact::kSettling");
   static_assert(kRule != R::kSleepEvents,
                 "Scene: sleep takes max_events > 0: what a sleeper lies on has to be followed");

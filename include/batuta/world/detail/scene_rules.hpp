@@ -28,7 +28,7 @@ enum class SceneRule : std::uint8_t {
   kMaxEvents,
   kMaxSeparations,
   kSweepAxis,
-  kSleepSteps,
+  kSleepTime,
   kFewPairs,
   kStraightSearch,
   kSpheresTurn,
@@ -42,6 +42,7 @@ enum class SceneRule : std::uint8_t {
   kSilentRest,
   kSilentEvents,
   kFrictionSeparation,
+  kRollingRest,
   kSleepRest,
   kSleepEvents,
   kSmallRotation,
@@ -65,7 +66,7 @@ struct SearchTraits {
 
 constexpr SceneRule broken_capacity(const SceneOptions& scene) {
   using R = SceneRule;
-  if (scene.max_bodies < 2 || scene.max_bodies > 1024) return R::kMaxBodies;
+  if (scene.max_bodies < 2 || scene.max_bodies > 65534) return R::kMaxBodies;
   if (scene.capsules_per_body < 1 || scene.capsules_per_body > 255) return R::kCapsules;
   if (scene.max_bodies * scene.capsules_per_body > 65535) return R::kCapsules;
   if (scene.max_pairs < 1) return R::kMaxPairs;
@@ -73,7 +74,7 @@ constexpr SceneRule broken_capacity(const SceneOptions& scene) {
   if (scene.max_events < 0) return R::kMaxEvents;
   if (scene.max_separations < 1) return R::kMaxSeparations;
   if (scene.sweep_axis < 0 || scene.sweep_axis > 2) return R::kSweepAxis;
-  if (scene.sleep_steps < 1 || scene.sleep_steps > 65535) return R::kSleepSteps;
+  if (!(scene.sleep_time > 0 && scene.sleep_time <= 60)) return R::kSleepTime;
   const bool has_few = scene.max_pairs < scene.max_bodies / 2;
   return has_few && scene.engine == Engine::kGeneral ? R::kFewPairs : R::kNone;
 }
@@ -104,6 +105,8 @@ constexpr SceneRule broken_by_rest(const SceneOptions& scene) {
   using R = SceneRule;
   const bool separates = scene.resting == RestingContact::kSeparation;
   if (scene.friction && separates) return R::kFrictionSeparation;
+  const bool settles = scene.resting == RestingContact::kSettling;
+  if (scene.rolling_resistance && !(scene.friction && settles)) return R::kRollingRest;
   if (!scene.sleep) return R::kNone;
   if (scene.resting != RestingContact::kSettling) return R::kSleepRest;
   return scene.max_events > 0 ? R::kNone : R::kSleepEvents;

@@ -20,6 +20,7 @@ struct StraightKinematics {
 
   struct PlanType {
     MotionType motion;
+    static constexpr bool by_momentum = true;
   };
   struct StraightQuery {
     Outcome outcome_ = Outcome::kInvalid;
@@ -66,14 +67,40 @@ struct StraightKinematics {
   static MotionType rest_of(const MotionType& motion, Scalar t, Scalar duration) {
     return {position_at(motion, t), motion.v_W, duration};
   }
-  static void fall(BodyType& body, PlanType& plan, const Vec3<Scalar>& gravity_W, Scalar time) {
-    if (!(body.inverse_mass > Scalar(0))) return;
-    body.momentum_W += (time / body.inverse_mass) * gravity_W;
-    plan.motion.v_W = velocity_of(body);
+  static MotionType from_here(const BodyType& body, const MotionType& motion, Scalar duration) {
+    return {body.p_W, motion.v_W, duration};
+  }
+  static MotionType without_turn(const BodyType& body, Scalar duration) {
+    return {body.p_W, velocity_of(body), duration};
+  }
+  template <class Sums>
+  static MotionType group_motion(const Vec3<Scalar>& center_W, const Sums& /*sums*/,
+                                 const Vec3<Scalar>& v_W, Scalar duration) {
+    return {center_W, v_W, duration};
+  }
+  static MotionType standing_at(const Vec3<Scalar>& center_W, Scalar duration) {
+    return {center_W, Vec3<Scalar>::Zero(), duration};
+  }
+  static MotionType turned_about(const MotionType& leader, Scalar duration) {
+    return {leader.p_W, leader.v_W, duration};
+  }
+  static MotionType seat(const MotionType& group, const BodyType& body) {
+    return {body.p_W, group.v_W, group.duration};
+  }
+  static Vec3<Scalar>& velocity(MotionType& motion) { return motion.v_W; }
+  static Vec3<Scalar>& linear(Vec3<Scalar>& v_W) { return v_W; }
+  static Vec3<Scalar>& linear_momentum(BodyType& body) { return body.momentum_W; }
+  static Vec3<Scalar> momentum_velocity(const BodyType& body) { return velocity_of(body); }
+  static Vec3<Scalar> twist_at(const BodyType& body, const PlanType& /*plan*/) {
+    return velocity_of(body);
   }
 
   static Mover mover(const ActorType& actor, int part, const MotionType& motion) {
     return {&actor, part, motion};
+  }
+  static Mover mover_in_group(const ActorType& actor, int part, const MotionType& motion,
+                              const MotionType& /*whole*/) {
+    return {&actor, part, motion};  // each has its own place, and all the same velocity
   }
   static Aabb<Scalar> bound(const Mover& mover) {
     if constexpr (kBalls) {

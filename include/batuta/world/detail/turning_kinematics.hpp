@@ -5,6 +5,7 @@
 
 #include "batuta/response/contact.hpp"
 #include "batuta/world/actor.hpp"
+#include "batuta/world/detail/group_motion.hpp"
 
 namespace batuta::detail {
 
@@ -95,16 +96,55 @@ struct TurningKinematics {
     rest.duration = duration;
     return rest;
   }
-  /// What `time` of falling adds to a body that its momentum moves, and to its planned motion; a
-  /// time below zero takes it back.
-  static void fall(BodyType& body, PlanType& plan, const Vec3<Scalar>& gravity_W, Scalar time) {
-    if (!plan.by_momentum || !(body.inverse_mass > Scalar(0))) return;
-    body.momentum.linear_W += (time / body.inverse_mass) * gravity_W;
-    plan.motion.twist.v_W = body.inverse_mass * body.momentum.linear_W;
+  /// The motion from where the body is now.
+  static MotionType from_here(const BodyType& body, const MotionType& motion, Scalar duration) {
+    return {body.X_WB, motion.twist, duration};
+  }
+  /// How a body that its momenta move would go if nothing touched it, to first order.
+  static MotionType free_motion(const BodyType& body, Scalar duration) {
+    return {body.X_WB, twist_of(body), duration};
+  }
+  /// By its momentum, without a turn.
+  static MotionType without_turn(const BodyType& body, Scalar duration) {
+    return batuta::linear<Scalar>(body.X_WB, momentum_velocity(body), duration);
+  }
+  static Vec3<Scalar>& velocity(MotionType& motion) { return motion.twist.v_W; }
+  static Vec3<Scalar>& linear(Twist<Scalar>& twist) { return twist.v_W; }
+  static Vec3<Scalar>& linear_momentum(BodyType& body) { return body.momentum.linear_W; }
+  static Vec3<Scalar> momentum_velocity(const BodyType& body) {
+    return body.inverse_mass * body.momentum.linear_W;
+  }
+  /// The motion of a group: about its centre, in a frame with the axes of W.
+  template <class Sums>
+  static MotionType group_motion(const Vec3<Scalar>& center_W, const Sums& sums,
+                                 const Vec3<Scalar>& v_W, Scalar duration) {
+    const Vec3<Scalar> w_W = group_spin(sums.inertia_W, sums.spin_W, duration);
+    return {{center_W, Quat<Scalar>::Identity()}, {v_W, w_W}, duration};
+  }
+  static MotionType standing_at(const Vec3<Scalar>& center_W, Scalar duration) {
+    return still<Scalar>({center_W, Quat<Scalar>::Identity()}, duration);
+  }
+  /// The motion of what a body takes along.
+  static MotionType turned_about(const MotionType& leader, Scalar duration) {
+    return {{leader.X_WB.p_W, Quat<Scalar>::Identity()}, leader.twist, duration};
+  }
+  /// The motion of a group for one of its bodies.
+  static const MotionType& seat(const MotionType& group, const BodyType& /*body*/) { return group; }
+  /// Of its matter.
+  static Twist<Scalar> twist_at(const BodyType& body, const PlanType& plan) {
+    return plan.by_momentum ? twist_of(body) : plan.motion.twist;
   }
 
   static Mover mover(const ActorType& actor, int part, const MotionType& motion) {
     return {part_of(actor, part), motion};
+  }
+  /// Of a body in a group, whose frame is at the group's centre with axes of W when it was made.
+  /// @param whole  the motion of the group from then on; the body is where it was then
+  static Mover mover_in_group(const ActorType& actor, int part, const MotionType& motion,
+                              const MotionType& whole) {
+    const Pose<Scalar>& X_WB = actor.body.X_WB;
+    const Pose<Scalar> X_GB = {X_WB.p_W - whole.X_WB.p_W, X_WB.q_WB};
+    return {to_world(X_GB, part_of(actor, part)), motion};
   }
   static Aabb<Scalar> bound(const Mover& mover) { return SceneT::Bound::of(mover); }
 

@@ -1,0 +1,474 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Pairs: which may meet in the rest of a step, when, and which is first (src/world/world.md,
+// "Pairs"). One of the five that make a step (general_world.hpp).
+
+#include "batuta/world/detail/bodies.hpp"
+#include "batuta/world/detail/seed_memory.hpp"
+#include "batuta/world/detail/sweep.hpp"
+
+namespace batuta::detail {
+
+template <class SceneT>
+class Pairs : private SeedsOf<SceneT> {
+ public:
+  using Scalar = Scalar_of<SceneT>;
+  using BodiesT = Bodies<SceneT>;
+  using Search = typename SceneT::Search;
+  using PairQuery = typename BodiesT::Kinematics::PairQuery;
+  using CandidateType = CandidatePair<Scalar>;
+
+  /// Nothing is known of the step that begins.
+  void begin_step() {
+    candidates.clear();
+    queries_.forget();
+  }
+  /// The boxes of a body that was planned.
+  void put_boxes(BodiesT& bodies, std::size_t slot, bool idle);
+  /// The body has no boxes any more.
+  void remove_boxes(std::size_t slot);
+  /// Its boxes at the start of a step in which contacts are solved before anybody is planned.
+  void put_wide_boxes(BodiesT& bodies, std::size_t slot, bool idle);
+  /// Whether its planned motion stays within these.
+  bool holds_course(const BodiesT& bodies, std::size_t slot) const;
+
+  /// All pairs, of the boxes as they are.
+  void collect_all(BodiesT& bodies);
+  /// Plans who has changed, and collects the pairs of those. Bound: kMaxBodies + 1 passes.
+  void refresh(BodiesT& bodies, bool is_begin);
+  /// Asks for every candidate that was not asked for, and drops those that are free.
+  void search_all(BodiesT& bodies);
+
+  /// The candidate that ends the round, taken out; false: none does.
+  bool take_first(Scalar before, CandidateType& first, Scalar& time);
+  /// What is known of the contact of a candidate at its time, or found out now.
+  PairQuery& seen(const BodiesT& bodies, ProxyPair pair, bool is_own_time);
+  /// The gap from which a search lets parting bodies go (src/world/detail/resolution.md).
+  static Scalar margin_of(const BodiesT& bodies, const PairQuery& query, ProxyPair pair);
+  /// D of a pair: the one length that rules rest (world.md, "One length").
+  Scalar rest_gap(const BodiesT& bodies, ProxyPair pair) const;
+
+  /// A capsule's box at present, and whether it has one.
+  const SweepList<Scalar, BodiesT::kProxies, SceneT::kSweepAxis>& boxes() const { return sweep_; }
+  /// Forgets what is known of a body.
+  void forget(int proxy) { SeedsOf<SceneT>::forget(static_cast<std::uint16_t>(proxy)); }
+  /// The normal that parted a pair last, out of the first; zero: none known.
+  Vec3<Scalar> seed(ProxyPair pair) const {
+    if constexpr (Search::kUsesSeed) {
+      return this->recall(pair);
+    } else {
+      return Vec3<Scalar>::Zero();
+    }
+  }
+  void keep_seed(ProxyPair pair, const Vec3<Scalar>& normal) {
+    if constexpr (Search::kUsesSeed) this->remember(pair, normal);
+  }
+  void copy(const Pairs& saved) { this->copy_seeds(saved); }
+  template <class Archive>
+  void archive(Archive& ar) {
+    this->archive_seeds(ar);
+  }
+
+  FixedList<CandidateType, SceneT::kMaxPairs> candidates;
+
+ private:
+  /// There may be more pairs than candidates.
+  static constexpr bool kCanOverflow =
+      SceneT::kMaxPairs < BodiesT::kProxies * (BodiesT::kProxies - 1) / 2;
+
+  static std::size_t body_of(int proxy) { return BodiesT::body_of(proxy); }
+  bool may_pair(const BodiesT& bodies, std::size_t a, std::size_t b) const;
+  void drop_changed(const BodiesT& bodies);
+  void collect_fresh(BodiesT& bodies);
+  void collect(BodiesT& bodies, ProxyPair pair);
+  void search(BodiesT& bodies, CandidateType& candidate);
+  void search_pair(const BodiesT& bodies, ProxyPair pair, Scalar until, PairQuery& query);
+  SearchResult<Scalar> search_with_seed(ProxyPair pair, const MovingPair<Scalar>& moving_pair,
+                                        const typename Search::Options& options);
+  SearchResult<Scalar> search_thinner(const BodiesT& bodies, const MovingPair<Scalar>& moving_pair,
+                                      const PairQuery& query, ProxyPair pair) const;
+  bool stays_apart(const BodiesT& bodies, ProxyPair pair) const;
+
+  SweepList<Scalar, BodiesT::kProxies, SceneT::kSweepAxis> sweep_;
+  EarliestQuery<PairQuery, Scalar, (SceneT::kMaxPairs > 1)> queries_;
+};
+
+template <class SceneT>
+void Pairs<SceneT>::put_boxes(BodiesT& bodies, std::size_t slot, bool idle) {
+  const auto& actor = bodies.actor(slot);
+  bodies.states[slot].boxed = true;
+  for (int part = 0; part < BodiesT::kParts; ++part) {  // Bound: kCapsulesPerBody
+    const auto proxy = BodiesT::proxy_of(slot, part);
+    if (part < parts_of(actor)) {
+      sweep_.set(proxy, BodiesT::Kinematics::bound(bodies.mover(proxy, bodies.dt)), idle);
+    } else {
+      sweep_.remove(proxy);
+    }
+  }
+}
+
+template <class SceneT>
+void Pairs<SceneT>::remove_boxes(std::size_t slot) {
+  for (int part = 0; part < BodiesT::kParts; ++part) {  // Bound: kCapsulesPerBody
+    sweep_.remove(BodiesT::proxy_of(slot, part));
+  }
+}
+
+/// Where a part may be by the end of a step, to a box: its way in a straight line, and as far
+/// aside as its ends turn.
+template <class SceneT>
+Aabb<Scalar_of<SceneT>> way_box(const Bodies<SceneT>& bodies, int proxy,
+                                Scalar_of<SceneT> slack) {
+  using Scalar = Scalar_of<SceneT>;
+  const auto moving = bodies.mover(proxy, bodies.dt);
+  const Capsule<Scalar> from = to_world(moving.motion.X_WB, moving.capsule_B);
+  const Vec3<Scalar> way = moving.motion.duration * moving.motion.twist.v_W;
+  const Capsule<Scalar> to = {{from.axis.a + way, from.axis.b + way}, from.radius};
+  const Scalar turn = moving.motion.duration * length(moving.motion.twist.w_W);
+  const Scalar reach = max_of(length(moving.capsule_B.axis.a), length(moving.capsule_B.axis.b));
+  return kdop_of<Scalar, 6>(from, to, min_of(turn, Scalar(2)) * reach + slack);
+}
+
+template <class SceneT>
+void Pairs<SceneT>::put_wide_boxes(BodiesT& bodies, std::size_t slot, bool idle) {
+  const auto& actor = bodies.actor(slot);
+  const Scalar D = bodies.settings.separation;
+  Scalar slack = 2 * D;
+  if constexpr (SceneT::kGravity) {
+    slack += bodies.dt * bodies.dt * length(bodies.settings.gravity_W);
+  }
+  bodies.states[slot].boxed = true;
+  for (int part = 0; part < BodiesT::kParts; ++part) {  // Bound: kCapsulesPerBody
+    const auto proxy = BodiesT::proxy_of(slot, part);
+    if (part < parts_of(actor)) {
+      sweep_.set(proxy, way_box(bodies, proxy, slack), idle);
+    } else {
+      sweep_.remove(proxy);
+    }
+  }
+}
+
+template <class SceneT>
+bool Pairs<SceneT>::holds_course(const BodiesT& bodies, std::size_t slot) const {
+  bool holds = true;
+  for (int part = 0; part < parts_of(bodies.actor(slot)); ++part) {  // Bound: kCapsulesPerBody
+    const auto proxy = BodiesT::proxy_of(slot, part);
+    const Aabb<Scalar> way = way_box(bodies, proxy, Scalar(0));
+    const Aabb<Scalar>& box = sweep_.box(proxy);
+    for (std::size_t i = 0; i < 3; ++i) {  // Bound: 3
+      holds = holds && !(way.low[i] < box.low[i]) && !(box.high[i] < way.high[i]);
+    }
+  }
+  return holds;
+}
+
+template <class SceneT>
+void Pairs<SceneT>::collect_all(BodiesT& bodies) {
+  sweep_.sort();
+  sweep_.for_each_pair([this, &bodies](ProxyPair pair) { collect(bodies, pair); });
+}
+
+/// A pair that finds no room goes on together, which changes its bodies in turn: each time there is
+/// one body or group less.
+template <class SceneT>
+void Pairs<SceneT>::refresh(BodiesT& bodies, bool is_begin) {
+  constexpr std::size_t kSlots = BodiesT::kSlots;
+  for (int pass = 0; bodies.is_changed && pass <= SceneT::kMaxBodies; ++pass) {
+    bodies.is_changed = false;
+    drop_changed(bodies);
+    for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+      auto& state = bodies.states[slot];
+      if (!state.changed) continue;
+      const bool stayed = state.stands;
+      state.changed = false;
+      bodies.plan(slot);
+      state.fresh = true;
+      state.stands =
+          is_begin && pass == 0 && BodiesT::Kinematics::is_still(state.plan.motion);
+      const bool idle = stayed && state.stands;
+      if (idle && state.boxed && sweep_.is_idle(BodiesT::proxy_of(slot, 0))) continue;
+      put_boxes(bodies, slot, idle);
+    }
+    if (is_begin && pass == 0) {
+      collect_all(bodies);
+    } else {
+      sweep_.sort();
+      collect_fresh(bodies);
+    }
+    for (auto& state : bodies.states) state.fresh = false;  // Bound: kMaxBodies
+  }
+}
+
+/// What was known of a body whose planned motion changes is no longer true.
+template <class SceneT>
+void Pairs<SceneT>::drop_changed(const BodiesT& bodies) {
+  const auto is_stale = [&bodies](ProxyPair pair) {
+    return bodies.states[body_of(pair.first)].changed ||
+           bodies.states[body_of(pair.second)].changed;
+  };
+  for (int i = candidates.size() - 1; i >= 0; --i) {  // Bound: kMaxPairs
+    if (is_stale(candidates[i].pair)) candidates.remove_swapping(i);
+  }
+  if (is_stale(queries_.pair())) queries_.forget();
+}
+
+template <class SceneT>
+void Pairs<SceneT>::collect_fresh(BodiesT& bodies) {
+  using Slot = std::uint16_t;
+  for (int i = 0; i < BodiesT::kProxies; ++i) {  // Bound: all capsules
+    const auto proxy = static_cast<Slot>(i);
+    if (!bodies.states[body_of(i)].fresh || !sweep_.contains(proxy)) continue;
+    sweep_.for_each_partner(proxy, [this, &bodies, proxy](Slot other) {
+      // Found from there already.
+      if (other < proxy && bodies.states[body_of(other)].fresh) return;
+      collect(bodies, {min_of(proxy, other), max_of(proxy, other)});
+    });
+  }
+}
+
+template <class SceneT>
+void Pairs<SceneT>::collect(BodiesT& bodies, ProxyPair pair) {
+  const std::size_t a = body_of(pair.first);
+  const std::size_t b = body_of(pair.second);
+  if (!may_pair(bodies, a, b)) return;
+  CandidateType candidate;
+  candidate.pair = pair;
+  const bool has_room = candidates.push(candidate);
+  if constexpr (kCanOverflow) {
+    if (has_room) return;
+    ++bodies.report.pairs_dropped;
+    if constexpr (SceneT::kResponse) bodies.weld(a, b, bodies.dt);
+  }
+}
+
+/// What is still and cannot be pushed may stand in other such bodies.
+template <class SceneT>
+bool Pairs<SceneT>::may_pair(const BodiesT& bodies, std::size_t a, std::size_t b) const {
+  if (a == b || (bodies.is_wall(a) && bodies.is_wall(b))) return false;
+  const auto group = bodies.states[a].group;
+  if (group != BodiesT::kAlone && group == bodies.states[b].group) return false;
+  return may_meet(bodies.actor(a), bodies.actor(b));
+}
+
+template <class SceneT>
+void Pairs<SceneT>::search_all(BodiesT& bodies) {
+  for (int i = 0; i < candidates.size(); ++i) {  // Bound: kMaxPairs
+    if (!candidates[i].asked) search(bodies, candidates[i]);
+  }
+  for (int i = candidates.size() - 1; i >= 0; --i) {  // Bound: kMaxPairs
+    if (candidates[i].outcome == Outcome::kFree) candidates.remove_swapping(i);
+  }
+}
+
+/// What was seen of the earliest candidate is kept: its contact then needs no other evaluation.
+template <class SceneT>
+void Pairs<SceneT>::search(BodiesT& bodies, CandidateType& candidate) {
+  candidate.asked = true;
+  if constexpr (kLasts<SceneT>) {
+    if (stays_apart(bodies, candidate.pair)) {
+      candidate.outcome = Outcome::kFree;
+      return;
+    }
+  }
+  ++bodies.report.pairs;
+  Scalar until = bodies.dt;
+  if constexpr (SceneT::kResting == RestingContact::kSeparation) {
+    for (const int proxy : {int{candidate.pair.first}, int{candidate.pair.second}}) {  // Bound: 2
+      const auto& state = bodies.states[body_of(proxy)];
+      if (state.group != BodiesT::kAlone) until = min_of(until, state.held_until);
+    }
+  }
+  PairQuery& query = queries_.spare();
+  search_pair(bodies, candidate.pair, until, query);
+  bodies.report.evaluations += query.evaluations();
+  candidate.outcome = query.outcome();
+  candidate.since = bodies.now;
+  candidate.free_for = query.t_free();
+  candidate.near_after = query.near_after();
+  if (candidate.outcome != Outcome::kFree) queries_.offer(candidate.pair, candidate.free_until());
+}
+
+template <class SceneT>
+void Pairs<SceneT>::search_pair(const BodiesT& bodies, ProxyPair pair, Scalar until,
+                                PairQuery& query) {
+  if constexpr (!SceneT::kRotation) {
+    query = BodiesT::Kinematics::search(bodies.mover(pair.first, until),
+                                        bodies.mover(pair.second, until), bodies.settings.search);
+  } else {
+    const auto moving_pair =
+        make_moving_pair(bodies.mover(pair.first, until), bodies.mover(pair.second, until));
+    query.search.outcome = Outcome::kInvalid;
+    query.search.t_free = query.search.t_hit = 0;
+    query.search.evaluations = 0;
+    if (!moving_pair.ok()) return;
+    query.origin_W = moving_pair.value.origin_W;
+    query.scale = moving_pair.value.scale;
+    query.contact_gap = Search::contact_gap(moving_pair.value, bodies.settings.search);
+    query.search = search_with_seed(pair, moving_pair.value, bodies.settings.search);
+    const bool may_part = query.outcome() == Outcome::kTouching && query.search.gap_rate >= Scalar(0);
+    if (SceneT::kResponse && may_part) {
+      query.search = search_thinner(bodies, moving_pair.value, query, pair);
+    }
+  }
+}
+
+/// The seed is a direction in W, and as good a guess in the next round or step.
+template <class SceneT>
+SearchResult<Scalar_of<SceneT>> Pairs<SceneT>::search_with_seed(
+    ProxyPair pair, const MovingPair<Scalar>& moving_pair,
+    const typename Search::Options& options) {
+  if constexpr (Search::kUsesSeed) {
+    auto result = Search::search(moving_pair, options, this->recall(pair));
+    if (result.outcome != Outcome::kInvalid) this->remember(pair, result.witness.axes.normal_AB);
+    return result;
+  } else {
+    return Search::search(moving_pair, options, Vec3<Scalar>::Zero());
+  }
+}
+
+/// What touches and parts is searched as if it were thinner by what is missing to be clear of
+/// contact (world.md, "Touching and parting").
+template <class SceneT>
+SearchResult<Scalar_of<SceneT>> Pairs<SceneT>::search_thinner(
+    const BodiesT& bodies, const MovingPair<Scalar>& moving_pair, const PairQuery& query,
+    ProxyPair pair) const {
+  const Scalar missing = margin_of(bodies, query, pair) - query.search.witness.gap;
+  const Scalar radii = moving_pair.A.radius + moving_pair.B.radius;
+  if (!(missing < radii)) return query.search;
+  MovingPair<Scalar> thinner = moving_pair;
+  thinner.A.radius *= Scalar(1) - missing / radii;
+  thinner.B.radius *= Scalar(1) - missing / radii;
+  SearchResult<Scalar> result =
+      Search::search(thinner, bodies.settings.search, query.search.witness.axes.normal_AB);
+  result.evaluations += query.search.evaluations;
+  return result;
+}
+
+template <class SceneT>
+bool Pairs<SceneT>::take_first(Scalar before, CandidateType& first, Scalar& time) {
+  const int earliest = CandidateOrder::earliest(candidates);
+  if (earliest == CandidateOrder::kNone || before < candidates[earliest].free_until()) return false;
+  time = min_of(candidates[earliest].free_until(), before);
+  const int chosen =
+      SceneT::kMaxPairs > 1 ? CandidateOrder::among_ties(candidates, earliest) : earliest;
+  first = candidates[chosen];
+  candidates.remove_swapping(chosen);
+  return true;
+}
+
+/// A pair as it is now, without a search, where its search was not kept.
+template <class SceneT>
+typename Pairs<SceneT>::PairQuery& Pairs<SceneT>::seen(const BodiesT& bodies, ProxyPair pair,
+                                                       bool is_own_time) {
+  PairQuery& query = queries_.earliest();
+  if (SceneT::kMaxPairs == 1 || (is_own_time && is_same(pair, queries_.pair()))) return query;
+  query = {};
+  queries_.forget();
+  const auto moving_pair = make_moving_pair(bodies.mover(pair.first, bodies.dt),
+                                            bodies.mover(pair.second, bodies.dt));
+  if (!moving_pair.ok()) return query;
+  query.origin_W = moving_pair.value.origin_W;
+  query.scale = moving_pair.value.scale;
+  query.contact_gap = Search::contact_gap(moving_pair.value, bodies.settings.search);
+  query.search.outcome = Outcome::kContact;
+  query.search.witness = gap_at(moving_pair.value, Scalar(0));
+  query.search.gap_rate = gap_rate_at(moving_pair.value, query.search.witness, Scalar(0));
+  return query;
+}
+
+template <class SceneT>
+Scalar_of<SceneT> Pairs<SceneT>::margin_of(const BodiesT& bodies, const PairQuery& query,
+                                           ProxyPair pair) {
+  constexpr Scalar kContactGaps = 2;
+  constexpr Scalar kUlps = 64;
+  const Scalar size = length(position_of(bodies.actor(body_of(pair.first)))) +
+                      length(position_of(bodies.actor(body_of(pair.second)))) + query.scale;
+  return kContactGaps * query.contact_gap + kUlps * kRoundOff<Scalar> * size;
+}
+
+template <class SceneT>
+Scalar_of<SceneT> Pairs<SceneT>::rest_gap(const BodiesT& bodies, ProxyPair pair) const {
+  constexpr Scalar kMargins = 2;
+  MovingPair<Scalar> query;
+  query.duration = bodies.dt;
+  query.scale = length<Scalar>(position_of(bodies.actor(body_of(pair.first))) -
+                               position_of(bodies.actor(body_of(pair.second))));
+  for (const int proxy : {int{pair.first}, int{pair.second}}) {  // Bound: 2
+    const Capsule<Scalar>& part =
+        part_of(bodies.actor(body_of(proxy)), BodiesT::part_at(proxy));
+    const Scalar reach = max_of(length(part.axis.a), length(part.axis.b));
+    const Twist<Scalar>& twist = bodies.states[body_of(proxy)].plan.motion.twist;
+    query.scale += reach + part.radius + bodies.dt * length(twist.v_W);
+    auto& path = proxy == pair.first ? query.A : query.B;
+    path.bounding_radius = reach;
+    path.turn_rate = length(twist.w_W);
+  }
+  PairQuery known;
+  known.scale = query.scale;
+  known.contact_gap = Search::contact_gap(query, bodies.settings.search);
+  Scalar D = max_of(bodies.settings.separation, kMargins * margin_of(bodies, known, pair));
+  if constexpr (SceneT::kGravity) {
+    const Scalar fall = bodies.dt * bodies.dt * length(bodies.settings.gravity_W);
+    D = max_of(D, fall / 4);
+  }
+  return D;
+}
+
+/// The ends of a capsule along a normal: where they are, and how fast they go.
+template <class Scalar>
+struct EndsAlong {
+  Scalar first = 0;   ///< the furthest at the start, m
+  Scalar last = 0;    ///< at the end of the time, m, were they to go straight on
+  Scalar bend = 0;    ///< as far as they may be off that, m
+  Scalar length = 0;  ///< what rounding is proportional to, m
+};
+
+/// @param sign  +1: the furthest along the normal; -1: along its opposite
+template <class Scalar>
+EndsAlong<Scalar> ends_along(const MovingCapsule<Scalar>& moving, const Vec3<Scalar>& origin_W,
+                             const Vec3<Scalar>& origin_v_W, const Vec3<Scalar>& normal_W,
+                             Scalar sign) {
+  const Motion<Scalar>& motion = moving.motion;
+  const Vec3<Scalar> at_W = motion.X_WB.p_W - origin_W;
+  const Vec3<Scalar> v_W = motion.twist.v_W - origin_v_W;
+  const Scalar place = normal_W.dot(at_W);
+  const Scalar way = motion.duration * normal_W.dot(v_W);
+  EndsAlong<Scalar> ends;
+  Scalar reach = 0;
+  for (int i = 0; i < 2; ++i) {  // Bound: two ends
+    const Vec3<Scalar> arm_W = motion.X_WB.q_WB * (i == 0 ? moving.capsule_B.axis.a
+                                                          : moving.capsule_B.axis.b);
+    const Scalar here = place + normal_W.dot(arm_W);
+    const Scalar there =
+        here + way + motion.duration * normal_W.dot(motion.twist.w_W.cross(arm_W));
+    reach = max_of(reach, length(arm_W));
+    ends.first = i == 0 ? here : sign * max_of(sign * ends.first, sign * here);
+    ends.last = i == 0 ? there : sign * max_of(sign * ends.last, sign * there);
+  }
+  const Scalar turn = motion.duration * length(motion.twist.w_W);
+  ends.bend = turn * turn * reach / 2;
+  ends.length = length(at_W) + reach + motion.duration * length(v_W) + turn * reach +
+                moving.capsule_B.radius;
+  return ends;
+}
+
+/// Whether the normal that parted the pair last parts it for all the time to come: ends go straight
+/// on but for half of (w t)^2 times their arm, so that what is between them along a fixed normal is
+/// least at one of both ends of the time (world.md, "No search").
+template <class SceneT>
+bool Pairs<SceneT>::stays_apart(const BodiesT& bodies, ProxyPair pair) const {
+  const Vec3<Scalar> normal = seed(pair);
+  if (is_zero(normal)) return false;
+  const auto A = bodies.mover(pair.first, bodies.dt);
+  const auto B = bodies.mover(pair.second, bodies.dt);
+  const Vec3<Scalar> origin_W = A.motion.X_WB.p_W;
+  const Vec3<Scalar> origin_v_W = A.motion.twist.v_W;
+  const auto a = ends_along<Scalar>(A, origin_W, origin_v_W, normal, Scalar(1));
+  const auto b = ends_along<Scalar>(B, origin_W, origin_v_W, normal, Scalar(-1));
+  const Scalar at_end = (b.last - a.last) - (a.bend + b.bend);
+  const Scalar between = min_of(b.first - a.first, at_end);
+  const Scalar noise = 2 * kInflation<Scalar> * (a.length + b.length);
+  return between - (A.capsule_B.radius + B.capsule_B.radius) > noise;
+}
+
+}  // namespace batuta::detail
