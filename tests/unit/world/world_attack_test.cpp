@@ -19,7 +19,7 @@ constexpr SceneOptions tight_scene_options() {
   SceneOptions scene = test::flight_scene_options();
   scene.max_bodies = 4;
   scene.max_pairs = 2;
-  scene.sleep_steps = 5;
+  scene.sleep_time = 0.005F;
   scene.gravity = true;
   scene.sleep = true;
   scene.resting = RestingContact::kSettling;
