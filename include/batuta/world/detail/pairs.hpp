@@ -76,7 +76,17 @@ class Pairs : private SeedsOf<SceneT> {
   static constexpr bool kCanOverflow =
       SceneT::kMaxPairs < BodiesT::kProxies * (BodiesT::kProxies - 1) / 2;
 
+  /// What a part adds to the lengths of a pair, m.
+  struct PartSize {
+    Scalar length = 0;
+    Scalar turn = 0;
+    Scalar from_origin = 0;
+  };
+
   static std::size_t body_of(int proxy) { return BodiesT::body_of(proxy); }
+  PartSize size_of(const BodiesT& bodies, int proxy) const;
+  Scalar twice_margin(const BodiesT& bodies, Scalar scale, Scalar turned) const;
+  Scalar own_rest_gap(const BodiesT& bodies, int proxy) const;
   bool may_pair(const BodiesT& bodies, std::size_t a, std::size_t b) const;
   void drop_changed(const BodiesT& bodies);
   void collect_fresh(BodiesT& bodies);
@@ -132,16 +142,15 @@ Aabb<Scalar_of<SceneT>> way_box(const Bodies<SceneT>& bodies, int proxy,
 template <class SceneT>
 void Pairs<SceneT>::put_wide_boxes(BodiesT& bodies, std::size_t slot, bool idle) {
   const auto& actor = bodies.actor(slot);
-  const Scalar D = bodies.settings.separation;
-  Scalar slack = 2 * D;
+  Scalar fall = 0;
   if constexpr (SceneT::kGravity) {
-    slack += bodies.dt * bodies.dt * length(bodies.settings.gravity_W);
+    fall = bodies.dt * bodies.dt * length(bodies.settings.gravity_W);
   }
   bodies.states[slot].boxed = true;
   for (int part = 0; part < BodiesT::kParts; ++part) {  // Bound: kCapsulesPerBody
     const auto proxy = BodiesT::proxy_of(slot, part);
     if (part < parts_of(actor)) {
-      sweep_.set(proxy, way_box(bodies, proxy, slack), idle);
+      sweep_.set(proxy, way_box(bodies, proxy, fall + own_rest_gap(bodies, proxy)), idle);
     } else {
       sweep_.remove(proxy);
     }
@@ -386,30 +395,60 @@ Scalar_of<SceneT> Pairs<SceneT>::margin_of(const BodiesT& bodies, const PairQuer
   return kContactGaps * query.contact_gap + kUlps * kRoundOff<Scalar> * size;
 }
 
+/// What the search cannot tell from contact, twice, between things whose sizes, ways and distance
+/// from each other add up to `scale`, and that are `from_origin` from the world's origin.
+template <class SceneT>
+Scalar_of<SceneT> Pairs<SceneT>::twice_margin(const BodiesT& bodies, Scalar scale,
+                                              Scalar turned) const {
+  constexpr Scalar kMargins = 2;
+  constexpr Scalar kContactGaps = 2;
+  MovingPair<Scalar> query;
+  query.scale = scale;
+  query.duration = 1;
+  query.A.turn_rate = 1;
+  query.A.bounding_radius = turned;
+  return kMargins * kContactGaps * Search::contact_gap(query, bodies.settings.search);
+}
+
+/// What a part adds to the length of a pair: its size and its way; and how far it turns.
+template <class SceneT>
+typename Pairs<SceneT>::PartSize Pairs<SceneT>::size_of(const BodiesT& bodies, int proxy) const {
+  const auto& actor = bodies.actor(body_of(proxy));
+  const Capsule<Scalar>& part = part_of(actor, BodiesT::part_at(proxy));
+  const Twist<Scalar>& twist = bodies.states[body_of(proxy)].plan.motion.twist;
+  const Scalar reach = max_of(length(part.axis.a), length(part.axis.b));
+  return {reach + part.radius + bodies.dt * length(twist.v_W),
+          bodies.dt * length(twist.w_W) * reach, length(position_of(actor))};
+}
+
+/// What D has to be for one part alone; for a pair it is at most the sum of both.
+template <class SceneT>
+Scalar_of<SceneT> Pairs<SceneT>::own_rest_gap(const BodiesT& bodies, int proxy) const {
+  constexpr Scalar kUlps = 2 * 64 * 2;  // twice the margin, which counts places twice
+  const PartSize size = size_of(bodies, proxy);
+  const Scalar rounding = kUlps * kRoundOff<Scalar> * (size.from_origin + size.length);
+  Scalar D = max_of(bodies.settings.separation,
+                    rounding + twice_margin(bodies, size.from_origin + size.length, size.turn));
+  if constexpr (SceneT::kGravity) {
+    D = max_of(D, bodies.dt * bodies.dt * length(bodies.settings.gravity_W) / 4);
+  }
+  return D;
+}
+
 template <class SceneT>
 Scalar_of<SceneT> Pairs<SceneT>::rest_gap(const BodiesT& bodies, ProxyPair pair) const {
-  constexpr Scalar kMargins = 2;
-  MovingPair<Scalar> query;
-  query.duration = bodies.dt;
-  query.scale = length<Scalar>(position_of(bodies.actor(body_of(pair.first))) -
-                               position_of(bodies.actor(body_of(pair.second))));
-  for (const int proxy : {int{pair.first}, int{pair.second}}) {  // Bound: 2
-    const Capsule<Scalar>& part =
-        part_of(bodies.actor(body_of(proxy)), BodiesT::part_at(proxy));
-    const Scalar reach = max_of(length(part.axis.a), length(part.axis.b));
-    const Twist<Scalar>& twist = bodies.states[body_of(proxy)].plan.motion.twist;
-    query.scale += reach + part.radius + bodies.dt * length(twist.v_W);
-    auto& path = proxy == pair.first ? query.A : query.B;
-    path.bounding_radius = reach;
-    path.turn_rate = length(twist.w_W);
-  }
-  PairQuery known;
-  known.scale = query.scale;
-  known.contact_gap = Search::contact_gap(query, bodies.settings.search);
-  Scalar D = max_of(bodies.settings.separation, kMargins * margin_of(bodies, known, pair));
+  constexpr Scalar kUlps = 2 * 64;  // twice the margin
+  const PartSize A = size_of(bodies, pair.first);
+  const PartSize B = size_of(bodies, pair.second);
+  const Scalar apart = length<Scalar>(position_of(bodies.actor(body_of(pair.first))) -
+                                      position_of(bodies.actor(body_of(pair.second))));
+  const Scalar scale = apart + A.length + B.length;
+  const Scalar rounding =
+      kUlps * kRoundOff<Scalar> * (A.from_origin + B.from_origin + scale);
+  Scalar D = max_of(bodies.settings.separation,
+                    rounding + twice_margin(bodies, scale, A.turn + B.turn));
   if constexpr (SceneT::kGravity) {
-    const Scalar fall = bodies.dt * bodies.dt * length(bodies.settings.gravity_W);
-    D = max_of(D, fall / 4);
+    D = max_of(D, bodies.dt * bodies.dt * length(bodies.settings.gravity_W) / 4);
   }
   return D;
 }
