@@ -78,8 +78,7 @@ Actor<SceneT> solid_rod(double length, double radius, const Vector& place,
   const Vec3<S> moments = mass.inertia_S.diagonal().template cast<S>();
   actor.body =
       make_body<S>({place.cast<S>(), q_WB.cast<S>()}, static_cast<S>(mass.mass), moments).value;
-  const Capsule<S> own = {{shape.axis.a.cast<S>(), shape.axis.b.cast<S>()},
-                          static_cast<S>(radius)};
+  const Capsule<S> own = {{shape.axis.a.cast<S>(), shape.axis.b.cast<S>()}, static_cast<S>(radius)};
   if constexpr (SceneT::kCapsulesPerBody == 1) {
     actor.capsule_B = own;
   } else {
@@ -104,8 +103,7 @@ Actor<SceneT> solid_ball(double radius, const Vector& place) {
 template <class SceneT>
 void throw_body(Actor<SceneT>& actor, const Vector& v_W, const Vector& w_W = Vector::Zero()) {
   using S = typename SceneT::Scalar;
-  actor.body.momentum =
-      momentum_of(actor.body, Twist<S>{v_W.cast<S>(), w_W.cast<S>()});
+  actor.body.momentum = momentum_of(actor.body, Twist<S>{v_W.cast<S>(), w_W.cast<S>()});
 }
 
 /// Sums over all bodies that can be moved, in double.

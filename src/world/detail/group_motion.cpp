@@ -56,9 +56,9 @@ Vec3<Scalar> spin_for(const Mat3<Scalar>& inertia_W, const Vec3<Scalar>& L_W) {
   return w_W + twist_of(body).w_W;
 }
 
-#define BATUTA_INSTANTIATE(S)                                              \
-  template Mat3<S> inertia_about(const Body<S>&, const Vec3<S>&);          \
-  template Vec3<S> group_spin(const Mat3<S>&, const Vec3<S>&, S);          \
+#define BATUTA_INSTANTIATE(S)                                     \
+  template Mat3<S> inertia_about(const Body<S>&, const Vec3<S>&); \
+  template Vec3<S> group_spin(const Mat3<S>&, const Vec3<S>&, S); \
   template Vec3<S> spin_for(const Mat3<S>&, const Vec3<S>&);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE

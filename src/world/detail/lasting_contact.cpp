@@ -22,8 +22,7 @@ bool may_be_line(const Capsule<Scalar>& A_W, const Capsule<Scalar>& B_W, Scalar 
   const Scalar b = d_B.squaredNorm();
   const Scalar across = d_A.cross(d_B).squaredNorm();  // of both lengths and the angle
   const Scalar longer = max_of(a, b);
-  return min_of(a, b) > Scalar(0) &&
-         across < kTilt * (A_W.radius + B_W.radius) * rest_gap * longer;
+  return min_of(a, b) > Scalar(0) && across < kTilt * (A_W.radius + B_W.radius) * rest_gap * longer;
 }
 
 /// A point between two places on the axes; nearer to the smaller radius, where it is known best.
@@ -158,10 +157,8 @@ void push(const ContactPoint<Scalar>& point, SolvedBody<Scalar>& A, SolvedBody<S
       normal * point.normal_W + along * point.tangent_W + across * other_tangent(point);
   A.v_W += A.inverse_mass * J;
   B.v_W -= B.inverse_mass * J;
-  A.w_W +=
-      normal * point.turn_A_W[0] + along * point.turn_A_W[1] + across * point.turn_A_W[2];
-  B.w_W -=
-      normal * point.turn_B_W[0] + along * point.turn_B_W[1] + across * point.turn_B_W[2];
+  A.w_W += normal * point.turn_A_W[0] + along * point.turn_A_W[1] + across * point.turn_A_W[2];
+  B.w_W -= normal * point.turn_B_W[0] + along * point.turn_B_W[1] + across * point.turn_B_W[2];
 }
 
 /// The part of friction: stops the slip within the cone. Where that is beyond it, a step down the
@@ -223,8 +220,7 @@ void find_points(LastingContact<Scalar>& contact, const Capsule<Scalar>& A_W,
   const Scalar size = length(longer);
   const Vec3<Scalar> along =
       size > Scalar(0) ? Vec3<Scalar>(longer / size) : Vec3<Scalar>(Vec3<Scalar>::Zero());
-  auto nearest =
-      point_between<Scalar>(A_W, B_W, axes.p_A, axes.p_B, -axes.normal_AB, gap);
+  auto nearest = point_between<Scalar>(A_W, B_W, axes.p_A, axes.p_B, -axes.normal_AB, gap);
   nearest.place = along.dot(nearest.point_W - A_W.axis.a);
   contact.count = 1;
   contact.points[0] = nearest;
@@ -247,7 +243,7 @@ template <class Scalar>
 void prepare(LastingContact<Scalar>& contact, const SolvedBody<Scalar>& A,
              const SolvedBody<Scalar>& B, const Vec3<Scalar>& p_A_W, const Vec3<Scalar>& p_B_W,
              Scalar time) {
-  constexpr Scalar kUpTo = Scalar(0.6);  // of D: what is nearer may not approach (world.md)
+  constexpr Scalar kUpTo = Scalar(0.6);      // of D: what is nearer may not approach (world.md)
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
     auto& point = contact.points[static_cast<std::size_t>(i)];
     point.arm_A_W = point.point_W - p_A_W;
@@ -276,8 +272,8 @@ Scalar fastest_approach(const LastingContact<Scalar>& contact, const SolvedBody<
 }
 
 template <class Scalar>
-void push_share(const LastingContact<Scalar>& contact, SolvedBody<Scalar>& A,
-                SolvedBody<Scalar>& B, Scalar share) {
+void push_share(const LastingContact<Scalar>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
+                Scalar share) {
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
     const auto& point = contact.points[static_cast<std::size_t>(i)];
     push(point, A, B, share * point.normal, share * point.along, share * point.across);
@@ -317,14 +313,14 @@ Scalar relax(LastingContact<Scalar>& contact, SolvedBody<Scalar>& A, SolvedBody<
 template <class Scalar>
 void relax_opening(LastingContact<Scalar>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
                    Scalar time) {
-  constexpr Scalar kShare = Scalar(0.5);   // of what is missing, in a step
-  constexpr Scalar kWanted = Scalar(0.5);  // of D
+  constexpr Scalar kShare = Scalar(0.5);     // of what is missing, in a step
+  constexpr Scalar kWanted = Scalar(0.5);    // of D
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
     auto& point = contact.points[static_cast<std::size_t>(i)];
     const Scalar missing = kWanted * contact.rest_gap - point.gap;
     const bool is_loaded = point.normal > Scalar(0);
-    const Scalar goal =
-        missing > Scalar(0) && is_loaded ? kShare * missing / time : min_of(Scalar(0), missing / time);
+    const Scalar goal = missing > Scalar(0) && is_loaded ? kShare * missing / time
+                                                         : min_of(Scalar(0), missing / time);
     const Scalar u = point.normal_W.dot(velocity_across(point, A, B));
     const Scalar opening = max_of(Scalar(0), point.opening + point.stiffness * (goal - u));
     push(point, A, B, opening - point.opening, Scalar(0), Scalar(0));
@@ -361,21 +357,21 @@ void take_together(LastingContact<Scalar>& contact) {
   }
 }
 
-#define BATUTA_INSTANTIATE(S)                                                                  \
-  template void find_points(LastingContact<S>&, const Capsule<S>&, const Capsule<S>&,          \
-                            const ClosestPoints<S>&, bool);                                    \
-  template void prepare(LastingContact<S>&, const SolvedBody<S>&, const SolvedBody<S>&,        \
-                        const Vec3<S>&, const Vec3<S>&, S);                                    \
-  template Vec3<S> velocity_across(const ContactPoint<S>&, const SolvedBody<S>&,               \
-                                   const SolvedBody<S>&);                                      \
-  template S fastest_approach(const LastingContact<S>&, const SolvedBody<S>&,                  \
-                              const SolvedBody<S>&);                                           \
-  template void push_share(const LastingContact<S>&, SolvedBody<S>&, SolvedBody<S>&, S);       \
-  template void scale_impulses(LastingContact<S>&, S);                                         \
-  template S relax(LastingContact<S>&, SolvedBody<S>&, SolvedBody<S>&);                        \
-  template void relax_opening(LastingContact<S>&, SolvedBody<S>&, SolvedBody<S>&, S);          \
-  template Vec3<S> impulse_of(const ContactPoint<S>&);                                         \
-  template void spend(LastingContact<S>&, S);                                                  \
+#define BATUTA_INSTANTIATE(S)                                                            \
+  template void find_points(LastingContact<S>&, const Capsule<S>&, const Capsule<S>&,    \
+                            const ClosestPoints<S>&, bool);                              \
+  template void prepare(LastingContact<S>&, const SolvedBody<S>&, const SolvedBody<S>&,  \
+                        const Vec3<S>&, const Vec3<S>&, S);                              \
+  template Vec3<S> velocity_across(const ContactPoint<S>&, const SolvedBody<S>&,         \
+                                   const SolvedBody<S>&);                                \
+  template S fastest_approach(const LastingContact<S>&, const SolvedBody<S>&,            \
+                              const SolvedBody<S>&);                                     \
+  template void push_share(const LastingContact<S>&, SolvedBody<S>&, SolvedBody<S>&, S); \
+  template void scale_impulses(LastingContact<S>&, S);                                   \
+  template S relax(LastingContact<S>&, SolvedBody<S>&, SolvedBody<S>&);                  \
+  template void relax_opening(LastingContact<S>&, SolvedBody<S>&, SolvedBody<S>&, S);    \
+  template Vec3<S> impulse_of(const ContactPoint<S>&);                                   \
+  template void spend(LastingContact<S>&, S);                                            \
   template void take_together(LastingContact<S>&);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE

@@ -154,11 +154,11 @@ void archive(Archive& ar, Actor<SceneT>& actor) {
   using Scalar = typename SceneT::Scalar;
   using A = Actor<SceneT>;
   using detail::Nothing;
-  static_assert(detail::takes<A, Nothing, Nothing, Nothing, Nothing, Nothing, Nothing, Nothing,
-                              Nothing>() &&
-                    !detail::takes<A, Nothing, Nothing, Nothing, Nothing, Nothing, Nothing, Nothing,
-                                   Nothing, Nothing>(),
-                "archive: Actor has other bases or members than those listed below");
+  static_assert(
+      detail::takes<A, Nothing, Nothing, Nothing, Nothing, Nothing, Nothing, Nothing, Nothing>() &&
+          !detail::takes<A, Nothing, Nothing, Nothing, Nothing, Nothing, Nothing, Nothing, Nothing,
+                         Nothing>(),
+      "archive: Actor has other bases or members than those listed below");
   ar(static_cast<detail::ShapeOf<SceneT>&>(actor));
   ar(static_cast<
       detail::FeatureIf<SceneT::kRotation, detail::Controlled<typename SceneT::Controller>, 0>&>(

@@ -57,15 +57,15 @@ class Bodies {
   struct State : FeatureIf<SceneT::kGravity, FallState<Scalar>, 2>,
                  FeatureIf<kLasts<SceneT>, OpeningState<Scalar>, 3> {
     typename Kinematics::PlanType plan;
-    Scalar start = 0;       ///< in the step, s: the body's own pose is the one of this time
-    Scalar held_until = 0;  ///< in the step, s: until then it goes with its group
-    Slot group = kAlone;    ///< the lowest slot of those that go on together
-    bool present = false;   ///< takes part in the step
-    bool changed = false;   ///< it has to be planned anew
-    bool fresh = false;     ///< it was planned, its pairs are not collected yet
-    bool stands = false;    ///< it was planned to stand still for a whole step, and did
-    bool boxed = false;     ///< its boxes are those of its planned motion
-    bool asleep = false;    ///< it sleeps (sleep.hpp)
+    Scalar start = 0;           ///< in the step, s: the body's own pose is the one of this time
+    Scalar held_until = 0;      ///< in the step, s: until then it goes with its group
+    Slot group = kAlone;        ///< the lowest slot of those that go on together
+    bool present = false;       ///< takes part in the step
+    bool changed = false;       ///< it has to be planned anew
+    bool fresh = false;         ///< it was planned, its pairs are not collected yet
+    bool stands = false;        ///< it was planned to stand still for a whole step, and did
+    bool boxed = false;         ///< its boxes are those of its planned motion
+    bool asleep = false;        ///< it sleeps (sleep.hpp)
     bool is_led_group = false;  ///< its group goes where a controller leads, or stands
     bool joins = false;         ///< marks those of a group that is made
     bool parts = false;         ///< marks those of a group that parts

@@ -494,8 +494,7 @@ void ContactGroups<SceneT>::open(BodiesT& bodies) {
     const Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
     for (int i = 0; i < contact.count; ++i) {  // Bound: 2
       const auto& point = contact.points[static_cast<std::size_t>(i)];
-      is_needed =
-          is_needed || (point.normal > Scalar(0) && point.gap < kNarrow * contact.rest_gap);
+      is_needed = is_needed || (point.normal > Scalar(0) && point.gap < kNarrow * contact.rest_gap);
     }
   }
   for (int s = 0; is_needed && s < kOpeningSweeps; ++s) {  // Bound: kOpeningSweeps
@@ -557,8 +556,7 @@ bool ContactGroups<SceneT>::is_worth(const Contact& contact, Scalar least) const
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
     const auto& point = contact.points[static_cast<std::size_t>(i)];
     const Scalar u =
-        point.normal_W.dot(
-            velocity_across(point, solved_[a_of(contact)], solved_[b_of(contact)])) +
+        point.normal_W.dot(velocity_across(point, solved_[a_of(contact)], solved_[b_of(contact)])) +
         point.room;
     is_worth = is_worth || u < -least || (u > least && point.normal > Scalar(0));
   }
@@ -668,8 +666,8 @@ void ContactGroups<SceneT>::pass_on(BodiesT& bodies, PairsT& pairs, ProxyPair pa
   }
   refresh(bodies, *struck);
   relax_now(bodies, *struck);
-  for (int s = 0; s < kEventSweeps; ++s) {      // Bound: kEventSweeps
-    for (int d = 0; d < dirty_.size(); ++d) {   // Bound: kMaxBodies
+  for (int s = 0; s < kEventSweeps; ++s) {     // Bound: kEventSweeps
+    for (int d = 0; d < dirty_.size(); ++d) {  // Bound: kMaxBodies
       const std::size_t slot = dirty_[d];
       int next = first_of_[slot];
       while (next != 0) {  // Bound: the contacts of a body

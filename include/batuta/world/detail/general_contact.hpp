@@ -177,8 +177,8 @@ bool GeneralWorld<SceneT>::takes_load(ProxyPair pair, const Contact<Scalar>& con
     const std::size_t b = BodiesT::body_of(pair.second);
     const bool falls_a = bodies_.falls(a);
     if (falls_a == bodies_.falls(b)) return false;
-    const Scalar fall = (bodies_.dt - bodies_.now) *
-                        contact.normal_BA_W.dot(bodies_.settings.gravity_W);
+    const Scalar fall =
+        (bodies_.dt - bodies_.now) * contact.normal_BA_W.dot(bodies_.settings.gravity_W);
     const Scalar at_end = velocity_between(pair, contact) + (falls_a ? fall : -fall);
     if (!(at_end < Scalar(0))) return false;
     bodies_.states[falls_a ? a : b].loaded = true;
@@ -204,9 +204,9 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
       return Collider<Scalar>{body.X_WB, bodies_.twist_now(slot), body.inverse_mass,
                               body.inverse_moments};
     };
-    at.contact = pressure_contact(collider(a), collider(b),
-                                  bodies_.shape_W(pair.first), bodies_.shape_W(pair.second),
-                                  at.contact, PairsT::margin_of(bodies_, query, pair));
+    at.contact = pressure_contact(collider(a), collider(b), bodies_.shape_W(pair.first),
+                                  bodies_.shape_W(pair.second), at.contact,
+                                  PairsT::margin_of(bodies_, query, pair));
   }
   Answer<Scalar> answer;
   answer.v_rel = velocity_between(pair, at.contact);
@@ -262,6 +262,7 @@ void GeneralWorld<SceneT>::block(const CandidateType& candidate, const PairQuery
   Answer<Scalar> answer;
   answer.v_rel = query.search.gap_rate;
   answer.kind = classify(answer.v_rel, rest_speed());
+  answer.is_overlap = candidate.outcome == Outcome::kTouching && !(nearest.contact.gap > Scalar(0));
   ++bodies_.report.blocked;
   touches_.record(bodies_, candidate.pair, nearest, answer);
   bodies_.weld(BodiesT::body_of(candidate.pair.first), BodiesT::body_of(candidate.pair.second),
@@ -323,8 +324,8 @@ typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::room_of(std::size_t 
     const Aabb<Scalar> near = kdop_of<Scalar, 6>(shape, shape, 2 * shift);
     for (int k = 0; k < BodiesT::kProxies; ++k) {  // Bound: all capsules
       const std::size_t other = BodiesT::body_of(k);
-      const bool is_pair = (own == pair.first && k == pair.second) ||
-                           (own == pair.second && k == pair.first);
+      const bool is_pair =
+          (own == pair.first && k == pair.second) || (own == pair.second && k == pair.first);
       if (other == slot || is_pair || !pairs_.boxes().contains(static_cast<std::uint16_t>(k)) ||
           !overlaps<Scalar, 6>(near, pairs_.boxes().box(static_cast<std::uint16_t>(k))) ||
           !may_meet(bodies_.actor(slot), bodies_.actor(other))) {
@@ -355,9 +356,9 @@ void GeneralWorld<SceneT>::answer_straight(const CandidateType& candidate) {
   const ProxyPair pair = candidate.pair;
   const std::size_t a = BodiesT::body_of(pair.first);
   const std::size_t b = BodiesT::body_of(pair.second);
-  const Nearest<Scalar> at = BodiesT::Kinematics::nearest(
-      bodies_.actor(a), BodiesT::part_at(pair.first), bodies_.actor(b),
-      BodiesT::part_at(pair.second));
+  const Nearest<Scalar> at =
+      BodiesT::Kinematics::nearest(bodies_.actor(a), BodiesT::part_at(pair.first), bodies_.actor(b),
+                                   BodiesT::part_at(pair.second));
   const Vec3<Scalar>& normal_W = at.contact.normal_BA_W;
   auto hit = bodies_.strike_straight(a, b, normal_W, restitution_of(pair));
   if (takes_load(pair, at.contact)) {
@@ -387,11 +388,11 @@ void GeneralWorld<SceneT>::report_only(const CandidateType& candidate) {
                     {contact_from(witness, query.origin_W), witness.axes.s, witness.axes.u},
                     answer);
   } else {
-    const Nearest<Scalar> at = BodiesT::Kinematics::nearest(
-        bodies_.actor(BodiesT::body_of(candidate.pair.first)),
-        BodiesT::part_at(candidate.pair.first),
-        bodies_.actor(BodiesT::body_of(candidate.pair.second)),
-        BodiesT::part_at(candidate.pair.second));
+    const Nearest<Scalar> at =
+        BodiesT::Kinematics::nearest(bodies_.actor(BodiesT::body_of(candidate.pair.first)),
+                                     BodiesT::part_at(candidate.pair.first),
+                                     bodies_.actor(BodiesT::body_of(candidate.pair.second)),
+                                     BodiesT::part_at(candidate.pair.second));
     touches_.record(bodies_, candidate.pair, at, answer);
   }
 }

@@ -31,18 +31,18 @@ struct ContactPoint {
   Vec3<Scalar> arm_B_W = Vec3<Scalar>::Zero();
   std::array<Vec3<Scalar>, 3> turn_A_W;  ///< I_A^-1 (arm x d), d: normal and both tangents
   std::array<Vec3<Scalar>, 3> turn_B_W;
-  Scalar stiffness = 0;                  ///< 1 / (n . K n), kg
-  std::array<Scalar, 3> grip{};          ///< inverse of K's tangential part: 11, 12, 22
-  Scalar softest = 0;                    ///< an upper bound of that part, 1/kg
-  Scalar room = 0;                       ///< how fast it may still approach in this step, m/s
-  Scalar place = 0;                      ///< along the longer axis, m
-  Scalar normal = 0;                     ///< impulse being solved, N s, >= 0
-  Scalar along = 0;                      ///< the same, along the tangent
-  Scalar across = 0;                     ///< and along the other one
+  Scalar stiffness = 0;          ///< 1 / (n . K n), kg
+  std::array<Scalar, 3> grip{};  ///< inverse of K's tangential part: 11, 12, 22
+  Scalar softest = 0;            ///< an upper bound of that part, 1/kg
+  Scalar room = 0;               ///< how fast it may still approach in this step, m/s
+  Scalar place = 0;              ///< along the longer axis, m
+  Scalar normal = 0;             ///< impulse being solved, N s, >= 0
+  Scalar along = 0;              ///< the same, along the tangent
+  Scalar across = 0;             ///< and along the other one
   /// Of this step, before what is being solved: cannot be taken back
   Scalar spent_normal = 0;
   Vec3<Scalar> spent_tangent_W = Vec3<Scalar>::Zero();
-  Scalar opening = 0;                    ///< the same of the velocity that opens the gap
+  Scalar opening = 0;                             ///< the same of the velocity that opens the gap
   Vec3<Scalar> rolling_W = Vec3<Scalar>::Zero();  ///< impulsive torque of rolling resistance
 };
 
@@ -50,13 +50,13 @@ struct ContactPoint {
 template <class Scalar>
 struct LastingContact {
   ProxyPair pair;
-  std::uint8_t count = 0;   ///< points, 1 or 2
-  bool is_solved = false;   ///< belongs to the contacts that are solved in this step
-  bool is_new = true;       ///< was not solved in the last step
-  bool is_kept = false;     ///< was found near in this step
-  bool is_told = false;     ///< its begin was told
-  Scalar since = 0;         ///< in the step, s: its points are those of this time
-  Scalar rest_gap = 0;      ///< D of the pair, m
+  std::uint8_t count = 0;  ///< points, 1 or 2
+  bool is_solved = false;  ///< belongs to the contacts that are solved in this step
+  bool is_new = true;      ///< was not solved in the last step
+  bool is_kept = false;    ///< was found near in this step
+  bool is_told = false;    ///< its begin was told
+  Scalar since = 0;        ///< in the step, s: its points are those of this time
+  Scalar rest_gap = 0;     ///< D of the pair, m
   Scalar friction = 0;
   Scalar rolling = 0;  ///< m
   std::array<ContactPoint<Scalar>, 2> points;
@@ -89,8 +89,8 @@ Scalar fastest_approach(const LastingContact<Scalar>& contact, const SolvedBody<
 
 /// Gives both bodies `share` of the impulses being solved.
 template <class Scalar>
-void push_share(const LastingContact<Scalar>& contact, SolvedBody<Scalar>& A,
-                SolvedBody<Scalar>& B, Scalar share);
+void push_share(const LastingContact<Scalar>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
+                Scalar share);
 
 /// The impulses being solved become `share` of them, without rolling resistance.
 template <class Scalar>

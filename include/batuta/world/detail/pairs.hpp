@@ -127,8 +127,7 @@ void Pairs<SceneT>::remove_boxes(std::size_t slot) {
 /// Where a part may be by the end of a step, to a box: its way in a straight line, and as far
 /// aside as its ends turn.
 template <class SceneT>
-Aabb<Scalar_of<SceneT>> way_box(const Bodies<SceneT>& bodies, int proxy,
-                                Scalar_of<SceneT> slack) {
+Aabb<Scalar_of<SceneT>> way_box(const Bodies<SceneT>& bodies, int proxy, Scalar_of<SceneT> slack) {
   using Scalar = Scalar_of<SceneT>;
   const auto moving = bodies.mover(proxy, bodies.dt);
   const Capsule<Scalar> from = to_world(moving.motion.X_WB, moving.capsule_B);
@@ -192,8 +191,7 @@ void Pairs<SceneT>::refresh(BodiesT& bodies, bool is_begin) {
       state.changed = false;
       bodies.plan(slot);
       state.fresh = true;
-      state.stands =
-          is_begin && pass == 0 && BodiesT::Kinematics::is_still(state.plan.motion);
+      state.stands = is_begin && pass == 0 && BodiesT::Kinematics::is_still(state.plan.motion);
       const bool idle = stayed && state.stands;
       if (idle && state.boxed && sweep_.is_idle(BodiesT::proxy_of(slot, 0))) continue;
       put_boxes(bodies, slot, idle);
@@ -314,7 +312,8 @@ void Pairs<SceneT>::search_pair(const BodiesT& bodies, ProxyPair pair, Scalar un
     query.scale = moving_pair.value.scale;
     query.contact_gap = Search::contact_gap(moving_pair.value, bodies.settings.search);
     query.search = search_with_seed(pair, moving_pair.value, bodies.settings.search);
-    const bool may_part = query.outcome() == Outcome::kTouching && query.search.gap_rate >= Scalar(0);
+    const bool may_part =
+        query.outcome() == Outcome::kTouching && query.search.gap_rate >= Scalar(0);
     if (SceneT::kResponse && may_part) {
       query.search = search_thinner(bodies, moving_pair.value, query, pair);
     }
@@ -338,9 +337,10 @@ SearchResult<Scalar_of<SceneT>> Pairs<SceneT>::search_with_seed(
 /// What touches and parts is searched as if it were thinner by what is missing to be clear of
 /// contact (world.md, "Touching and parting").
 template <class SceneT>
-SearchResult<Scalar_of<SceneT>> Pairs<SceneT>::search_thinner(
-    const BodiesT& bodies, const MovingPair<Scalar>& moving_pair, const PairQuery& query,
-    ProxyPair pair) const {
+SearchResult<Scalar_of<SceneT>> Pairs<SceneT>::search_thinner(const BodiesT& bodies,
+                                                              const MovingPair<Scalar>& moving_pair,
+                                                              const PairQuery& query,
+                                                              ProxyPair pair) const {
   const Scalar missing = margin_of(bodies, query, pair) - query.search.witness.gap;
   const Scalar radii = moving_pair.A.radius + moving_pair.B.radius;
   if (!(missing < radii)) return query.search;
@@ -373,8 +373,8 @@ typename Pairs<SceneT>::PairQuery& Pairs<SceneT>::seen(const BodiesT& bodies, Pr
   if (SceneT::kMaxPairs == 1 || (is_own_time && is_same(pair, queries_.pair()))) return query;
   query = {};
   queries_.forget();
-  const auto moving_pair = make_moving_pair(bodies.mover(pair.first, bodies.dt),
-                                            bodies.mover(pair.second, bodies.dt));
+  const auto moving_pair =
+      make_moving_pair(bodies.mover(pair.first, bodies.dt), bodies.mover(pair.second, bodies.dt));
   if (!moving_pair.ok()) return query;
   query.origin_W = moving_pair.value.origin_W;
   query.scale = moving_pair.value.scale;
@@ -443,10 +443,9 @@ Scalar_of<SceneT> Pairs<SceneT>::rest_gap(const BodiesT& bodies, ProxyPair pair)
   const Scalar apart = length<Scalar>(position_of(bodies.actor(body_of(pair.first))) -
                                       position_of(bodies.actor(body_of(pair.second))));
   const Scalar scale = apart + A.length + B.length;
-  const Scalar rounding =
-      kUlps * kRoundOff<Scalar> * (A.from_origin + B.from_origin + scale);
-  Scalar D = max_of(bodies.settings.separation,
-                    rounding + twice_margin(bodies, scale, A.turn + B.turn));
+  const Scalar rounding = kUlps * kRoundOff<Scalar> * (A.from_origin + B.from_origin + scale);
+  Scalar D =
+      max_of(bodies.settings.separation, rounding + twice_margin(bodies, scale, A.turn + B.turn));
   if constexpr (SceneT::kGravity) {
     D = max_of(D, bodies.dt * bodies.dt * length(bodies.settings.gravity_W) / 4);
   }
@@ -475,19 +474,18 @@ EndsAlong<Scalar> ends_along(const MovingCapsule<Scalar>& moving, const Vec3<Sca
   EndsAlong<Scalar> ends;
   Scalar reach = 0;
   for (int i = 0; i < 2; ++i) {  // Bound: two ends
-    const Vec3<Scalar> arm_W = motion.X_WB.q_WB * (i == 0 ? moving.capsule_B.axis.a
-                                                          : moving.capsule_B.axis.b);
+    const Vec3<Scalar> arm_W =
+        motion.X_WB.q_WB * (i == 0 ? moving.capsule_B.axis.a : moving.capsule_B.axis.b);
     const Scalar here = place + normal_W.dot(arm_W);
-    const Scalar there =
-        here + way + motion.duration * normal_W.dot(motion.twist.w_W.cross(arm_W));
+    const Scalar there = here + way + motion.duration * normal_W.dot(motion.twist.w_W.cross(arm_W));
     reach = max_of(reach, length(arm_W));
     ends.first = i == 0 ? here : sign * max_of(sign * ends.first, sign * here);
     ends.last = i == 0 ? there : sign * max_of(sign * ends.last, sign * there);
   }
   const Scalar turn = motion.duration * length(motion.twist.w_W);
   ends.bend = turn * turn * reach / 2;
-  ends.length = length(at_W) + reach + motion.duration * length(v_W) + turn * reach +
-                moving.capsule_B.radius;
+  ends.length =
+      length(at_W) + reach + motion.duration * length(v_W) + turn * reach + moving.capsule_B.radius;
   return ends;
 }
 

@@ -132,8 +132,7 @@ struct SceneVerdict : KeptScene<SceneT, broken_rule_of<SceneT>() == SceneRule::k
   static_assert(kRule != R::kMaxEvents, "Scene: max_events: at least 0");
   static_assert(kRule != R::kMaxSeparations, "Scene: max_separations: at least 1");
   static_assert(kRule != R::kSweepAxis, "Scene: sweep_axis: choose 0, 1 or 2");
-  static_assert(kRule != R::kSleepTime,
-                "Scene: sleep_time: choose a time above 0, at most 60 s");
+  static_assert(kRule != R::kSleepTime, "Scene: sleep_time: choose a time above 0, at most 60 s");
   static_assert(kRule != R::kFewPairs,
                 "Scene: max_pairs: at least max_bodies / 2, so that each body can be near another");
 

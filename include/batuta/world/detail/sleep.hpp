@@ -82,9 +82,8 @@ bool Sleep<SceneT>::is_moving(const BodiesT& bodies, std::size_t slot) const {
 template <class SceneT>
 void Sleep<SceneT>::begin_step(BodiesT& bodies, const GroupsT& groups) {
   const auto wake_neighbours = [&](std::size_t slot) {
-    groups.for_each_neighbour(slot, [&](std::size_t other) {
-      wake(bodies, groups, other, [](std::size_t) {});
-    });
+    groups.for_each_neighbour(
+        slot, [&](std::size_t other) { wake(bodies, groups, other, [](std::size_t) {}); });
   };
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
     if (bodies.actors.at_index(slot) == nullptr) continue;
@@ -137,8 +136,7 @@ bool Sleep<SceneT>::has_left(const BodiesT& bodies, std::size_t slot) const {
   const Scalar limit = max_of(2 * bodies.settings.separation,
                               bodies.settings.rest_speed * static_cast<Scalar>(SceneT::kSleepTime));
   const auto is_far = [&](const Vec3<Scalar>& x_B) {
-    const Vec3<Scalar> way =
-        to_world(actor.body.X_WB, x_B) - to_world(rests_[slot].anchor, x_B);
+    const Vec3<Scalar> way = to_world(actor.body.X_WB, x_B) - to_world(rests_[slot].anchor, x_B);
     return way.squaredNorm() > limit * limit;
   };
   bool left = false;

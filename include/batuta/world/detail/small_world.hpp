@@ -86,6 +86,13 @@ class SmallWorld {
     Scalar t_free = 0;  ///< s from now
   };
 
+  /// Of bodies that fall: how far the chord is behind the parabola, times 1 / g, s^2; and which of
+  /// them are carried for the rest of the step.
+  struct Falls {
+    std::array<Scalar, kSlots> lag{};
+    std::array<bool, kSlots> loaded{};
+  };
+
   /// Equals nothing, and no sum with it is above zero.
   static constexpr Scalar kAbsent = std::numeric_limits<Scalar>::quiet_NaN();
 
@@ -101,7 +108,19 @@ class SmallWorld {
   bool may_pair(std::size_t a, std::size_t b) const;
   PairQuery search(std::size_t a, std::size_t b) const;
   void resolve(const Meeting& meeting);
-  void hit(ActorType& A, ActorType& B, Outcome outcome);
+  void hit(std::size_t a, std::size_t b, Outcome outcome);
+  Scalar speed(std::size_t slot, int i) const;
+  Vec3<Scalar> velocity(std::size_t slot) const {
+    return {speed(slot, 0), speed(slot, 1), speed(slot, 2)};
+  }
+  StraightHit<Scalar> strike(std::size_t a, std::size_t b, const Vec3<Scalar>& normal_W,
+                             Scalar restitution);
+  // With gravity alone; as in Bodies.
+  bool falls(std::size_t slot) const {
+    return inverse_mass_[slot] > Scalar(0) && !falls_.loaded[slot];
+  }
+  void lag(std::size_t slot, Scalar elapsed);
+  bool takes_load(std::size_t a, std::size_t b, const Vec3<Scalar>& normal_W);
 
   // What is used most comes first: small offsets make short instructions.
   Scalar left_ = 0;  ///< of the step, s
@@ -111,6 +130,7 @@ class SmallWorld {
   /// 1/kg, as the step uses it: 0 for what is fixed or held, kAbsent for what takes no part.
   std::array<Scalar, kSlots> inverse_mass_{};
   Pool<ActorType, SceneT::kMaxBodies> actors_;
+  FeatureIf<SceneT::kGravity, Falls, 6> falls_;
 };
 
 template <class SceneT>
@@ -150,6 +170,10 @@ typename SmallWorld<SceneT>::Scalar SmallWorld<SceneT>::step_mass(const ActorTyp
 template <class SceneT>
 void SmallWorld<SceneT>::begin_body(std::size_t slot) {
   inverse_mass_[slot] = kAbsent;
+  if constexpr (SceneT::kGravity) {
+    falls_.lag[slot] = 0;
+    falls_.loaded[slot] = false;
+  }
   ActorType* const actor = actors_.at_index(slot);
   if (actor == nullptr) return;
   StraightBody<Scalar>& body = actor->body;
@@ -180,16 +204,72 @@ void SmallWorld<SceneT>::run_round() {
   for (std::size_t slot = 0; moves && slot < kSlots; ++slot) {  // Bound: kMaxBodies
     if (inverse_mass_[slot] > Scalar(0)) move(slot, meeting.t_free);
   }
+  if constexpr (SceneT::kGravity) {
+    for (std::size_t slot = 0; slot < kSlots; ++slot) lag(slot, meeting.t_free);  // kMaxBodies
+  }
   left_ -= meeting.t_free;
   if (meeting.outcome != Outcome::kFree) resolve(meeting);
+}
+
+/// Along an axis, of its course: what falls goes along the chord of the rest of its parabola
+/// (world.md, "The fall").
+template <class SceneT>
+typename SmallWorld<SceneT>::Scalar SmallWorld<SceneT>::speed(std::size_t slot, int i) const {
+  Scalar v = inverse_mass_[slot] * actors_.at(slot).body.momentum_W[i];
+  if constexpr (SceneT::kGravity) {
+    if (inverse_mass_[slot] > Scalar(0)) {
+      const Scalar behind =
+          falls_.lag[slot] / left_ + (falls_.loaded[slot] ? Scalar(0) : left_ / 2);
+      v -= behind * settings_.gravity_W[i];
+    }
+  }
+  return v;
+}
+
+template <class SceneT>
+void SmallWorld<SceneT>::lag(std::size_t slot, Scalar elapsed) {
+  falls_.lag[slot] *= 1 - elapsed / left_;
+  if (falls(slot)) falls_.lag[slot] += elapsed * (left_ - elapsed) / 2;
+}
+
+/// A blow, with the velocities of now: momenta are those of the step's end.
+template <class SceneT>
+StraightHit<typename SmallWorld<SceneT>::Scalar> SmallWorld<SceneT>::strike(
+    std::size_t a, std::size_t b, const Vec3<Scalar>& normal_W, Scalar restitution) {
+  StraightBody<Scalar>& A = actors_.at(a).body;
+  StraightBody<Scalar>& B = actors_.at(b).body;
+  if constexpr (SceneT::kGravity) {
+    const auto fall_by = [this](std::size_t slot, Scalar time) {
+      StraightBody<Scalar>& body = actors_.at(slot).body;
+      if (falls(slot)) body.momentum_W += (time / body.inverse_mass) * settings_.gravity_W;
+    };
+    fall_by(a, -left_);
+    fall_by(b, -left_);
+    const auto hit = straight_impulse(A, B, normal_W, restitution);
+    fall_by(a, left_);
+    fall_by(b, left_);
+    return hit;
+  } else {
+    return straight_impulse(A, B, normal_W, restitution);
+  }
+}
+
+/// As GeneralWorld: gravity would close the contact within the step.
+template <class SceneT>
+bool SmallWorld<SceneT>::takes_load(std::size_t a, std::size_t b, const Vec3<Scalar>& normal_W) {
+  const bool falls_a = falls(a);
+  if (falls_a == falls(b)) return false;
+  const Vec3<Scalar> end_W = velocity_of(actors_.at(a).body) - velocity_of(actors_.at(b).body);
+  if (!(normal_W.dot(end_W) < Scalar(0))) return false;
+  falls_.loaded[falls_a ? a : b] = true;
+  return true;
 }
 
 template <class SceneT>
 void SmallWorld<SceneT>::move(std::size_t slot, Scalar t) {
   StraightBody<Scalar>& body = actors_.at(slot).body;
-  const Scalar inverse_mass = inverse_mass_[slot];
   for (int i = 0; i < 3; ++i) {  // Bound: 3
-    body.p_W[i] += inverse_mass * body.momentum_W[i] * t;
+    body.p_W[i] += speed(slot, i) * t;
   }
 }
 
@@ -234,17 +314,15 @@ typename SmallWorld<SceneT>::PairQuery SmallWorld<SceneT>::search(std::size_t a,
     SphereFlight<Scalar> flight;
     for (int i = 0; i < 3; ++i) {  // Bound: 3
       flight.between[i] = B.body.p_W[i] - A.body.p_W[i];
-      flight.v[i] =
-          inverse_mass_[b] * B.body.momentum_W[i] - inverse_mass_[a] * A.body.momentum_W[i];
+      flight.v[i] = speed(b, i) - speed(a, i);
     }
     flight.radii = A.radius + B.radius;
     flight.duration = left_;
     return Kinematics::search_flight(flight, settings_.search);
   } else {
-    return Kinematics::search(
-        Kinematics::mover(A, 0, {A.body.p_W, inverse_mass_[a] * A.body.momentum_W, left_}),
-        Kinematics::mover(B, 0, {B.body.p_W, inverse_mass_[b] * B.body.momentum_W, left_}),
-        settings_.search);
+    return Kinematics::search(Kinematics::mover(A, 0, {A.body.p_W, velocity(a), left_}),
+                              Kinematics::mover(B, 0, {B.body.p_W, velocity(b), left_}),
+                              settings_.search);
   }
 }
 
@@ -255,7 +333,7 @@ void SmallWorld<SceneT>::resolve(const Meeting& meeting) {
   const bool is_contact = is_of_contact(meeting.outcome);
   if (is_contact && contacts_resolved_ < SceneT::kMaxContacts) {
     ++contacts_resolved_;
-    return hit(actors_.at(a), actors_.at(b), meeting.outcome);
+    return hit(a, b, meeting.outcome);
   }
   const bool is_cut = meeting.outcome == Outcome::kBudget;
   ++(is_contact ? report_.contacts_dropped
@@ -266,13 +344,20 @@ void SmallWorld<SceneT>::resolve(const Meeting& meeting) {
 }
 
 template <class SceneT>
-void SmallWorld<SceneT>::hit(ActorType& A, ActorType& B, Outcome outcome) {
+void SmallWorld<SceneT>::hit(std::size_t a, std::size_t b, Outcome outcome) {
+  const ActorType& A = actors_.at(a);
+  const ActorType& B = actors_.at(b);
   Scalar restitution = 0;
   if constexpr (SceneT::kRestitution) {
     restitution = pair_restitution(A.restitution, B.restitution);
   }
   const auto contact = Kinematics::facing(A, B);
-  const auto hit = straight_impulse(A.body, B.body, contact.normal_BA_W, restitution);
+  auto hit = strike(a, b, contact.normal_BA_W, restitution);
+  if constexpr (SceneT::kGravity) {
+    if (takes_load(a, b, contact.normal_BA_W)) {
+      hit.impulse += strike(a, b, contact.normal_BA_W, Scalar(0)).impulse;
+    }
+  }
   if (hit.impulse > Scalar(0)) ++report_.collisions;
   if (outcome == Outcome::kTouching && !(contact.gap > Scalar(0))) {
     ++report_.overlaps_at_start;

@@ -87,8 +87,7 @@ void Touches<SceneT>::record(BodiesT& bodies, ProxyPair pair, const Nearest<Scal
   if (answer.impulse > Scalar(0)) ++bodies.report.collisions;
   if (answer.is_overlap) {
     ++bodies.report.overlaps_at_start;
-    bodies.report.deepest_overlap =
-        max_of(bodies.report.deepest_overlap, -nearest.contact.gap);
+    bodies.report.deepest_overlap = max_of(bodies.report.deepest_overlap, -nearest.contact.gap);
   }
   if constexpr (SceneT::kMaxEvents > 0) {
     ContactEvent<Scalar> event = event_of(pair, nearest);

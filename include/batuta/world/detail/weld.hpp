@@ -214,8 +214,8 @@ void Bodies<SceneT>::part_turning(GroupSums<Scalar>& sums, const State& whole, S
     const Vec3<Scalar> turning_W = w_W.cross(r_W);
     body.momentum = momentum_of(body, {v_W + turning_W, w_W});
     left.linear_W -= body.momentum.linear_W;
-    left.angular_W -= body.momentum.angular_W +
-                      r_W.cross(Vec3<Scalar>(turning_W / body.inverse_mass));
+    left.angular_W -=
+        body.momentum.angular_W + r_W.cross(Vec3<Scalar>(turning_W / body.inverse_mass));
     if constexpr (SceneT::kGravity) {
       if (is_led) {
         body.momentum.linear_W += ((dt - now) / body.inverse_mass) * settings.gravity_W;
@@ -231,8 +231,8 @@ template <class SceneT>
 void Bodies<SceneT>::part_straight(GroupSums<Scalar>& sums, const State& whole, Scalar elapsed,
                                    std::size_t heaviest) {
   const bool is_led = whole.is_led_group;
-  const Vec3<Scalar> v_W = is_led ? Vec3<Scalar>(Vec3<Scalar>::Zero())
-                                  : Vec3<Scalar>(sums.momentum_W / sums.mass);
+  const Vec3<Scalar> v_W =
+      is_led ? Vec3<Scalar>(Vec3<Scalar>::Zero()) : Vec3<Scalar>(sums.momentum_W / sums.mass);
   Vec3<Scalar> left_W = sums.momentum_W;
   for (std::size_t i = 0; i < kSlots; ++i) {  // Bound: kMaxBodies
     if (!states[i].parts) continue;
