@@ -74,9 +74,12 @@ batuta_impossible_scene(WithoutPairs "max_pairs: at least 1" "CHANGE=scene.max_p
 batuta_impossible_scene(WithoutContacts "max_contacts: at least 1" "CHANGE=scene.max_contacts = 0")
 batuta_impossible_scene(OfLessThanNoEvents "max_events: at least 0" "CHANGE=scene.max_events = -1")
 batuta_impossible_scene(WithoutSeparations "max_separations: at least 1" "CHANGE=scene.max_separations = 0")
-foreach(count 0 65536)
-  batuta_impossible_scene(SleepsAfter${count}Steps "sleep_steps: choose 1 ... 65535" "CHANGE=scene.sleep_steps = ${count}")
+foreach(seconds 0 61)
+  batuta_impossible_scene(SleepsAfter${seconds}Seconds "sleep_time: choose a time above 0, at most 60 s"
+                          "CHANGE=scene.sleep_time = ${seconds}")
 endforeach()
+batuta_impossible_scene(RollingWithoutFriction "rolling_resistance takes friction = true" BASE=settling
+                        "CHANGE=scene.rolling_resistance = true, scene.friction = false")
 foreach(axis -1 3)
   batuta_impossible_scene(SweptAlongAxis${axis} "sweep_axis: choose 0, 1 or 2" "CHANGE=scene.sweep_axis = ${axis}")
 endforeach()

@@ -42,7 +42,7 @@ constexpr SceneOptions heap_options() {
   scene.capsules_per_body = 2;
   scene.max_pairs = 10;
   scene.max_events = 8;
-  scene.sleep_steps = 4;
+  scene.sleep_time = 0.01F;
   scene.friction = true;
   scene.gravity = true;
   scene.sleep = true;

@@ -111,7 +111,7 @@ TYPED_TEST(AnHourAtRest, RodThatMaySleep_Stays) {
                              lie<test::SmoothSleepyScene<TypeParam>>(pile, D, steps_to_run())}) {
       expect_sound(seen);
       EXPECT_LT(seen.drift, kMostDrift);
-      EXPECT_LT(seen.awake, 2 * SceneOptions{}.sleep_steps);
+      EXPECT_LT(seen.awake * test::kTick, 2 * static_cast<double>(SceneOptions{}.sleep_time));
     }
   }
 }

@@ -14,7 +14,7 @@ class Asleep : public ::testing::Test {
 
   void SetUp() override {
     test::pile_up(world, test::Pile::kAcross, 1e-4);
-    run(2 * SceneOptions{}.sleep_steps);
+    run(static_cast<int>(2 * static_cast<double>(SceneOptions{}.sleep_time) / test::kTick));
     ASSERT_TRUE(sleeps(0));
   }
   void run(int steps) {

@@ -12,7 +12,7 @@ namespace batuta {
 enum class EventKind : std::uint8_t {
   kBegin,    ///< the pair was not in contact before
   kPersist,  ///< the pair was in contact already, and met again
-  kEnd,      ///< the gap of a pair in contact has opened beyond twice the separation distance
+  kEnd,      ///< the gap of a pair in contact has opened beyond twice D
 };
 
 /// One contact of two bodies. A and B are slots in the world's pool: World::id_at() names the body.
@@ -40,7 +40,7 @@ struct StepReport {
   std::uint32_t pairs = 0;        ///< pairs searched, summed over the rounds of the step
   std::uint32_t collisions = 0;   ///< colliding contacts, which got an impulse
   std::uint32_t separations = 0;  ///< resting and overlapping contacts, which were separated
-  /// Contacts of two bodies that nothing can push: both held for the rest of the step
+  /// Contacts of two bodies that nothing can push: both stand for the rest of the step
   std::uint32_t blocked = 0;
   /// Pairs that overlapped when a search began: by rounding; because the caller put them there, or
   /// moved what cannot be pushed (src/world/detail/resolution.md); and with Stepping also by a
@@ -48,29 +48,31 @@ struct StepReport {
   /// searches pass over none.
   std::uint32_t overlaps_at_start = 0;
   Scalar deepest_overlap = 0;  ///< of these, m
-  std::uint32_t asleep = 0;    ///< bodies that slept through the step
-  /// Pairs that used up max_separations in a step or found no room, and were frozen for the rest of
-  /// it (kSettling).
+  std::uint32_t asleep = 0;    ///< bodies for which is_asleep() is true
+  /// Pairs that used up max_separations in a step, and went on together for the rest of it
+  /// (kSettling).
   std::uint32_t frozen = 0;
-  // What did not fit; the bodies concerned were held where they were proven free. All zero in a
-  // healthy scene.
+  // What did not fit; the bodies concerned went on together from where they were proven free. All
+  // zero in a healthy scene.
   std::uint32_t pairs_dropped = 0;     ///< beyond SceneOptions::max_pairs
   std::uint32_t contacts_dropped = 0;  ///< beyond SceneOptions::max_contacts
   std::uint32_t searches_cut = 0;      ///< the search ran out of its budget
   std::uint32_t searches_invalid = 0;  ///< the search could not be asked (see Outcome::kInvalid)
   /// The contact could not be resolved: its numbers overflow
   std::uint32_t resolutions_invalid = 0;
-  /// A body or its controller's plan was not finite, turned too far, or is so far from the origin
+  /// A body or its controller's plan was not finite, turned too far (it went on without a turn), or
+  /// is so far from the origin
   /// that numbers there are further apart than it is large
   std::uint32_t plans_invalid = 0;
   std::uint32_t events_dropped = 0;  ///< beyond SceneOptions::max_events: not told, but resolved
   /// Beyond the pairs that can be followed: no persist and end events
   std::uint32_t contacts_untracked = 0;
-  Scalar time_held = 0;  ///< longest time for which a body was held in the step, s
+  Scalar time_held = 0;  ///< longest time for which bodies went on together in the step, s
 
-  /// Whether nothing was left out: all counts of what did not fit are zero.
+  /// Whether nothing was left out: all counts of what did not fit are zero, and every body made its
+  /// motion but for the law of a contact.
   bool complete() const {
-    return pairs_dropped == 0 && contacts_dropped == 0 && searches_cut == 0 &&
+    return frozen == 0 && pairs_dropped == 0 && contacts_dropped == 0 && searches_cut == 0 &&
            searches_invalid == 0 && resolutions_invalid == 0 && plans_invalid == 0 &&
            events_dropped == 0 && contacts_untracked == 0;
   }
