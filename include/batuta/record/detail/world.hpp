@@ -58,8 +58,8 @@ void archive(Archive& ar, detail::ContactPoint<Scalar>& point) {
 }
 template <class Scalar>
 void archive(Archive& ar, detail::LastingContact<Scalar>& contact) {
-  ar(contact.pair, contact.count, contact.is_solved, contact.is_told, contact.points[0],
-     contact.points[1]);
+  ar(contact.pair, contact.count, contact.is_solved, contact.is_told, contact.rest_gap,
+     contact.friction, contact.rolling, contact.points[0], contact.points[1]);
 }
 
 inline void archive(Archive& ar, detail::ProxyPair& pair) {

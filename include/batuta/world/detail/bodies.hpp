@@ -197,6 +197,11 @@ bool Bodies<SceneT>::begin(std::size_t slot) {
   } else if constexpr (kLasts<SceneT> || SceneT::kGravity) {
     state.plan = Kinematics::ask(actor, Scalar(0), dt);
   }
+  if constexpr (kLasts<SceneT>) {
+    if (!is_valid(state.plan.motion)) {
+      state.plan.motion = Kinematics::without_turn(actor.body, dt);
+    }
+  }
   if constexpr (SceneT::kGravity) {
     if (falls(slot)) {
       Kinematics::linear_momentum(actor.body) +=

@@ -31,7 +31,7 @@ class ContactGroups {
   template <class Blow>
   void pass_on(BodiesT& bodies, PairsT& pairs, ProxyPair pair, const Blow& blow);
   /// Contacts of a body that wakes within a step are solved from now on.
-  void wake(const BodiesT& bodies, std::size_t slot);
+  void wake(std::size_t slot);
   /// Groups of bodies that press on each other, for group_of() and is_held().
   void group_all(const BodiesT& bodies) { unite(bodies, true); }
   /// The lowest body of the group. @pre group_all()
@@ -221,6 +221,7 @@ void ContactGroups<SceneT>::find_near(BodiesT& bodies, PairsT& pairs) {
       bodies.weld(a, b, bodies.dt);
       continue;
     }
+    contact->is_new = !contact->is_solved;
     find_points(*contact, A_W, B_W, axes, SceneT::kLineContact);
   }
   drop_far(bodies);
@@ -287,7 +288,6 @@ void ContactGroups<SceneT>::choose(const BodiesT& bodies) {
     Contact& contact = contacts_[i];
     const std::size_t a = a_of(contact);
     const std::size_t b = b_of(contact);
-    contact.is_new = !contact.is_solved;
     contact.is_solved = false;
     if (!contact.is_kept || (bodies.is_led(a) && bodies.is_led(b))) continue;
     if (bodies.states[a].group != BodiesT::kAlone || bodies.states[b].group != BodiesT::kAlone)
@@ -307,7 +307,11 @@ void ContactGroups<SceneT>::choose(const BodiesT& bodies) {
                                                       bodies.actor(b).restitution) > Scalar(0);
     }
     contact.is_solved = !bounces;
-    if (contact.is_solved) order_[static_cast<std::size_t>(solved_count_++)] = static_cast<Slot>(i);
+    if (contact.is_solved) {
+      order_[static_cast<std::size_t>(solved_count_++)] = static_cast<Slot>(i);
+    } else {
+      scale_impulses(contact, Scalar(0));
+    }
   }
 }
 
@@ -597,14 +601,14 @@ void ContactGroups<SceneT>::pass_blow(BodiesT& bodies, Contact& contact, const B
 }
 
 template <class SceneT>
-void ContactGroups<SceneT>::wake(const BodiesT& bodies, std::size_t slot) {
+void ContactGroups<SceneT>::wake(std::size_t slot) {
   int next = first_of_[slot];
   while (next != 0) {  // Bound: the contacts of a body
     Contact& contact = contacts_[next - 1];
     next = next_[static_cast<std::size_t>(next - 1)][a_of(contact) == slot ? 0 : 1];
     if (contact.is_solved) continue;
     scale_impulses(contact, Scalar(0));
-    contact.since = bodies.now;
+    contact.since = -1;  // its points have to be found anew
     contact.is_solved = true;
   }
 }
@@ -677,6 +681,8 @@ void ContactGroups<SceneT>::pass_on(BodiesT& bodies, PairsT& pairs, ProxyPair pa
         if (!is_worth(contact, &contact == struck ? Scalar(0) : kLeast * contact.rest_gap / left))
           continue;
         if (contact.since < bodies.now) refresh(bodies, contact);
+        mark(bodies, a_of(contact));
+        mark(bodies, b_of(contact));
         if (&contact != struck) pass_blow(bodies, contact, blow);
         relax_now(bodies, contact);
       }

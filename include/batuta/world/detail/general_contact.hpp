@@ -17,7 +17,7 @@ void GeneralWorld<SceneT>::resolve(const CandidateType& candidate, Scalar time) 
   if constexpr (!SceneT::kResponse) return report_only(candidate);
   if constexpr (SceneT::kSleep) {
     const auto woken = [this](std::size_t slot) {
-      groups_.wake(bodies_, slot);
+      groups_.wake(slot);
       bodies_.wake_now(slot);
     };
     for (const std::size_t slot : {a, b}) sleep_.wake(bodies_, groups_, slot, woken);  // Bound: 2

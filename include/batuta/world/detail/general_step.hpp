@@ -71,12 +71,11 @@ void GeneralWorld<SceneT>::solve_lasting() {
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
     auto& state = bodies_.states[slot];
     if (!state.present || state.changed) continue;
-    const bool was_still = state.stands;
     bodies_.plan(slot);
     state.stands = Kinematics::is_still(state.plan.motion);
+    if (state.stands) continue;
     const bool idle = pairs_.boxes().is_idle(BodiesT::proxy_of(slot, 0));
-    if (state.stands && (was_still || !idle)) continue;
-    if ((idle && !state.stands) || !pairs_.holds_course(bodies_, slot)) {
+    if (idle || !pairs_.holds_course(bodies_, slot)) {
       state.changed = bodies_.is_changed = true;
     }
   }
