@@ -38,14 +38,12 @@ Result<Separation<Scalar>> separate(const Contact<Scalar>& contact, Scalar v_rel
   const Scalar missing = max_of(Scalar(0), options.distance - contact.gap);
   const Scalar want_A = missing * part(inverse_mass_A, inverse_mass_B);
   const Scalar want_B = missing * part(inverse_mass_B, inverse_mass_A);
-  const bool can_A = inverse_mass_A > Scalar(0);
-  const bool can_B = inverse_mass_B > Scalar(0);
-  Scalar shift_A = min_of(options.limit_A, want_A);
-  Scalar shift_B = min_of(options.limit_B, want_B);
-  // What a neighbour leaves one no room for, the other takes: else a body between two supports
-  // keeps no gap on either side.
-  if (shift_A < want_A && can_B) shift_B = min_of(options.limit_B, missing - shift_A);
-  if (shift_B < want_B && can_A) shift_A = min_of(options.limit_A, missing - shift_B);
+  // What a neighbour leaves one no room for, neither does: the common centre of mass stays.
+  Scalar share = 1;
+  if (options.limit_A < want_A) share = options.limit_A / want_A;
+  if (options.limit_B < want_B) share = min_of(share, options.limit_B / want_B);
+  const Scalar shift_A = min_of(options.limit_A, share * want_A);
+  const Scalar shift_B = min_of(options.limit_B, share * want_B);
   Result<Separation<Scalar>> made;
   Separation<Scalar>& separation = made.value;
   separation.shift_A_W = shift_A * contact.normal_BA_W;

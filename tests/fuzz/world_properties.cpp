@@ -102,7 +102,7 @@ bool stays(const BodyT& body) {
 }
 
 /// What two bodies may come closer than they should in a step: twice the margin that keeps them
-/// apart (src/world/detail/resolution.md), at the speeds that their energy allows.
+/// apart (src/world/detail/margin.md), at the speeds that their energy allows.
 template <class BodyT>
 double margin_of(const BodyT& A, const BodyT& B, double reaches, double energy, double dt,
                  double contact_tolerance) {

@@ -43,7 +43,7 @@ struct StepReport {
   /// Contacts of two bodies that nothing can push: both stand for the rest of the step
   std::uint32_t blocked = 0;
   /// Pairs that overlapped when a search began: by rounding; because the caller put them there, or
-  /// moved what cannot be pushed (src/world/detail/resolution.md); and with Stepping also by a
+  /// moved what cannot be pushed (src/world/detail/margin.md); and with Stepping also by a
   /// touch shallower than epsilon / 2 that it passed over (src/detection/stepping.md). The other
   /// searches pass over none.
   std::uint32_t overlaps_at_start = 0;

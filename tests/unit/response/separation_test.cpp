@@ -70,14 +70,15 @@ TYPED_TEST(SeparationOf, Duration_IsHalfOfDAtTheRelativeSpeed) {
   EXPECT_EQ(this->separated(this->gap(0), -100, 1, 1).duration, TypeParam(0.125));  // never less
 }
 
-TYPED_TEST(SeparationOf, WhatALimitCuts_TheOtherTakesWithinItsOwn) {
+TYPED_TEST(SeparationOf, WhatALimitCuts_TheOtherIsCutByAsMuch) {
   auto o = this->options();  // D = 0.5: a quarter each
   o.limit_A = TypeParam(0.125);
   const auto s = this->separated(this->gap(0), 0, 1, 1, o);
   EXPECT_EQ(s.shift_A_W.y(), TypeParam(0.125));
-  EXPECT_EQ(s.shift_B_W.y(), TypeParam(-0.375));
-  o.limit_B = TypeParam(0.3125);
-  EXPECT_EQ(this->separated(this->gap(0), 0, 1, 1, o).shift_B_W.y(), TypeParam(-0.3125));
+  EXPECT_EQ(s.shift_B_W.y(), TypeParam(-0.125)) << "the common centre stays";
+  o.limit_B = TypeParam(0.0625);
+  EXPECT_EQ(this->separated(this->gap(0), 0, 1, 1, o).shift_A_W.y(), TypeParam(0.0625));
+  EXPECT_EQ(this->separated(this->gap(0), 0, 1, 1, o).shift_B_W.y(), TypeParam(-0.0625));
   EXPECT_EQ(this->separated(this->gap(0), 0, 1, 0, o).shift_B_W.y(), TypeParam(0)) << "fixed";
   o.limit_A = o.limit_B = TypeParam(0);
   const auto none = this->separated(this->gap(0), 0, 1, 1, o);

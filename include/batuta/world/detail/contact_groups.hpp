@@ -93,6 +93,7 @@ class ContactGroups {
   template <class Blow>
   void pass_blow(BodiesT& bodies, Contact& contact, const Blow& blow);
   void mark(BodiesT& bodies, std::size_t slot);
+  void end_opening(BodiesT& bodies, std::size_t slot);
   bool is_welded(const BodiesT& bodies, const Contact& contact) const {
     return bodies.states[a_of(contact)].group != BodiesT::kAlone ||
            bodies.states[b_of(contact)].group != BodiesT::kAlone;
@@ -109,6 +110,8 @@ class ContactGroups {
   std::array<Slot, static_cast<std::size_t>(SceneT::kMaxContacts)> order_{};
   std::array<Slot, kSlots> root_{};
   std::array<bool, kSlots> held_{};  ///< of a root: something in its group is led
+  /// The root of its group when gaps were opened; kSlots: in none, or in one that is held.
+  std::array<Slot, kSlots> afloat_{};
   FixedList<Slot, SceneT::kMaxBodies> dirty_;
   std::array<bool, kSlots> is_dirty_{};
   int solved_count_ = 0;
@@ -501,7 +504,13 @@ void ContactGroups<SceneT>::open(BodiesT& bodies) {
       is_needed = is_needed || (point.normal > Scalar(0) && point.gap < kNarrow * contact.rest_gap);
     }
   }
-  for (int s = 0; is_needed && s < kOpeningSweeps; ++s) {  // Bound: kOpeningSweeps
+  afloat_.fill(static_cast<Slot>(kSlots));
+  if (!is_needed) return;
+  unite(bodies, false);
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    if (!held_[root_of(slot)]) afloat_[slot] = static_cast<Slot>(root_of(slot));
+  }
+  for (int s = 0; s < kOpeningSweeps; ++s) {  // Bound: kOpeningSweeps
     for (int k = 0; k < solved_count_; ++k) {              // Bound: kMaxContacts
       Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
       std::array<SolvedBody<Scalar>, 2> sides;
@@ -520,6 +529,24 @@ void ContactGroups<SceneT>::open(BodiesT& bodies) {
 
 // --- passing on
 
+/// An opening ends for a whole group that nothing holds: one that ended for some of it would move
+/// the common centre.
+template <class SceneT>
+void ContactGroups<SceneT>::end_opening(BodiesT& bodies, std::size_t slot) {
+  const auto end = [&bodies](std::size_t k) {
+    auto& state = bodies.states[k];
+    if (is_zero(state.opening.v_W) && is_zero(state.opening.w_W)) return;
+    bodies.bring(k);
+    state.opening = {};
+    state.changed = bodies.is_changed = true;
+  };
+  end(slot);
+  if (afloat_[slot] == kSlots) return;
+  for (std::size_t k = 0; k < kSlots; ++k) {  // Bound: kMaxBodies
+    if (afloat_[k] == afloat_[slot]) end(k);
+  }
+}
+
 template <class SceneT>
 void ContactGroups<SceneT>::mark(BodiesT& bodies, std::size_t slot) {
   if (is_dirty_[slot]) return;
@@ -528,7 +555,7 @@ void ContactGroups<SceneT>::mark(BodiesT& bodies, std::size_t slot) {
   dirty_.push(static_cast<Slot>(slot));
   bodies.bring(slot);
   bodies.states[slot].changed = bodies.is_changed = true;
-  bodies.states[slot].opening = {};
+  end_opening(bodies, slot);
   load(bodies, slot);
 }
 

@@ -43,7 +43,7 @@ class Pairs : private SeedsOf<SceneT> {
   bool take_first(Scalar before, CandidateType& first, Scalar& time);
   /// What is known of the contact of a candidate at its time, or found out now.
   PairQuery& seen(const BodiesT& bodies, ProxyPair pair, bool is_own_time);
-  /// The gap from which a search lets parting bodies go (src/world/detail/resolution.md).
+  /// The gap from which a search lets parting bodies go (src/world/detail/margin.md).
   static Scalar margin_of(const BodiesT& bodies, const PairQuery& query, ProxyPair pair);
   /// D of a pair: the one length that rules rest (world.md, "One length").
   Scalar rest_gap(const BodiesT& bodies, ProxyPair pair) const;

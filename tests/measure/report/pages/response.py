@@ -209,7 +209,7 @@ along it. *Bridge*: a rod that slides along two posts, three bodies, which the p
 crossed blades together and draw them along each other. A resting contact keeps its momentum, so weight adds up until the
 contact counts as a blow (0.05 m/s here). Bodies are held as a whole, so D costs slide along the contact too; a hand makes up for
 it, and where it is held for most of a step it overshoots. Times are multiples of one plain segment-segment distance in double.
-In float, D is raised to what rounding allows (src/world/detail/resolution.md); contacts that end and begin anew tell that it was.
+In float, D is raised to what rounding allows (src/world/detail/margin.md); contacts that end and begin anew tell that it was.
 """
 
 RESTING_TEXT = """
