@@ -189,19 +189,35 @@ void relax_friction(ContactPoint<Scalar>& point, SolvedBody<Scalar>& A, SolvedBo
   point.across = across;
 }
 
-/// Resists rolling with a torque of at most `lever` times the load.
+/// How much of a change leaves a vector no longer than `limit`. @pre |from| <= limit
+template <class Scalar>
+Scalar share_within(const Vec3<Scalar>& from, const Vec3<Scalar>& change, Scalar limit) {
+  const Scalar a = change.squaredNorm();
+  const Scalar b = from.dot(change);
+  const Scalar c = limit * limit - from.squaredNorm();
+  if (!(a + 2 * b > c)) return Scalar(1);
+  using std::sqrt;
+  return clamp((sqrt(max_of(Scalar(0), b * b + a * max_of(Scalar(0), c))) - b) / a, Scalar(0),
+               Scalar(1));
+}
+
+/// Resists rolling with a torque of at most `lever` times the load: towards the one that stops the
+/// relative spin, as far as that goes; along the way the energy falls.
 template <class Scalar>
 void relax_rolling(ContactPoint<Scalar>& point, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
                    Scalar lever) {
-  const Scalar softest = A.inverse_inertia_W.trace() + B.inverse_inertia_W.trace();
-  if (!(softest > Scalar(0))) return;
-  const Scalar limit = max_of(Scalar(0), lever * point.normal);
-  Vec3<Scalar> torque = point.rolling_W - (A.w_W - B.w_W) / softest;
-  const Scalar square = torque.squaredNorm();
+  const Mat3<Scalar> softness = A.inverse_inertia_W + B.inverse_inertia_W;
+  const Scalar volume = softness.determinant();
+  if (!(volume > Scalar(0))) return;
+  const Scalar limit = lever * point.normal;
+  const Vec3<Scalar> before = point.rolling_W;
+  const Scalar square = before.squaredNorm();
   using std::sqrt;
-  if (square > limit * limit) torque *= limit / sqrt(square);
-  const Vec3<Scalar> change = torque - point.rolling_W;
-  point.rolling_W = torque;
+  if (square > limit * limit) point.rolling_W *= limit / sqrt(square);
+  const Vec3<Scalar> wanted =
+      before - point.rolling_W - softness.inverse() * (A.w_W - B.w_W).eval();
+  point.rolling_W += share_within<Scalar>(point.rolling_W, wanted, limit) * wanted;
+  const Vec3<Scalar> change = point.rolling_W - before;
   A.w_W += A.inverse_inertia_W * change;
   B.w_W -= B.inverse_inertia_W * change;
 }

@@ -123,7 +123,8 @@ class Bodies {
   /// Stands where it is, whatever happens to it.
   bool is_wall(std::size_t slot) const {
     return Kinematics::is_still(states[slot].plan.motion) &&
-           (states[slot].group != kAlone || Kinematics::is_immovable(actor(slot).body));
+           (states[slot].group != kAlone || states[slot].asleep ||
+            Kinematics::is_immovable(actor(slot).body));
   }
 
   /// From now on.
@@ -159,6 +160,7 @@ class Bodies {
 
   const Vec3<Scalar>& place_of(std::size_t slot) const { return position_of(actor(slot)); }
   void set_course(std::size_t slot);
+  bool stands_together(std::size_t slot) const;
   void join(std::size_t slot);
   void add_to(GroupSums<Scalar>& sums, std::size_t slot, const Vec3<Scalar>& from_W);
   void add_turning(GroupSums<Scalar>& sums, const Vec3<Scalar>& center_W,

@@ -510,8 +510,8 @@ void ContactGroups<SceneT>::open(BodiesT& bodies) {
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
     if (!held_[root_of(slot)]) afloat_[slot] = static_cast<Slot>(root_of(slot));
   }
-  for (int s = 0; s < kOpeningSweeps; ++s) {  // Bound: kOpeningSweeps
-    for (int k = 0; k < solved_count_; ++k) {              // Bound: kMaxContacts
+  for (int s = 0; s < kOpeningSweeps; ++s) {   // Bound: kOpeningSweeps
+    for (int k = 0; k < solved_count_; ++k) {  // Bound: kMaxContacts
       Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
       std::array<SolvedBody<Scalar>, 2> sides;
       for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2

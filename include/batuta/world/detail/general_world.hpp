@@ -35,10 +35,11 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   using EventList = typename EventsOf<SceneT>::EventList;
 
   /// Rounds of one step: each ends with a contact (kMaxContacts), with the end of the time that a
-  /// separation takes (kMaxContacts), with two groups that become one (kMaxBodies; where nobody
-  /// answers contacts, with a pair that is left: kMaxPairs), or with the step (1).
+  /// separation takes (kMaxContacts), with two groups that become one or a group that comes to
+  /// stand (2 kMaxBodies; where nobody answers contacts, with a pair that is left: kMaxPairs), or
+  /// with the step (1).
   static constexpr int kMaxRounds =
-      2 * SceneT::kMaxContacts + max_of(SceneT::kMaxBodies, SceneT::kMaxPairs) + 1;
+      2 * SceneT::kMaxContacts + max_of(2 * SceneT::kMaxBodies, SceneT::kMaxPairs) + 1;
   /// Most pairs searched in one round.
   static constexpr int kPairsPerRound = SceneT::kMaxPairs;
 

@@ -98,6 +98,7 @@ class Pairs : private SeedsOf<SceneT> {
   SearchResult<Scalar> search_thinner(const BodiesT& bodies, const MovingPair<Scalar>& moving_pair,
                                       const PairQuery& query, ProxyPair pair) const;
   bool stays_apart(const BodiesT& bodies, ProxyPair pair) const;
+  static bool parts_now(const BodiesT& bodies, ProxyPair pair, const PairQuery& query);
 
   SweepList<Scalar, BodiesT::kProxies, SceneT::kSweepAxis> sweep_;
   EarliestQuery<PairQuery, Scalar, (SceneT::kMaxPairs > 1)> queries_;
@@ -312,11 +313,34 @@ void Pairs<SceneT>::search_pair(const BodiesT& bodies, ProxyPair pair, Scalar un
     query.scale = moving_pair.value.scale;
     query.contact_gap = Search::contact_gap(moving_pair.value, bodies.settings.search);
     query.search = search_with_seed(pair, moving_pair.value, bodies.settings.search);
-    const bool may_part =
-        query.outcome() == Outcome::kTouching && query.search.gap_rate >= Scalar(0);
+    const bool may_part = query.outcome() == Outcome::kTouching &&
+                          (query.search.gap_rate >= Scalar(0) || parts_now(bodies, pair, query));
     if (SceneT::kResponse && may_part) {
       query.search = search_thinner(bodies, moving_pair.value, query, pair);
     }
+  }
+}
+
+/// Of bodies whose planned turn is the chord of a bent one: whether what they touch with parts at
+/// first (world.md, "Touching and parting").
+template <class SceneT>
+bool Pairs<SceneT>::parts_now(const BodiesT& bodies, ProxyPair pair, const PairQuery& query) {
+  if constexpr (SceneT::kCapsulesPerBody == 1) {
+    return false;
+  } else {
+    const auto velocity = [&](int proxy, const Vec3<Scalar>& surface_P) {
+      const std::size_t slot = body_of(proxy);
+      Twist<Scalar> twist = bodies.twist_now(slot);
+      twist.v_W = bodies.states[slot].plan.motion.twist.v_W;
+      const Vec3<Scalar> arm_W = surface_P + query.origin_W - bodies.place_now(slot);
+      return Vec3<Scalar>(twist.v_W + twist.w_W.cross(arm_W));
+    };
+    const auto& witness = query.search.witness;
+    const Vec3<Scalar> apart =
+        velocity(pair.second, witness.surface_B) - velocity(pair.first, witness.surface_A);
+    const bool alone = bodies.states[body_of(pair.first)].group == BodiesT::kAlone &&
+                       bodies.states[body_of(pair.second)].group == BodiesT::kAlone;
+    return alone && witness.axes.normal_AB.dot(apart) >= Scalar(0);
   }
 }
 

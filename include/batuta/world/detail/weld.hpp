@@ -27,9 +27,10 @@ struct GroupSums {
 /// A wall is no member: what else comes to it is not to stop there.
 template <class SceneT>
 void Bodies<SceneT>::weld(std::size_t a, std::size_t b, Scalar until) {
+  GroupSums<Scalar> sums;
+  sums.stands = stands_together(a) || stands_together(b);
   join(a);
   join(b);
-  GroupSums<Scalar> sums;
   std::size_t first = kSlots;
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
     if (!states[slot].joins) continue;
@@ -46,6 +47,13 @@ void Bodies<SceneT>::weld(std::size_t a, std::size_t b, Scalar until) {
   sums.stands = sums.stands || sums.led > 1;
   start_group(sums, first, until);
   report.time_held = max_of(report.time_held, until - now);
+}
+
+/// A group that a wall is part of.
+template <class SceneT>
+bool Bodies<SceneT>::stands_together(std::size_t slot) const {
+  const State& state = states[slot];
+  return state.group != kAlone && state.is_led_group && Kinematics::is_still(state.plan.motion);
 }
 
 /// Marks the body and its group; the group parts.
