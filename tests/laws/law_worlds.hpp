@@ -4,6 +4,7 @@
 // what is summed over them. All sums in double, from poses and momenta alone.
 
 #include <memory>
+#include <utility>
 
 #include "batuta/mechanics/compound.hpp"
 #include "batuta/mechanics/solid.hpp"
