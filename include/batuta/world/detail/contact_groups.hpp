@@ -65,7 +65,7 @@ class ContactGroups {
  private:
   static constexpr std::size_t kSlots = BodiesT::kSlots;
   static constexpr int kMaxSweeps = 20;
-  static constexpr int kEventSweeps = 4;
+  static constexpr int kEventSweeps = 8;
   static constexpr int kOpeningSweeps = 4;
 
   static std::size_t a_of(const Contact& contact) { return BodiesT::body_of(contact.pair.first); }
@@ -697,7 +697,9 @@ void ContactGroups<SceneT>::pass_on(BodiesT& bodies, PairsT& pairs, ProxyPair pa
   }
   refresh(bodies, *struck);
   relax_now(bodies, *struck);
-  for (int s = 0; s < kEventSweeps; ++s) {     // Bound: kEventSweeps
+  bool is_done = false;
+  for (int s = 0; s < kEventSweeps && !is_done; ++s) {
+    is_done = true;                            // Bound: kEventSweeps
     for (int d = 0; d < dirty_.size(); ++d) {  // Bound: kMaxBodies
       const std::size_t slot = dirty_[d];
       int next = first_of_[slot];
@@ -707,6 +709,7 @@ void ContactGroups<SceneT>::pass_on(BodiesT& bodies, PairsT& pairs, ProxyPair pa
         if (!contact.is_solved || is_welded(bodies, contact)) continue;
         if (!is_worth(contact, &contact == struck ? Scalar(0) : kLeast * contact.rest_gap / left))
           continue;
+        is_done = false;
         if (contact.since < bodies.now) refresh(bodies, contact);
         mark(bodies, a_of(contact));
         mark(bodies, b_of(contact));

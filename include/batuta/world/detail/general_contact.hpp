@@ -86,7 +86,8 @@ void GeneralWorld<SceneT>::answer(const CandidateType& candidate, bool is_own_ti
 template <class SceneT>
 bool GeneralWorld<SceneT>::uses_up_answers(ProxyPair pair) {
   if constexpr (kSolves) {
-    return this->repeat(pair) > SceneT::kMaxSeparations;
+    answers_of_pair_ = this->repeat(pair);
+    return answers_of_pair_ > SceneT::kMaxSeparations;
   } else {
     return false;
   }
@@ -214,7 +215,9 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
   answer.is_overlap = candidate.outcome == Outcome::kTouching && !(at.contact.gap > Scalar(0));
   const bool collides = answer.kind == ContactKind::kColliding;
   if (collides || kSolves) {
-    const auto hit = strike(pair, at.contact, collides ? restitution_of(pair) : Scalar(0));
+    // A pair that comes again and again in a step is between others, and settles.
+    const bool bounces = collides && answers_of_pair_ <= max_of(SceneT::kMaxSeparations / 2, 1);
+    const auto hit = strike(pair, at.contact, bounces ? restitution_of(pair) : Scalar(0));
     if (!hit.ok()) {
       ++bodies_.report.resolutions_invalid;
       bodies_.weld(a, b, bodies_.dt);

@@ -157,7 +157,8 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   Touches<SceneT> touches_;
   std::conditional_t<SceneT::kSleep, Sleep<SceneT>, NoCollaborator<1>> sleep_;
   int contacts_answered_ = 0;
-  bool is_begin_ = false;  ///< nobody is planned in this step yet
+  int answers_of_pair_ = 0;  ///< where contacts last: of the pair being answered, in this step
+  bool is_begin_ = false;    ///< nobody is planned in this step yet
 };
 
 }  // namespace batuta::detail
