@@ -686,6 +686,7 @@ template <class Blow>
 void ContactGroups<SceneT>::pass_on(BodiesT& bodies, PairsT& pairs, ProxyPair pair,
                                     const Blow& blow) {
   constexpr Scalar kLeast = Scalar(1) / 8;  // of D, in what is left of the step
+  constexpr Scalar kLeastOfStruck = Scalar(1) / 64;
   const Scalar left = bodies.dt - bodies.now;
   dirty_.clear();
   is_dirty_.fill(false);
@@ -707,8 +708,8 @@ void ContactGroups<SceneT>::pass_on(BodiesT& bodies, PairsT& pairs, ProxyPair pa
         Contact& contact = contacts_[next - 1];
         next = next_[static_cast<std::size_t>(next - 1)][a_of(contact) == slot ? 0 : 1];
         if (!contact.is_solved || is_welded(bodies, contact)) continue;
-        if (!is_worth(contact, &contact == struck ? Scalar(0) : kLeast * contact.rest_gap / left))
-          continue;
+        const Scalar share = &contact == struck ? kLeastOfStruck : kLeast;
+        if (!is_worth(contact, share * contact.rest_gap / left)) continue;
         is_done = false;
         if (contact.since < bodies.now) refresh(bodies, contact);
         mark(bodies, a_of(contact));

@@ -87,7 +87,7 @@ template <class SceneT>
 void GeneralWorld<SceneT>::run_round() {
   pairs_.refresh(bodies_, is_begin_);
   is_begin_ = false;
-  pairs_.search_all(bodies_);
+  pairs_.search_all(bodies_, [this](ProxyPair pair) { return lasts(pair); });
   const Scalar released = next_release();
   CandidateType candidate;
   Scalar time = 0;
@@ -95,6 +95,18 @@ void GeneralWorld<SceneT>::run_round() {
     resolve(candidate, time);
   } else {
     release(released);
+  }
+}
+
+/// Whether a pair's contact is solved for the rest of the step: the search then speaks of contact
+/// only where the two would be in each other.
+template <class SceneT>
+bool GeneralWorld<SceneT>::lasts(ProxyPair pair) const {
+  if constexpr (kSolves) {
+    const int i = groups_.find(pair);
+    return i >= 0 && groups_[i].is_solved;
+  } else {
+    return false;
   }
 }
 

@@ -37,7 +37,9 @@ class Pairs : private SeedsOf<SceneT> {
   /// Plans who has changed, and collects the pairs of those. Bound: kMaxBodies + 1 passes.
   void refresh(BodiesT& bodies, bool is_begin);
   /// Asks for every candidate that was not asked for, and drops those that are free.
-  void search_all(BodiesT& bodies);
+  /// @param lasts  whether a pair's contact was solved for the rest of the step
+  template <class Lasts>
+  void search_all(BodiesT& bodies, const Lasts& lasts);
 
   /// The candidate that ends the round, taken out; false: none does.
   bool take_first(Scalar before, CandidateType& first, Scalar& time);
@@ -91,8 +93,10 @@ class Pairs : private SeedsOf<SceneT> {
   void drop_changed(const BodiesT& bodies);
   void collect_fresh(BodiesT& bodies);
   void collect(BodiesT& bodies, ProxyPair pair);
-  void search(BodiesT& bodies, CandidateType& candidate);
-  void search_pair(const BodiesT& bodies, ProxyPair pair, Scalar until, PairQuery& query);
+  template <class Lasts>
+  void search(BodiesT& bodies, CandidateType& candidate, const Lasts& lasts);
+  void search_pair(const BodiesT& bodies, ProxyPair pair, Scalar until, bool lasts,
+                   PairQuery& query);
   SearchResult<Scalar> search_with_seed(ProxyPair pair, const MovingPair<Scalar>& moving_pair,
                                         const typename Search::Options& options);
   SearchResult<Scalar> search_thinner(const BodiesT& bodies, const MovingPair<Scalar>& moving_pair,
@@ -259,9 +263,10 @@ bool Pairs<SceneT>::may_pair(const BodiesT& bodies, std::size_t a, std::size_t b
 }
 
 template <class SceneT>
-void Pairs<SceneT>::search_all(BodiesT& bodies) {
+template <class Lasts>
+void Pairs<SceneT>::search_all(BodiesT& bodies, const Lasts& lasts) {
   for (int i = 0; i < candidates.size(); ++i) {  // Bound: kMaxPairs
-    if (!candidates[i].asked) search(bodies, candidates[i]);
+    if (!candidates[i].asked) search(bodies, candidates[i], lasts);
   }
   for (int i = candidates.size() - 1; i >= 0; --i) {  // Bound: kMaxPairs
     if (candidates[i].outcome == Outcome::kFree) candidates.remove_swapping(i);
@@ -270,7 +275,8 @@ void Pairs<SceneT>::search_all(BodiesT& bodies) {
 
 /// What was seen of the earliest candidate is kept: its contact then needs no other evaluation.
 template <class SceneT>
-void Pairs<SceneT>::search(BodiesT& bodies, CandidateType& candidate) {
+template <class Lasts>
+void Pairs<SceneT>::search(BodiesT& bodies, CandidateType& candidate, const Lasts& lasts) {
   candidate.asked = true;
   if constexpr (kLasts<SceneT>) {
     if (stays_apart(bodies, candidate.pair)) {
@@ -287,7 +293,7 @@ void Pairs<SceneT>::search(BodiesT& bodies, CandidateType& candidate) {
     }
   }
   PairQuery& query = queries_.spare();
-  search_pair(bodies, candidate.pair, until, query);
+  search_pair(bodies, candidate.pair, until, lasts(candidate.pair), query);
   bodies.report.evaluations += query.evaluations();
   candidate.outcome = query.outcome();
   candidate.since = bodies.now;
@@ -296,14 +302,24 @@ void Pairs<SceneT>::search(BodiesT& bodies, CandidateType& candidate) {
   if (candidate.outcome != Outcome::kFree) queries_.offer(candidate.pair, candidate.free_until());
 }
 
+/// Radii smaller by `missing` together. @returns false: they are not that large
+template <class Scalar>
+bool make_thinner(MovingPair<Scalar>& pair, Scalar missing) {
+  const Scalar radii = pair.A.radius + pair.B.radius;
+  if (!(missing < radii)) return false;
+  pair.A.radius *= Scalar(1) - missing / radii;
+  pair.B.radius *= Scalar(1) - missing / radii;
+  return true;
+}
+
 template <class SceneT>
-void Pairs<SceneT>::search_pair(const BodiesT& bodies, ProxyPair pair, Scalar until,
+void Pairs<SceneT>::search_pair(const BodiesT& bodies, ProxyPair pair, Scalar until, bool lasts,
                                 PairQuery& query) {
   if constexpr (!SceneT::kRotation) {
     query = BodiesT::Kinematics::search(bodies.mover(pair.first, until),
                                         bodies.mover(pair.second, until), bodies.settings.search);
   } else {
-    const auto moving_pair =
+    auto moving_pair =
         make_moving_pair(bodies.mover(pair.first, until), bodies.mover(pair.second, until));
     query.search.outcome = Outcome::kInvalid;
     query.search.t_free = query.search.t_hit = 0;
@@ -312,6 +328,7 @@ void Pairs<SceneT>::search_pair(const BodiesT& bodies, ProxyPair pair, Scalar un
     query.origin_W = moving_pair.value.origin_W;
     query.scale = moving_pair.value.scale;
     query.contact_gap = Search::contact_gap(moving_pair.value, bodies.settings.search);
+    if (kLasts<SceneT> && lasts) make_thinner(moving_pair.value, query.contact_gap);
     query.search = search_with_seed(pair, moving_pair.value, bodies.settings.search);
     const bool may_part = query.outcome() == Outcome::kTouching &&
                           (query.search.gap_rate >= Scalar(0) || parts_now(bodies, pair, query));
@@ -366,11 +383,8 @@ SearchResult<Scalar_of<SceneT>> Pairs<SceneT>::search_thinner(const BodiesT& bod
                                                               const PairQuery& query,
                                                               ProxyPair pair) const {
   const Scalar missing = margin_of(bodies, query, pair) - query.search.witness.gap;
-  const Scalar radii = moving_pair.A.radius + moving_pair.B.radius;
-  if (!(missing < radii)) return query.search;
   MovingPair<Scalar> thinner = moving_pair;
-  thinner.A.radius *= Scalar(1) - missing / radii;
-  thinner.B.radius *= Scalar(1) - missing / radii;
+  if (!make_thinner(thinner, missing)) return query.search;
   SearchResult<Scalar> result =
       Search::search(thinner, bodies.settings.search, query.search.witness.axes.normal_AB);
   result.evaluations += query.search.evaluations;
