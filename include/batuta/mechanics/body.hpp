@@ -56,7 +56,7 @@ Result<Body<Scalar>> make_body(const Pose<Scalar>& X_WB, Scalar mass, const Vec3
 
 /// Whether nothing can move or turn it: inverse mass and moments are zero.
 template <class Scalar>
-bool is_fixed(const Body<Scalar>& body) {
+[[gnu::noinline]] bool is_fixed(const Body<Scalar>& body) {
   return body.inverse_mass == Scalar(0) && detail::is_zero(body.inverse_moments);
 }
 

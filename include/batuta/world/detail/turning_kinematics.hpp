@@ -47,10 +47,12 @@ struct TurningKinematics {
 
   /// Kept apart: some calls, and no copies.
   [[gnu::noinline]] static bool is_usable(const BodyType& body) {
-    return is_finite(body.X_WB.p_W) && is_finite(body.X_WB.q_WB) &&
-           is_finite(body.momentum.linear_W) && is_finite(body.momentum.angular_W) &&
-           is_finite(body.inverse_mass) && body.inverse_mass >= Scalar(0) &&
-           is_finite(body.inverse_moments) && body.inverse_moments.x() >= Scalar(0) &&
+    const Scalar pose = nan_unless_finite(body.X_WB.p_W) + nan_unless_finite(body.X_WB.q_WB);
+    const Scalar momenta =
+        nan_unless_finite(body.momentum.linear_W) + nan_unless_finite(body.momentum.angular_W);
+    const Scalar moments = nan_unless_finite(body.inverse_moments);
+    return is_finite(body.inverse_mass) && body.inverse_mass >= Scalar(0) &&
+           pose + momenta + moments == Scalar(0) && body.inverse_moments.x() >= Scalar(0) &&
            body.inverse_moments.y() >= Scalar(0) && body.inverse_moments.z() >= Scalar(0);
   }
   /// A body as the caller gave it, made ready. Bound: the parts.
