@@ -50,7 +50,7 @@ struct Body {
 
 /// A body at rest with the inverse of `mass` and `moments`; infinity gives zero, that is fixed.
 /// @returns kOk | kInvalidArgument (mass or a moment is not positive, NaN, or too small for its
-/// inverse; pose not finite)
+/// inverse; pose not finite; an orientation of length 0)
 template <class Scalar>
 Result<Body<Scalar>> make_body(const Pose<Scalar>& X_WB, Scalar mass, const Vec3<Scalar>& moments);
 
