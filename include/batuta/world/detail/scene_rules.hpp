@@ -3,6 +3,7 @@
 // The rules about a scene's options, and the first that they break. What each says:
 // scene_check.hpp.
 
+#include "batuta/detection/advancement.hpp"
 #include "batuta/detection/budget_law.hpp"
 #include "batuta/world/scene_options.hpp"
 
