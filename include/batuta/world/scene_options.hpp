@@ -47,7 +47,8 @@ struct SceneOptions {
   /// they add is lost.
   template <class Other, class = std::enable_if_t<std::is_base_of_v<SceneOptions, Other> &&
                                                   !std::is_same_v<SceneOptions, Other>>>
-  constexpr SceneOptions(const Other& /*options*/) : is_rest_of_others(true) {}  // NOLINT: as above
+  // cppcheck-suppress noExplicitConstructor ; deviation: scene-options
+  constexpr SceneOptions(const Other& /*options*/) : is_rest_of_others(true) {}
 
   /// Which world runs the scene; no other option chooses it.
   Engine engine = Engine::kGeneral;

@@ -57,7 +57,8 @@ of the duel is compared with the recorded one. A recording made on another machi
 
 Exit codes: 0 the bout ran; 1 something failed on the way, such as writing the picture, a device
             that does not answer, or one that computes other bits, or a replay that parts from
-            its recording, or a recording that goes on behind its end; 2 wrong usage, or a source or recording that cannot be read)";
+            its recording, or a recording that goes on behind its end; 2 wrong usage, or a source
+            or recording that cannot be read)";
 
 /// The length of a bout, whose steps of 1 ms are counted in 32 bits.
 std::string seconds_of_a_bout(const std::string& words) {
@@ -113,8 +114,8 @@ void declare(CLI::App& app, Options& options) {
   svg->type_name("FILE")->check(file_name);
   CLI::Option* const realtime = app.add_flag("--realtime", options.realtime,
                                              "as fast as it happens, not as fast as possible");
-  CLI::Option* const seconds =
-      app.add_option("--seconds", options.seconds, "end the bout after so many seconds, at most 4000000");
+  CLI::Option* const seconds = app.add_option(
+      "--seconds", options.seconds, "end the bout after so many seconds, at most 4000000");
   seconds->type_name("LIMIT")->check(seconds_of_a_bout);
   CLI::Option* const record =
       app.add_option("--record", options.record, "record the bout into this file");

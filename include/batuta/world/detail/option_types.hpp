@@ -19,24 +19,26 @@ struct WholeNumber {
   int value = 0;
 
   template <class T, std::enable_if_t<kIsWhole<T>, int> = 0>
-  constexpr WholeNumber(T number)  // NOLINT: stands for the number
+  // cppcheck-suppress noExplicitConstructor ; deviation: scene-options
+  constexpr WholeNumber(T number)
       : value(number == static_cast<T>(static_cast<int>(number)) &&
                       (number < T(0)) == (static_cast<int>(number) < 0)
                   ? static_cast<int>(number)
                   : kTooLarge) {}
   template <class T, std::enable_if_t<!kIsWhole<T>, int> = 0>
-  constexpr WholeNumber(T other) = delete;          // a count is a whole number: max_bodies = 8
-  constexpr operator int() const { return value; }  // NOLINT: stands for the number
+  constexpr WholeNumber(T other) = delete;  // a count is a whole number: max_bodies = 8
+  constexpr operator int() const { return value; }
 };
 
 /// What a feature is: gravity = true.
 struct TrueOrFalse {
   bool value = false;
 
-  constexpr TrueOrFalse(bool on) : value(on) {}  // NOLINT: stands for the switch
+  // cppcheck-suppress noExplicitConstructor ; deviation: scene-options
+  constexpr TrueOrFalse(bool on) : value(on) {}
   template <class T>
-  constexpr TrueOrFalse(T other) = delete;           // a feature is true or false: gravity = true
-  constexpr operator bool() const { return value; }  // NOLINT: stands for the switch
+  constexpr TrueOrFalse(T other) = delete;  // a feature is true or false: gravity = true
+  constexpr operator bool() const { return value; }
 };
 
 }  // namespace batuta::detail
