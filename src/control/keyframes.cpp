@@ -150,7 +150,7 @@ KeyedPose<Scalar> detail::pose_on(const detail::KeyGridView<Scalar>& grid,
 
   KeyedPose<Scalar> result;
   result.X_WH.p_W = surface.value.template head<3>();
-  result.X_WH.q_WB = renewed<Scalar>(grid.q_ref * exp_map(turn));
+  result.X_WH.q_WB = detail::composed(grid.q_ref, exp_map(turn));
   result.jacobian.template topRows<3>() = surface.rate.template topRows<3>();
   result.jacobian.template bottomRows<3>() = detail::to_matrix(grid.q_ref) *
                                              detail::left_jacobian(turn) *

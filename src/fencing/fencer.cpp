@@ -52,7 +52,8 @@ struct Size {
   Bone<Scalar> trunk(const Vec3<Scalar>& start_P, const Segment<Scalar>& axis, float radius) const {
     return {start_P, {axis, scale * Scalar(radius)}};
   }
-  Bone<Scalar> limb(const Vec3<Scalar>& start_P, float length, float radius) const {
+  [[gnu::noinline]] Bone<Scalar> limb(const Vec3<Scalar>& start_P, float length,
+                                      float radius) const {
     return {start_P, {{at(0, 0, 0), at(length, 0, 0)}, scale * Scalar(radius)}};
   }
 };

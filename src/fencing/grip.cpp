@@ -54,7 +54,7 @@ Pose<Scalar> caught(const Motion<Scalar>& flight, Scalar elapsed, const Pose<Sca
   const Vec3<Scalar> p_free = flight.X_WB.p_W + elapsed * flight.twist.v_W;
   const Vec3<Scalar> turn = (free * elapsed) * flight.twist.w_W;
   return {free * p_free + by_hand * hand.p_W,
-          renewed<Scalar>(exp_map(turn) * interpolated(flight.X_WB.q_WB, hand.q_WB, by_hand))};
+          detail::composed(exp_map(turn), interpolated(flight.X_WB.q_WB, hand.q_WB, by_hand))};
 }
 
 template <class Scalar>

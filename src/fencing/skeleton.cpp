@@ -21,7 +21,7 @@ Quat<Scalar> pointing(const Quat<Scalar>& q_WF, const Vec3<Scalar>& x_W) {
   const Quat<Scalar> twice(Scalar(1) + x_F.x(), Scalar(0), -x_F.z(), x_F.y());
   const bool backwards = !(twice.squaredNorm() > kRoundOff<Scalar>);
   const Quat<Scalar> half_turn(Scalar(0), Scalar(0), Scalar(0), Scalar(1));
-  return renewed<Scalar>(q_WF * (backwards ? half_turn : twice));
+  return detail::composed(q_WF, backwards ? half_turn : twice);
 }
 
 /// Direction of a vector; `otherwise` where it has none.
@@ -34,7 +34,7 @@ Vec3<Scalar> direction_or(const Vec3<Scalar>& v, const Vec3<Scalar>& otherwise) 
 template <class Scalar>
 Pose<Scalar> trunk_pose(const Vec3<Scalar>& p_W, const Quat<Scalar>& q_WF, Scalar lean) {
   const Vec3<Scalar> turn(Scalar(0), lean, Scalar(0));
-  return {p_W, renewed<Scalar>(q_WF * exp_map(turn))};
+  return {p_W, detail::composed(q_WF, exp_map(turn))};
 }
 
 /// The body while it is posed: bones in order, each on a bone that stands already.

@@ -47,7 +47,7 @@ Result<WeaponBody<Scalar>> weapon_body(const Weapon<Scalar>& weapon) {
 
 template <class Scalar>
 Pose<Scalar> chained(const Pose<Scalar>& X_AB, const Pose<Scalar>& X_BC) {
-  return {to_world(X_AB, X_BC.p_W), renewed<Scalar>(X_AB.q_WB * X_BC.q_WB)};
+  return {to_world(X_AB, X_BC.p_W), detail::composed(X_AB.q_WB, X_BC.q_WB)};
 }
 
 template <class Scalar>

@@ -219,12 +219,12 @@ BATUTA_HOT ClosestPoints<Scalar> result_of(const Query<Scalar>& q, const Ends<Sc
   const Vec3<Scalar> p_B = *at_B.end + to_B;
   const Scalar gap2 = gap.squaredNorm();
   ClosestPoints<Scalar> out;
-  out.distance = std::sqrt(gap2);
-  out.normal_AB = gap / (swapped ? -out.distance : out.distance);
   out.s = A.in_callers_order(x.s);
   out.u = B.in_callers_order(x.u);
   out.p_A = by_value(p_A);
   out.p_B = by_value(p_B);
+  out.distance = std::sqrt(gap2);
+  out.normal_AB = by_value<Scalar>(gap / (swapped ? -out.distance : out.distance));
   if (swapped) {
     std::swap(out.s, out.u);
     out.p_A = by_value(p_B);

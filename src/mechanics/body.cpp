@@ -39,8 +39,9 @@ Result<Body<Scalar>> make_body(const Pose<Scalar>& X_WB, Scalar mass, const Vec3
   body.inverse_mass = inverse_or_nan(mass);
   // Bound: three axes
   for (int i = 0; i < 3; ++i) body.inverse_moments(i) = inverse_or_nan(moments(i));
-  const bool usable =
-      is_finite_pose(X_WB) && is_finite(body.inverse_mass) && is_finite(body.inverse_moments);
+  const bool points = X_WB.q_WB.coeffs().cwiseAbs().maxCoeff() > Scalar(0);
+  const bool usable = points && is_finite_pose(X_WB) && is_finite(body.inverse_mass) &&
+                      is_finite(body.inverse_moments);
   return usable ? success(body) : failure<Body<Scalar>>(Status::kInvalidArgument);
 }
 

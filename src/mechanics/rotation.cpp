@@ -71,6 +71,11 @@ Quat<Scalar> renewed(const Quat<Scalar>& q) {
 }
 
 template <class Scalar>
+Quat<Scalar> detail::composed(const Quat<Scalar>& q_AB, const Quat<Scalar>& q_BC) {
+  return renewed<Scalar>(q_AB * q_BC);
+}
+
+template <class Scalar>
 Mat3<Scalar> detail::to_matrix(const Quat<Scalar>& q) {
   return q.toRotationMatrix();
 }
@@ -155,20 +160,21 @@ Quat<Scalar> interpolated(const Quat<Scalar>& q0, const Quat<Scalar>& q1, Scalar
   if (t == Scalar(0)) return q0;
   if (t == Scalar(1)) return q1;
   const Vec3<Scalar> whole = log_map(Quat<Scalar>(q1 * q0.conjugate()));
-  return renewed(Quat<Scalar>(exp_map(Vec3<Scalar>(t * whole)) * q0));
+  return detail::composed(exp_map(Vec3<Scalar>(t * whole)), q0);
 }
 
-#define BATUTA_INSTANTIATE(Scalar)                                               \
-  template Quat<Scalar> renewed(const Quat<Scalar>&);                            \
-  template Mat3<Scalar> detail::to_matrix(const Quat<Scalar>&);                  \
-  template Mat3<Scalar> detail::to_matrix(const detail::AxisAngle<Scalar>&);     \
-  template Quat<Scalar> detail::to_quaternion(const Mat3<Scalar>&);              \
-  template Quat<Scalar> detail::to_quaternion(const detail::AxisAngle<Scalar>&); \
-  template detail::AxisAngle<Scalar> detail::to_axis_angle(const Quat<Scalar>&); \
-  template detail::AxisAngle<Scalar> detail::to_axis_angle(const Mat3<Scalar>&); \
-  template Quat<Scalar> exp_map(const Vec3<Scalar>&);                            \
-  template Vec3<Scalar> log_map(const Quat<Scalar>&);                            \
-  template Mat3<Scalar> detail::left_jacobian(const Vec3<Scalar>&);              \
+#define BATUTA_INSTANTIATE(Scalar)                                                  \
+  template Quat<Scalar> renewed(const Quat<Scalar>&);                               \
+  template Mat3<Scalar> detail::to_matrix(const Quat<Scalar>&);                     \
+  template Mat3<Scalar> detail::to_matrix(const detail::AxisAngle<Scalar>&);        \
+  template Quat<Scalar> detail::composed(const Quat<Scalar>&, const Quat<Scalar>&); \
+  template Quat<Scalar> detail::to_quaternion(const Mat3<Scalar>&);                 \
+  template Quat<Scalar> detail::to_quaternion(const detail::AxisAngle<Scalar>&);    \
+  template detail::AxisAngle<Scalar> detail::to_axis_angle(const Quat<Scalar>&);    \
+  template detail::AxisAngle<Scalar> detail::to_axis_angle(const Mat3<Scalar>&);    \
+  template Quat<Scalar> exp_map(const Vec3<Scalar>&);                               \
+  template Vec3<Scalar> log_map(const Quat<Scalar>&);                               \
+  template Mat3<Scalar> detail::left_jacobian(const Vec3<Scalar>&);                 \
   template Quat<Scalar> interpolated(const Quat<Scalar>&, const Quat<Scalar>&, Scalar);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE

@@ -35,11 +35,12 @@ Twist<Scalar> pushed(const Twist<Scalar>& twist, const Yield<Scalar>& yield, Sca
 
 template <class Scalar>
 bool is_valid(const Collider<Scalar>& body) {
-  const bool poses = is_finite(body.X_WB.p_W) && is_finite(body.X_WB.q_WB);
-  const bool twists = is_finite(body.twist.v_W) && is_finite(body.twist.w_W);
-  const bool masses = is_finite(body.inverse_mass) && is_finite(body.inverse_moments);
-  return poses && twists && masses && body.inverse_mass >= Scalar(0) &&
-         body.inverse_moments.minCoeff() >= Scalar(0);
+  using detail::nan_unless_finite;
+  const Scalar pose = nan_unless_finite(body.X_WB.p_W) + nan_unless_finite(body.X_WB.q_WB);
+  const Scalar twist = nan_unless_finite(body.twist.v_W) + nan_unless_finite(body.twist.w_W);
+  const Scalar moments = nan_unless_finite(body.inverse_moments);
+  return is_finite(body.inverse_mass) && pose + twist + moments == Scalar(0) &&
+         body.inverse_mass >= Scalar(0) && body.inverse_moments.minCoeff() >= Scalar(0);
 }
 
 template <class Scalar>

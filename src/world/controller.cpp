@@ -35,9 +35,9 @@ PlannedMotion<Scalar> Hand<Scalar>::plan(const Body<Scalar>& body, Scalar t,
   if (struck) return {free_flight(body, duration), true};
   const Scalar horizon = max_of(max_of(step - t, kLeastHorizon<Scalar> * step), duration);
   if (!(horizon > Scalar(0))) return {still(body.X_WB, duration), false};
-  PlannedMotion<Scalar> resolution = {motion_between(body.X_WB, target_W, horizon), false};
-  resolution.motion.duration = duration;
-  return resolution;
+  PlannedMotion<Scalar> planned = {motion_between(body.X_WB, target_W, horizon), false};
+  planned.motion.duration = duration;
+  return planned;
 }
 
 template <class Scalar>

@@ -52,6 +52,41 @@ foreach(what OPTIONS_OF_ANOTHER_TYPE NO_FUNCTION)
 endforeach()
 batuta_no_scene(SearchLeftOut no_scene.cpp "its second argument is a search" -DSEARCH_LEFT_OUT)
 
+batuta_no_scene(OfDuelOptions no_scene.cpp "its options lost what DuelOptions add" -DDUEL_OPTIONS)
+batuta_no_scene(OfADuel no_scene.cpp "a DuelScene is for a Duel" -DDUEL_SCENE)
+foreach(qualifier const volatile)
+  batuta_no_scene(Of${qualifier} no_scene.cpp "name its scene without const or volatile" -DQUALIFIER=${qualifier})
+endforeach()
+
+# Values of another kind, which the compiler would turn into a count or a switch: refused at the line that states them.
+foreach(value 2.5F \"8\" true)
+  string(MAKE_C_IDENTIFIER "${value}" kind)
+  batuta_no_scene(OfKind${kind}_max_bodies ${scene} "deleted" "-DCHANGE=scene.max_bodies = ${value}")
+endforeach()
+foreach(value -9.81F 1 nullptr)
+  string(MAKE_C_IDENTIFIER "${value}" kind)
+  batuta_no_scene(OfKind${kind}_gravity ${scene} "deleted" "-DCHANGE=scene.gravity = ${value}")
+endforeach()
+batuta_must_compile(Control_Scene_OfOtherWholeNumbers ${scene} ${use}
+                    "-DCHANGE=(scene.max_pairs = 3U, scene.max_contacts = 8ULL, scene.max_events = static_cast<unsigned char>(9))")
+batuta_no_scene(OfAnotherEngine ${scene} "engine: choose Engine::kGeneral or Engine::kSmall"
+                "-DCHANGE=scene.engine = static_cast<Engine>(7)")
+batuta_no_scene(OfAnotherRest ${scene} "resting: choose RestingContact::kNone, kSeparation or kSettling"
+                "-DCHANGE=scene.resting = static_cast<RestingContact>(7)")
+
+# What nobody would read.
+batuta_impossible_scene(SleeplessTime "sleep_time takes sleep = true" "CHANGE=scene.sleep_time = 9")
+foreach(base plain unrested)
+  batuta_impossible_scene(SeparationsOf_${base} "max_separations takes resting = RestingContact::kSettling" BASE=${base}
+                          "CHANGE=scene.max_separations = 9")
+endforeach()
+batuta_no_scene(StraightWithController ${scene} "without rotation, bodies fly by their momenta and ask no controller" -DBASE=straight
+                -DSEARCH=Translation<float> -DCONTROLLER=Own)
+batuta_no_scene(SmallWithPairs ${scene} "Engine::kSmall has room for all pairs" -DBASE=small "-DCHANGE=scene.max_pairs = 28"
+                -DSEARCH=Translation<float>)
+batuta_no_scene(SmallWithAxis ${scene} "Engine::kSmall keeps no boxes in order" -DBASE=small "-DCHANGE=scene.sweep_axis = 1"
+                -DSEARCH=Translation<float>)
+
 # Controllers and scalars.
 batuta_no_scene(ControllerWithoutPlan ${scene} "its controller lacks PlannedMotion<Scalar> plan" -DCONTROLLER=WithoutPlan)
 batuta_no_scene(ControllerWithoutContact ${scene} "its controller lacks void on_contact" -DCONTROLLER=WithoutContact)
@@ -70,12 +105,25 @@ foreach(count 0 256)
   batuta_impossible_scene(Of${count}Capsules "capsules_per_body: choose 1 ... 255" "CHANGE=scene.capsules_per_body = ${count}")
 endforeach()
 batuta_impossible_scene(Of65536Capsules "no more than 65535 capsules in all" BASE=crowd "CHANGE=scene.capsules_per_body = 64")
-batuta_impossible_scene(WithoutPairs "max_pairs: at least 1" "CHANGE=scene.max_pairs = 0")
-batuta_impossible_scene(WithoutContacts "max_contacts: at least 1" "CHANGE=scene.max_contacts = 0")
-batuta_impossible_scene(OfLessThanNoEvents "max_events: at least 0" "CHANGE=scene.max_events = -1")
-batuta_impossible_scene(WithoutSeparations "max_separations: at least 1" "CHANGE=scene.max_separations = 0")
+foreach(count 0 -1 65536 2147483647 4294967298)
+  foreach(capacity max_pairs max_contacts)
+    batuta_impossible_scene(Of${count}_${capacity} "${capacity}: choose 1 ... 65535" "CHANGE=scene.${capacity} = ${count}")
+  endforeach()
+  batuta_impossible_scene(Of${count}_max_separations "max_separations: choose 1 ... 65535" BASE=settling
+                          "CHANGE=scene.max_separations = ${count}")
+endforeach()
+foreach(count -1 65536 4294967295)
+  batuta_impossible_scene(Of${count}_max_events "max_events: choose 0 ... 65535" "CHANGE=scene.max_events = ${count}")
+endforeach()
+foreach(count -1 4097 4294967295)
+  batuta_impossible_scene(OfBudget${count} "budget: choose 1 ... 4096" "CHANGE=scene.budget = ${count}")
+endforeach()
+batuta_impossible_scene(OfBudgetBeyondSteps "budget: choose 1 ... 4096" SEARCH=Stepping<float> "CHANGE=scene.budget = 1000000001")
+batuta_must_compile(Control_Scene_OfManySteps ${scene} ${use} -DSEARCH=Stepping<float> "-DCHANGE=scene.budget = 1000000000")
+batuta_must_compile(Control_Scene_OfTheMost ${scene} ${use} -DBASE=settling
+  "-DCHANGE=(scene.max_pairs = scene.max_contacts = scene.max_events = scene.max_separations = 65535, scene.budget = 4096)")
 foreach(seconds 0 61)
-  batuta_impossible_scene(SleepsAfter${seconds}Seconds "sleep_time: choose a time above 0, at most 60 s"
+  batuta_impossible_scene(SleepsAfter${seconds}Seconds "sleep_time: choose a time above 0, at most 60 s" BASE=sleepy
                           "CHANGE=scene.sleep_time = ${seconds}")
 endforeach()
 batuta_impossible_scene(RollingWithoutFriction "rolling_resistance takes friction = true" BASE=settling
@@ -128,8 +176,12 @@ batuta_no_scene(SmallOfNineBodies ${scene} "Engine::kSmall takes max_bodies of a
                 "-DCHANGE=scene.max_bodies = 9" -DSEARCH=Translation<float>)
 
 # Turn, contact tolerance and budget.
-batuta_impossible_scene(ToleranceAboveOne "turn_per_step is at least 0, contact_tolerance 0 ... 1" "CHANGE=scene.contact_tolerance = 1.5F")
-batuta_impossible_scene(TurnBelowNothing "turn_per_step is at least 0, contact_tolerance 0 ... 1" "CHANGE=scene.turn_per_step = -1")
+batuta_impossible_scene(ToleranceAboveOne "contact_tolerance: 0 ... 1" "CHANGE=scene.contact_tolerance = 1.5F")
+batuta_impossible_scene(TurnBelowNothing "turn_per_step: choose 0 ... 3.14" "CHANGE=scene.turn_per_step = -1")
+batuta_impossible_scene(TurnBeyondHalfATurn "turn_per_step: choose 0 ... 3.14" "CHANGE=scene.turn_per_step = 3.15F")
+batuta_impossible_scene(TurnWithoutEnd "turn_per_step: choose 0 ... 3.14" "CHANGE=scene.turn_per_step = std::numeric_limits<float>::infinity()")
+batuta_impossible_scene(TurnOfWhatFliesStraight "turn_per_step takes rotation = true" BASE=straight SEARCH=Translation<float>
+                        "CHANGE=scene.turn_per_step = 1")
 batuta_impossible_scene(ToleranceWithStepping "have a meaning for Advancement and Translation only" "CHANGE=scene.contact_tolerance = 1e-3F"
                         SEARCH=Stepping<float>)
 batuta_impossible_scene(TurnOfSevenEvaluations "turn_per_step takes a budget of at least 8"

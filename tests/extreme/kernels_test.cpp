@@ -138,6 +138,7 @@ TYPED_TEST(Kernels, MakeBody) {
   test::for_each_spoiled<S>(Placed<S>{}, kDraws, [](const Placed<S>& p, bool) {
     const auto made = make_body(p.X_WB, p.mass, p.moments);
     if (!made.ok()) return;
+    EXPECT_NE(p.X_WB.q_WB.coeffs().cwiseAbs().maxCoeff(), S(0));
     const Body<S>& body = made.value;
     EXPECT_TRUE(is_finite(body.X_WB.p_W) && is_finite(body.inverse_mass) &&
                 is_finite(body.inverse_moments) && body.inverse_moments.minCoeff() >= S(0));

@@ -212,6 +212,8 @@ class Answer(unittest.TestCase):
                 self.assertEqual(done.returncode, 2)
                 self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
                 self.assertEqual(done.stdout, "")
+        self.assertIn("nonsense", self.run_program("nonsense").stderr)
+        self.assertIn("toc, distance or impulse", self.run_program().stderr)
 
     def test_help(self):
         self.assertEqual(self.run_program("--help").returncode, 0)

@@ -88,7 +88,7 @@ class KeyframeGrid {
   using Keys = std::array<Pose<Scalar>, kKeys>;
 
   /// @returns kOk | kInvalidArgument (see relate_keys(); the grid stays as it was)
-  Status set_keys(const Keys& keys_WH) {
+  [[gnu::noinline]] Status set_keys(const Keys& keys_WH) {
     const Quat<Scalar> q_ref = renewed(keys_WH[kCentre].q_WB);
     std::array<detail::KeyPoint<Scalar>, kKeys> points{};
     const Status status =

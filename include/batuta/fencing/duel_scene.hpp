@@ -19,13 +19,13 @@ namespace batuta::fencing {
 struct DuelOptions : SceneOptions {
   /// Blades are held by a grip that a blow loosens [Kavan eq. 32]. Off: each blade is carried by a
   /// Hand, which has whatever strength it takes; Fencer::grip is not looked at.
-  bool grip = true;
+  batuta::detail::TrueOrFalse grip = true;
   /// Fencers have bodies that can be touched, in a hierarchy of k-DOPs. Off: blades only, nobody
   /// can be touched; Fencer::build is not looked at.
-  bool targets = true;
+  batuta::detail::TrueOrFalse targets = true;
   /// What a hand feels can be asked for (haptics/hand_force.hpp). Off: Duel::held_hand_W() is
   /// absent, and what needs it: nothing of room haptics is linked.
-  bool haptics = true;
+  batuta::detail::TrueOrFalse haptics = true;
 };
 
 /// The options of the standard duel.
@@ -58,6 +58,8 @@ namespace batuta::detail {
 /// @cond
 template <auto kOptions, class SearchT>
 inline constexpr bool kIsNamedScene<fencing::DuelScene<kOptions, SearchT>> = true;
+template <auto kOptions, class SearchT>
+inline constexpr bool kIsForDuel<fencing::DuelScene<kOptions, SearchT>> = true;
 /// @endcond
 
 }  // namespace batuta::detail

@@ -42,7 +42,7 @@ struct ClosestPoints {
   /// Unit, from p_A to p_B. Where the points coincide (to 4 u of the root of |d_A|^2 + |d_B|^2 +
   /// |r|^2, r between two ends): perpendicular to both segments if they are not parallel, else a
   /// fixed perpendicular of the longer one, else (two points) the x axis; then `arbitrary` is set.
-  Vec3<Scalar> normal_AB = Vec3<Scalar>::UnitX();
+  Vec3<Scalar> normal_AB = detail::unit_x<Scalar>();
   Scalar distance = 0;  ///< of the two points, m, >= 0
   /// The sign or the whole direction of normal_AB is a convention, not geometry.
   bool arbitrary = false;

@@ -14,8 +14,8 @@ namespace detail {
 /// A turn by `angle` about the unit vector `axis`. The identity has angle 0 and the x axis.
 template <class Scalar>
 struct AxisAngle {
-  Vec3<Scalar> axis = Vec3<Scalar>::UnitX();  ///< unit; the same in both frames
-  Scalar angle = 0;                           ///< rad; answers lie in [0, pi]
+  Vec3<Scalar> axis = detail::unit_x<Scalar>();  ///< unit; the same in both frames
+  Scalar angle = 0;                              ///< rad; answers lie in [0, pi]
 };
 
 }  // namespace detail
@@ -25,6 +25,10 @@ template <class Scalar>
 Quat<Scalar> renewed(const Quat<Scalar>& q);
 
 namespace detail {
+
+/// q_AB q_BC, scaled to unit length.
+template <class Scalar>
+Quat<Scalar> composed(const Quat<Scalar>& q_AB, const Quat<Scalar>& q_BC);
 
 /// R of q. @pre q unit
 template <class Scalar>

@@ -22,10 +22,10 @@ struct SolidBody {
 /// @param X_WG  where G is in W
 /// @param twist  of the body: velocity of the capsule's middle, and angular velocity; of a ball and
 ///   of a rod all components count
-/// @returns kOk | kInvalidArgument: a number that is not finite (but the density); a negative
-///   radius; a coordinate beyond kLargestCoordinate; a density that is zero, negative or NaN; mass
-///   or moments that vanish or overflow, or their inverses (radius 0 has no volume, and is fixed or
-///   refused); momenta that overflow; a fixed body that is to move
+/// @returns kOk | kInvalidArgument: a number that is not finite (but the density); an orientation
+///   of length 0; a negative radius; a coordinate beyond kLargestCoordinate; a density that is
+///   zero, negative or NaN; mass or moments that vanish or overflow, or their inverses (radius 0
+///   has no volume, and is fixed or refused); momenta that overflow; a fixed body that is to move
 /// Bound: no loop.
 template <class Scalar>
 Result<SolidBody<Scalar>> solid_body(const Capsule<Scalar>& capsule_G, Scalar density,

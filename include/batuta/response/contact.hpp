@@ -11,9 +11,10 @@ namespace batuta {
 /// and opposite impulses conserve angular momentum exactly.
 template <class Scalar>
 struct Contact {
-  Vec3<Scalar> point_W = Vec3<Scalar>::Zero();       ///< midway between the surfaces, m
-  Vec3<Scalar> normal_BA_W = Vec3<Scalar>::UnitX();  ///< the paper's n_B: unit, out of B, towards A
-  Scalar gap = 0;  ///< m, at this instant; may be slightly positive
+  Vec3<Scalar> point_W = Vec3<Scalar>::Zero();  ///< midway between the surfaces, m
+  Vec3<Scalar> normal_BA_W =
+      detail::unit_x<Scalar>();  ///< the paper's n_B: unit, out of B, towards A
+  Scalar gap = 0;                ///< m, at this instant; may be slightly positive
 };
 
 /// What a contact does along its normal [Kavan §4]; eps_r is the speed up to which it rests.

@@ -107,8 +107,9 @@ struct SceneConstants : SceneMark {
   static constexpr bool kOwners = kStated.owners;
   static constexpr bool kFilters = kStated.filters;
   static constexpr int kSweepAxis = kStated.sweep_axis;
-  static constexpr std::uint32_t kBudget =
-      kStated.budget > 0 ? kStated.budget : kDefaultBudgetOf<SearchT>;
+  static constexpr std::uint32_t kBudget = kStated.budget > 0
+                                               ? static_cast<std::uint32_t>(kStated.budget.value)
+                                               : kDefaultBudgetOf<SearchT>;
   static constexpr float kTurnPerStep = kStated.turn_per_step;
   static constexpr float kContactTolerance = kStated.contact_tolerance;
 };

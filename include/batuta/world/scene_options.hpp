@@ -12,6 +12,8 @@
 
 #include <cstdint>
 
+#include "batuta/world/detail/option_types.hpp"
+
 namespace batuta {
 
 /// Which world runs a scene.
@@ -40,26 +42,36 @@ enum class RestingContact : std::uint8_t {
 /// Everything that a scene chooses, with its default: two capsules, impulses and the paper's
 /// separation.
 struct SceneOptions {
+  SceneOptions() = default;
+  /// What is left of the options of an application (DuelOptions): no scene takes it, because what
+  /// they add is lost.
+  template <class Other, class = std::enable_if_t<std::is_base_of_v<SceneOptions, Other> &&
+                                                  !std::is_same_v<SceneOptions, Other>>>
+  // cppcheck-suppress noExplicitConstructor ; deviation: scene-options
+  constexpr SceneOptions(const Other& /*options*/) : is_rest_of_others(true) {}
+
   /// Which world runs the scene; no other option chooses it.
   Engine engine = Engine::kGeneral;
 
   // Capacities.
   /// Bodies at the same time, 2 ... 65534.
-  int max_bodies = 2;
+  detail::WholeNumber max_bodies = 2;
   /// Capsules of one body, 1 ... 255. One: Actor::capsule_B; more: Actor::capsules_B.
-  int capsules_per_body = 1;
+  detail::WholeNumber capsules_per_body = 1;
   /// Pairs of capsules whose swept volumes may meet at the same time, at least max_bodies / 2.
   /// Where more do, the bodies of the surplus pairs go on together for the rest of the step, and
   /// are counted.
-  /// Engine::kSmall has room for all pairs.
-  int max_pairs = 1;
+  /// Engine::kSmall has room for all pairs, and takes no number. At most 65535.
+  detail::WholeNumber max_pairs = 1;
   /// Contacts answered in one step, and contacts that last at the same time (kSettling). Where more
-  /// happen, the bodies concerned go on together for the rest of it, and are counted.
-  int max_contacts = 8;
+  /// happen, the bodies concerned go on together for the rest of it, and are counted. 1 ... 65535.
+  detail::WholeNumber max_contacts = 8;
   /// Events kept for reading after a step; a surplus is counted. 0: none, and no pair is followed.
-  int max_events = 16;
-  /// Answers of one pair in one step; beyond them its bodies go on together (kSettling).
-  int max_separations = 4;
+  /// At most 65535.
+  detail::WholeNumber max_events = 16;
+  /// Answers of one pair in one step; beyond them its bodies go on together (kSettling); 1 ...
+  /// 65535.
+  detail::WholeNumber max_separations = 4;
   /// For so long the bodies of a group must not go further than at rest_speed to be put to sleep
   /// (sleep), s, above 0 and at most 60.
   float sleep_time = 0.25F;
@@ -67,41 +79,43 @@ struct SceneOptions {
   // Features. What is off is absent: no member, no code.
   /// Bodies turn. Off: StraightBody, no quaternion, no inertia; the search is Translation or
   /// Spheres.
-  bool rotation = true;
+  detail::TrueOrFalse rotation = true;
   /// Contacts change the bodies. Off: they are found and told, and everybody moves on.
-  bool response = true;
+  detail::TrueOrFalse response = true;
   /// Actor::restitution. Off: C = 0.
-  bool restitution = true;
+  detail::TrueOrFalse restitution = true;
   /// Actor::friction: Coulomb's law, sticking or sliding (response/friction.hpp).
-  bool friction = false;
+  detail::TrueOrFalse friction = false;
   /// Actor::rolling_resistance: what presses resists turning (kSettling with friction).
-  bool rolling_resistance = false;
+  detail::TrueOrFalse rolling_resistance = false;
   /// Near-parallel capsules touch at two points (response/line_contact.hpp).
-  bool line_contact = false;
+  detail::TrueOrFalse line_contact = false;
   /// What becomes of contacts in which nearly nothing approaches.
   RestingContact resting = RestingContact::kSeparation;
   /// WorldSettings::gravity_W, felt by what its own momentum moves.
-  bool gravity = false;
+  detail::TrueOrFalse gravity = false;
   /// What has not left its place for a while is put to sleep until something happens to it.
-  bool sleep = false;
+  detail::TrueOrFalse sleep = false;
   /// Actor::owner: bodies of one owner never meet.
-  bool owners = true;
+  detail::TrueOrFalse owners = true;
   /// Actor::filter: who may meet whom.
-  bool filters = false;
+  detail::TrueOrFalse filters = false;
 
   // Searching.
   /// The axis along which a scene is longest, 0 ... 2: boxes are kept in order along it.
-  int sweep_axis = 0;
-  /// Distance evaluations of one search; 0: the search's own default. Where they do not suffice,
-  /// the bodies go on together, and are counted.
-  std::uint32_t budget = 0;
+  detail::WholeNumber sweep_axis = 0;
+  /// Distance evaluations of one search, 1 ... 4096, or steps of Stepping; 0: the search's own
+  /// default. Where they do not suffice, the bodies go on together, and are counted.
+  detail::WholeNumber budget = 0;
   // A scene may state two of turn_per_step, contact_tolerance and budget; detection/budget_law.hpp
   // gives the third.
-  /// Furthest that a body turns in a step, rad; 0: not stated.
+  /// Furthest that a body turns in a step, rad, at most half a turn; 0: not stated.
   float turn_per_step = 0;
   /// A gap of contact_tolerance times S counts as contact, S = MovingPair::scale; 0: not stated,
   /// then what the law asks for, and no less than the search's own default.
   float contact_tolerance = 0;
+  /// Set where these are what is left of an application's options.
+  bool is_rest_of_others = false;
 };
 
 }  // namespace batuta

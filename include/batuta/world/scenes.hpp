@@ -13,7 +13,6 @@ constexpr SceneOptions straight_spheres() {
   SceneOptions scene;
   scene.engine = Engine::kSmall;
   scene.max_bodies = 8;
-  scene.max_pairs = 28;  // all of them
   scene.max_events = 0;
   scene.rotation = false;
   scene.owners = false;

@@ -32,6 +32,8 @@ struct WorldOf<SceneT, WorldKind::kRefused> {
 template <class SceneT>
 class World : public detail::WorldOf<SceneT, detail::SceneVerdict<SceneT>::kKind>::Type {
   using Base = typename detail::WorldOf<SceneT, detail::SceneVerdict<SceneT>::kKind>::Type;
+  static_assert(!detail::kIsForDuel<SceneT>,
+                "World: a DuelScene is for a Duel; a World takes a Scene<my_options>");
 
  public:
   World() = default;

@@ -54,6 +54,8 @@ void add_options(CLI::App& app, Command& command, std::string& scalar, std::stri
 }
 static_assert(kMaxBudget == 4096 && kAmpleSteps == 100'000'000, "the help says so");
 
+constexpr const char* kKinds = "A kind of query (toc, distance or impulse)";
+
 /// What is wrong with options that are right one by one; empty: nothing.
 std::string conflict_in(const SearchSettings& search) {
   if (search.method == Method::kStepping) return {};
@@ -73,7 +75,7 @@ std::variant<Command, Exit> read_command_line(int argc, char** argv) {
       "collision does.\nExit status: 0; 1 if a line was invalid; 2 on wrong usage.",
       "batuta-answer");
   app.failure_message(one_line);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);  // one, of which too_few() can say more
   const CLI::App* toc = app.add_subcommand("toc", "time of contact of two moving capsules");
   const CLI::App* distance = app.add_subcommand("distance", "distance of two segments");
   app.add_subcommand("impulse", "collision of two bodies without friction");
@@ -82,6 +84,7 @@ std::variant<Command, Exit> read_command_line(int argc, char** argv) {
   }
   try {
     app.parse(argc, argv);
+    if (app.get_subcommands().empty()) throw CLI::RequiredError(kKinds);
   } catch (const CLI::ParseError& error) {
     return Exit{app.exit(error) == 0 ? 0 : kExitUsage};
   }

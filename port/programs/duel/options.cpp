@@ -3,7 +3,6 @@
 #include "programs/duel/options.hpp"
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <cstdio>
 #include <vector>
 
@@ -58,12 +57,17 @@ of the duel is compared with the recorded one. A recording made on another machi
 
 Exit codes: 0 the bout ran; 1 something failed on the way, such as writing the picture, a device
             that does not answer, or one that computes other bits, or a replay that parts from
-            its recording; 2 wrong usage, or a source or recording that cannot be read)";
+            its recording, or a recording that goes on behind its end; 2 wrong usage, or a source
+            or recording that cannot be read)";
 
-std::string positive_number(const std::string& words) {
+/// The length of a bout, whose steps of 1 ms are counted in 32 bits.
+std::string seconds_of_a_bout(const std::string& words) {
+  constexpr double kMost = 4e6;
   double value = 0;
   const bool number = CLI::detail::lexical_cast(words, value);
-  return number && std::isfinite(value) && value > 0 ? "" : words + " is not a number above 0";
+  return number && value > 0 && value <= kMost
+             ? ""
+             : words + " is not a number above 0 and at most 4000000";
 }
 
 /// CLI::Range lets what is not a number pass.
@@ -110,9 +114,9 @@ void declare(CLI::App& app, Options& options) {
   svg->type_name("FILE")->check(file_name);
   CLI::Option* const realtime = app.add_flag("--realtime", options.realtime,
                                              "as fast as it happens, not as fast as possible");
-  CLI::Option* const seconds =
-      app.add_option("--seconds", options.seconds, "end the bout after so many seconds");
-  seconds->type_name("LIMIT")->check(positive_number);
+  CLI::Option* const seconds = app.add_option(
+      "--seconds", options.seconds, "end the bout after so many seconds, at most 4000000");
+  seconds->type_name("LIMIT")->check(seconds_of_a_bout);
   CLI::Option* const record =
       app.add_option("--record", options.record, "record the bout into this file");
   record->type_name("FILE")->check(file_name);

@@ -65,6 +65,8 @@ Replay replay(const std::string& path) {
   Player player(file, buffer.data(), kBuffer);
   const auto duel = std::make_unique<DuelType>();
   result.answer = play_on(player, *duel);
+  std::uint8_t behind = 0;  // a player asks for nothing that stands behind the end mark
+  result.goes_on = result.answer == Playback::kEnd && file.read(&behind, 1) > 0;
   result.steps = player.steps();
   result.hashes = player.agreed();
   result.lost = player.lost();
@@ -76,6 +78,9 @@ std::string words_for(const Replay& replay) {
   const std::string file = replay.path + ": ";
   const std::string steps = std::to_string(replay.steps) + " steps, ";
   const std::string hashes = std::to_string(replay.hashes) + " hashes agreed";
+  if (replay.goes_on) {
+    return file + steps + hashes + "; the recording goes on behind its end mark";
+  }
   if (replay.answer == Playback::kEnd) return file + steps + hashes;
   std::string words = file + steps + hashes + "; the recording " + why_not(replay.answer);
   if (replay.lost > 0) words += " (" + std::to_string(replay.lost) + " steps are missing)";
@@ -86,7 +91,7 @@ int exit_code_for(const Replay& replay) {
   if (!replay.error.empty()) return kExitUsage;
   switch (replay.answer) {
     case Playback::kEnd:
-      return kExitOk;
+      return replay.goes_on ? kExitFailure : kExitOk;
     case Playback::kForeign:
     case Playback::kOtherVersion:
     case Playback::kOtherScalar:

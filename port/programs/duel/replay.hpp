@@ -12,6 +12,7 @@ struct Replay {
   std::string path;
   std::string error;  ///< of the file; empty: it could be opened
   Playback answer = Playback::kWaiting;
+  bool goes_on = false;      ///< behind its end mark
   std::uint32_t steps = 0;   ///< made
   std::uint32_t hashes = 0;  ///< that agreed
   std::uint32_t lost = 0;    ///< steps that the recording says are missing

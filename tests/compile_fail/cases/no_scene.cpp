@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What a user may take for a scene, and what one is.
+#if defined(DUEL_OPTIONS) || defined(DUEL_SCENE)
+#include "batuta/fencing/duel.hpp"
+#else
 #include "batuta/world/world.hpp"
+#endif
 
 namespace {
 
@@ -36,6 +40,17 @@ constexpr MyOptions other() {
   return {};
 }
 using MyScene = Scene<other>;
+#elif defined(DUEL_OPTIONS)
+constexpr SceneOptions drill() {
+  fencing::DuelOptions scene = fencing::two_fencers();
+  scene.targets = false;
+  return scene;
+}
+using MyScene = Scene<drill>;
+#elif defined(DUEL_SCENE)
+using MyScene = fencing::DuelScene<>;
+#elif defined(QUALIFIER)
+using MyScene = QUALIFIER Scene<mine>;
 #elif defined(NO_FUNCTION)
 using MyScene = Scene<64>;
 #elif defined(SEARCH_LEFT_OUT)

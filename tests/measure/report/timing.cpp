@@ -18,8 +18,9 @@ struct SegmentPair {
 /// So many that no branch predictor learns them by heart: a query meets fresh numbers, too.
 constexpr int kPairs = 16384;
 
-/// Further tries of a program for a calm baseline, in all.
-constexpr int kTries = 20;
+/// Further tries of a program for a calm baseline, in all: a rented host is interrupted a few times
+/// a second, and a try takes some 10 ms.
+constexpr int kTries = 2048;
 
 /// Segments of general position in the unit cube, the same on every host.
 std::array<SegmentPair, kPairs> make_pairs() {

@@ -69,7 +69,7 @@ def usage(folder):
     refuses(["--nonsense"], 2, "--nonsense")
     refuses(["stray"], 2, "stray")
     refuses(["--left"], 2, "--left")
-    for number in ("0", "-1", "x", "nan", "inf", "1e999", ""):
+    for number in ("0", "-1", "x", "nan", "inf", "1e999", "1e300", "4000001", ""):
         refuses(["--seconds", number], 2)
     refuses(["--left", "banana"], 2, "banana", "unknown source")
     refuses(["--right", "script:riposte"], 2, "script:riposte")
@@ -178,6 +178,8 @@ def replay(folder):
         return other
 
     refuses(["--replay", altered("cut", whole[:-1])], 1, "%d steps" % steps, "end mark")
+    for more in (b"\0", whole):
+        refuses(["--replay", altered("longer", whole + more)], 1, "%d steps" % steps, "goes on behind its end mark")
     middle = len(whole) // 2
     spoilt = whole[:middle] + bytes([whole[middle] ^ 1]) + whole[middle + 1:]
     refuses(["--replay", altered("damaged", spoilt)], 1, "damaged")

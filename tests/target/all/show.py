@@ -8,9 +8,9 @@ import pathlib
 import re
 import sys
 
-TARGET = pathlib.Path(__file__).resolve().parent.parent
+TESTS = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.dont_write_bytecode = True  # nothing is left in the source tree
-sys.path.insert(0, str(TARGET / "price"))
+sys.path.insert(0, str(TESTS / "measure" / "price"))
 import readme_table  # noqa: E402
 from tools import budgets  # noqa: E402
 

@@ -198,6 +198,8 @@ TYPED_TEST(Solid, WhatCannotBe_IsRefused) {
        {S(0), S(-1), nan, -infinity, most, std::numeric_limits<S>::denorm_min()}) {
     EXPECT_TRUE(refuses(good, density, X, Twist<S>{})) << density;
   }
+  EXPECT_TRUE(refuses(good, S(1), Pose<S>{{0, 0, 0}, Quat<S>(0, 0, 0, 0)}, Twist<S>{}));
+  EXPECT_TRUE(refuses(good, infinity, Pose<S>{{0, 0, 0}, Quat<S>(0, 0, 0, 0)}, Twist<S>{}));
   for (const S bad : {nan, infinity, -infinity}) {
     Capsule<S> capsule = good;
     capsule.axis.b.y() = bad;

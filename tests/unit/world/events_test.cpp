@@ -18,6 +18,9 @@ namespace {
 template <class SceneT, int kEvents>
 constexpr SceneOptions told_options() {
   SceneOptions scene = SceneT::kStated;
+  if (scene.engine == Engine::kSmall) {
+    scene.max_pairs = scene.max_bodies * (scene.max_bodies - 1) / 2;  // room for all, as it has
+  }
   scene.engine = Engine::kGeneral;
   scene.max_events = kEvents;
   return scene;

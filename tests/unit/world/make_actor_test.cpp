@@ -112,6 +112,10 @@ TEST(MakeActor, WhatSolidBodyRefuses_IsRefused) {
     EXPECT_EQ(make_actor<TwoBlades>(kRod, density, kPlace).status, Status::kInvalidArgument);
     EXPECT_EQ(make_actor<Sliders>(kRod, density, kPlace).status, Status::kInvalidArgument);
   }
+  Pose<float> nowhere = kPlace;
+  nowhere.q_WB.coeffs().setZero();
+  EXPECT_EQ(make_actor<TwoBlades>(kRod, 1.0F, nowhere).status, Status::kInvalidArgument);
+  EXPECT_EQ(make_actor<Sliders>(kRod, 1.0F, nowhere).status, Status::kInvalidArgument);
 }
 
 }  // namespace

@@ -134,9 +134,10 @@ TEST(SceneFeatures, WorldWithoutEvents_HasNoRoomForThem) {
 /// A scene with room for some more, written out: what Enlarged is to be.
 template <class SceneT, int kPairs, int kEvents>
 constexpr SceneOptions roomier_options() {
-  SceneOptions scene = SceneT::kStated;
-  scene.max_pairs += kPairs;
-  scene.max_events += kEvents;
+  const SceneOptions& stated = SceneT::kStated;  // of a duel, too: its world is a world
+  SceneOptions scene = stated;
+  scene.max_pairs = stated.max_pairs + kPairs;
+  scene.max_events = stated.max_events + kEvents;
   return scene;
 }
 template <class SceneT, int kPairs, int kEvents>

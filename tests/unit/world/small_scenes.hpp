@@ -32,6 +32,7 @@ template <class SceneT>
 constexpr SceneOptions told_options() {
   SceneOptions scene = SceneT::kStated;
   scene.engine = Engine::kGeneral;
+  scene.max_pairs = 28;  // all of them
   scene.max_events = 64;
   return scene;
 }

@@ -23,6 +23,7 @@ Vec3<S> vec(double x, double y, double z) {
 constexpr SceneOptions balls_options() {
   SceneOptions scene = straight_spheres();
   scene.engine = Engine::kGeneral;
+  scene.max_pairs = 28;  // all of them
   scene.max_events = 8;
   return scene;
 }

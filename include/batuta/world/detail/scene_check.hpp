@@ -10,9 +10,10 @@
 
 namespace batuta::detail {
 
-template <class SearchT>
+template <class SearchT, class ControllerT>
 constexpr SearchTraits traits_of() {
   return {SearchT::kForStraightFlight, SearchT::kForSpheres, SearchT::kHasContactTolerance,
+          std::is_same_v<ControllerT, FreeFlight<typename SearchT::Scalar>>,
           SearchT::kDefaultBudget};
 }
 
@@ -47,10 +48,16 @@ inline constexpr bool kIsNamedScene = false;
 template <auto kOptions, class SearchT, class ControllerT, class BoundT>
 inline constexpr bool kIsNamedScene<Scene<kOptions, SearchT, ControllerT, BoundT>> = true;
 
+/// Whether a scene is for a Duel, which makes a world of it that a World alone is not.
+template <class SceneT>
+inline constexpr bool kIsForDuel = false;
+
 /// The first rule that a scene breaks.
 template <class SceneT>
 constexpr SceneRule broken_rule_of() {
-  if constexpr (!kIsNamedScene<SceneT>) {
+  if constexpr (std::is_const_v<SceneT> || std::is_volatile_v<SceneT>) {
+    return SceneRule::kConst;
+  } else if constexpr (!kIsNamedScene<SceneT>) {
     return std::is_base_of_v<SceneMark, SceneT> ? SceneRule::kDerived : SceneRule::kNoScene;
   } else if constexpr (!SceneT::kHasOptionsFunction) {
     return SceneRule::kNoOptions;
@@ -66,7 +73,8 @@ constexpr SceneRule broken_rule_of() {
   } else if constexpr (!kIsBound<typename SceneT::Bound, typename SceneT::Scalar>) {
     return SceneRule::kBound;
   } else {
-    return broken_rule(SceneT::kStated, traits_of<typename SceneT::Search>());
+    return broken_rule(SceneT::kStated,
+                       traits_of<typename SceneT::Search, typename SceneT::Controller>());
   }
 }
 
@@ -93,6 +101,7 @@ struct SceneVerdict : KeptScene<SceneT, broken_rule_of<SceneT>() == SceneRule::k
   using R = SceneRule;
   static constexpr SceneRule kRule = broken_rule_of<SceneT>();
 
+  static_assert(kRule != R::kConst, "World: name its scene without const or volatile");
   static_assert(
       kRule != R::kDerived,
       "World: name the scene itself: using MyScene = Scene<my_options>; nobody reads what "
@@ -123,21 +132,33 @@ struct SceneVerdict : KeptScene<SceneT, broken_rule_of<SceneT>() == SceneRule::k
       "Scene: its controller lacks void on_step_end(const Body<Scalar>& body, Scalar dt)");
   static_assert(kRule != R::kBound, "Scene: its fourth argument is SweptBox or CoarseBox");
 
+  static_assert(
+      kRule != R::kRestOfOthers,
+      "Scene: its options lost what DuelOptions add: let the function return DuelOptions, "
+      "for a DuelScene");
+  static_assert(kRule != R::kEngine, "Scene: engine: choose Engine::kGeneral or Engine::kSmall");
+  static_assert(kRule != R::kResting,
+                "Scene: resting: choose RestingContact::kNone, kSeparation or kSettling");
   static_assert(kRule != R::kMaxBodies, "Scene: max_bodies: choose 2 ... 65534");
   static_assert(
       kRule != R::kCapsules,
       "Scene: capsules_per_body: choose 1 ... 255, and no more than 65535 capsules in all");
-  static_assert(kRule != R::kMaxPairs, "Scene: max_pairs: at least 1");
-  static_assert(kRule != R::kMaxContacts, "Scene: max_contacts: at least 1");
-  static_assert(kRule != R::kMaxEvents, "Scene: max_events: at least 0");
-  static_assert(kRule != R::kMaxSeparations, "Scene: max_separations: at least 1");
+  static_assert(kRule != R::kMaxPairs, "Scene: max_pairs: choose 1 ... 65535");
+  static_assert(kRule != R::kMaxContacts, "Scene: max_contacts: choose 1 ... 65535");
+  static_assert(kRule != R::kMaxEvents, "Scene: max_events: choose 0 ... 65535");
+  static_assert(kRule != R::kMaxSeparations, "Scene: max_separations: choose 1 ... 65535");
   static_assert(kRule != R::kSweepAxis, "Scene: sweep_axis: choose 0, 1 or 2");
   static_assert(kRule != R::kSleepTime, "Scene: sleep_time: choose a time above 0, at most 60 s");
+  static_assert(kRule != R::kBudget,
+                "Scene: budget: choose 1 ... 4096 (of Stepping, 1000000000), or 0 for the search's own");
   static_assert(kRule != R::kFewPairs,
                 "Scene: max_pairs: at least max_bodies / 2, so that each body can be near another");
 
   static_assert(kRule != R::kStraightSearch,
                 "Scene: without rotation, the search is Translation<Scalar> or Spheres<Scalar>");
+  static_assert(kRule != R::kStraightController,
+                "Scene: without rotation, bodies fly by their momenta and ask no controller: leave "
+                "it out, or FreeFlight<Scalar>");
   static_assert(kRule != R::kSpheresTurn, "Scene: Spheres<Scalar> takes rotation = false");
   static_assert(kRule != R::kSpheresParts, "Scene: Spheres<Scalar> takes capsules_per_body = 1");
   static_assert(
@@ -165,6 +186,9 @@ struct SceneVerdict : KeptScene<SceneT, broken_rule_of<SceneT>() == SceneRule::k
   static_assert(kRule != R::kRollingRest,
                 "Scene: rolling_resistance takes friction = true and resting = "
                 "RestingContact::kSettling");
+  static_assert(kRule != R::kRestless,
+                "Scene: max_separations takes resting = RestingContact::kSettling");
+  static_assert(kRule != R::kSleepless, "Scene: sleep_time takes sleep = true");
   static_assert(kRule != R::kSleepRest, "Scene: sleep takes resting = RestingContact::kSettling");
   static_assert(kRule != R::kSleepEvents,
                 "Scene: sleep takes max_events > 0: what a sleeper lies on has to be followed");
@@ -181,8 +205,15 @@ struct SceneVerdict : KeptScene<SceneT, broken_rule_of<SceneT>() == SceneRule::k
   static_assert(kRule != R::kSmallBodies,
                 "Scene: Engine::kSmall takes max_bodies of at most 8; more take Engine::kGeneral");
 
-  static_assert(kRule != R::kTurnRange,
-                "Scene: turn_per_step is at least 0, contact_tolerance 0 ... 1");
+  static_assert(kRule != R::kSmallPairs,
+                "Scene: Engine::kSmall has room for all pairs: leave out max_pairs");
+  static_assert(kRule != R::kSmallAxis,
+                "Scene: Engine::kSmall keeps no boxes in order: leave out sweep_axis");
+
+  static_assert(
+      kRule != R::kTurnRange,
+      "Scene: turn_per_step: choose 0 ... 3.14 (half a turn); contact_tolerance: 0 ... 1");
+  static_assert(kRule != R::kTurnStraight, "Scene: turn_per_step takes rotation = true");
   static_assert(kRule != R::kTurnSearch,
                 "Scene: contact_tolerance and turn_per_step have a meaning for Advancement and "
                 "Translation only");

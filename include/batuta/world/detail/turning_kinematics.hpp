@@ -48,10 +48,12 @@ struct TurningKinematics {
 
   /// Kept apart: some calls, and no copies.
   [[gnu::noinline]] static bool is_usable(const BodyType& body) {
-    return is_finite(body.X_WB.p_W) && is_finite(body.X_WB.q_WB) &&
-           is_finite(body.momentum.linear_W) && is_finite(body.momentum.angular_W) &&
-           is_finite(body.inverse_mass) && body.inverse_mass >= Scalar(0) &&
-           is_finite(body.inverse_moments) && body.inverse_moments.x() >= Scalar(0) &&
+    const Scalar pose = nan_unless_finite(body.X_WB.p_W) + nan_unless_finite(body.X_WB.q_WB);
+    const Scalar momenta =
+        nan_unless_finite(body.momentum.linear_W) + nan_unless_finite(body.momentum.angular_W);
+    const Scalar moments = nan_unless_finite(body.inverse_moments);
+    return is_finite(body.inverse_mass) && body.inverse_mass >= Scalar(0) &&
+           pose + momenta + moments == Scalar(0) && body.inverse_moments.x() >= Scalar(0) &&
            body.inverse_moments.y() >= Scalar(0) && body.inverse_moments.z() >= Scalar(0);
   }
   /// A body as the caller gave it, made ready. Bound: the parts.
@@ -87,7 +89,7 @@ struct TurningKinematics {
     return is_same(body.X_WB.p_W, motion.X_WB.p_W) && is_same(body.X_WB.q_WB, motion.X_WB.q_WB);
   }
   static void move(BodyType& body, const MotionType& motion, Scalar t) {
-    body.X_WB = pose_at(motion, t);
+    move_along(body, motion, t);
   }
   /// What is left of a motion after t of it. @pre t <= duration
   static MotionType rest_of(const MotionType& motion, Scalar t, Scalar duration) {

@@ -97,6 +97,7 @@ using Balls = Scene<no_rotation_options, Spheres<float>>;
 constexpr SceneOptions spheres_with_events_options() {
   SceneOptions scene = straight_spheres();
   scene.engine = Engine::kGeneral;
+  scene.max_pairs = 28;  // all of them
   scene.max_events = 16;
   return scene;
 }
