@@ -1,64 +1,59 @@
 // SPDX-License-Identifier: MIT
 #include "batuta/world/detail/group_motion.hpp"
 
+#include "batuta/geometry/direction.hpp"
+
 namespace batuta::detail {
-
-template <class Scalar>
-Mat3<Scalar> inertia_about(const Body<Scalar>& body, const Vec3<Scalar>& r_W) {
-  const Mat3<Scalar> R_WB = body.X_WB.q_WB.toRotationMatrix();
-  Vec3<Scalar> moments = Vec3<Scalar>::Zero();
-  for (int i = 0; i < 3; ++i) {  // Bound: 3
-    if (body.inverse_moments[i] > Scalar(0)) moments[i] = 1 / body.inverse_moments[i];
-  }
-  Mat3<Scalar> inertia = R_WB * moments.asDiagonal() * R_WB.transpose();
-  const Scalar mass = 1 / body.inverse_mass;
-  for (int i = 0; i < 3; ++i) {  // Bound: 3
-    inertia(i, i) += mass * r_W.squaredNorm();
-    for (int k = 0; k < 3; ++k) inertia(i, k) -= mass * r_W[i] * r_W[k];  // Bound: 3
-  }
-  return inertia;
-}
-
 namespace {
 
-/// A body with the sums of a group, its frame along the principal axes.
+/// x with A x = y of a symmetric A, by its cofactors; zero where A has none.
 template <class Scalar>
-Body<Scalar> body_of_group(const Mat3<Scalar>& inertia_W, const Vec3<Scalar>& L_W) {
-  MassProperties<Scalar> properties;
-  properties.mass = 1;
-  properties.inertia_S = inertia_W;
-  const PrincipalFrame<Scalar> frame = principal_frame(properties);
-  Body<Scalar> body;
-  body.X_WB.q_WB = frame.q_SB;
-  const Scalar largest = frame.moments.maxCoeff();
-  for (int i = 0; i < 3; ++i) {  // Bound: 3
-    const Scalar moment = max_of(frame.moments[i], 4 * kRoundOff<Scalar> * largest);
-    body.inverse_moments[i] = moment > Scalar(0) ? 1 / moment : Scalar(0);
-  }
-  body.momentum.angular_W = L_W;
-  body.spin_shows = true;
-  return body;
+Vec3<Scalar> solved(const Mat3<Scalar>& A, const Vec3<Scalar>& y) {
+  const Vec3<Scalar> a = A.col(0);
+  const Vec3<Scalar> b = A.col(1);
+  const Vec3<Scalar> c = A.col(2);
+  const Vec3<Scalar> first = b.cross(c);
+  const Scalar volume = a.dot(first);
+  if (!(volume > Scalar(0))) return Vec3<Scalar>::Zero();
+  const Vec3<Scalar> x(y.dot(first), y.dot(c.cross(a)), y.dot(a.cross(b)));
+  return x / volume;
 }
 
 }  // namespace
 
 template <class Scalar>
+void add_inertia(Mat3<Scalar>& inertia_W, const Body<Scalar>& body, const Vec3<Scalar>& r_W) {
+  const Scalar mass = 1 / body.inverse_mass;
+  for (int k = 0; k < 3; ++k) {  // Bound: 3 columns: the angular momentum of a turn about each axis
+    const Vec3<Scalar> w_W = Vec3<Scalar>::Unit(k);
+    const Momentum<Scalar> own = momentum_of(body, Twist<Scalar>{Vec3<Scalar>::Zero(), w_W});
+    inertia_W.col(k) += own.angular_W + mass * r_W.cross(w_W.cross(r_W));
+  }
+}
+
+template <class Scalar>
 Vec3<Scalar> group_spin(const Mat3<Scalar>& inertia_W, const Vec3<Scalar>& L_W, Scalar duration) {
-  const Motion<Scalar> flight = free_flight(body_of_group(inertia_W, L_W), duration);
-  return is_valid(flight) ? flight.twist.w_W : Vec3<Scalar>(Vec3<Scalar>::Zero());
+  constexpr Scalar kHalfTurn = Scalar(3.14159265358979323846);
+  const Vec3<Scalar> start_W = spin_for(inertia_W, L_W);
+  const Vec3<Scalar> half_W = (duration / 2) * start_W;
+  if (!(2 * length(half_W) < kHalfTurn)) return Vec3<Scalar>::Zero();
+  const Quat<Scalar> turn = exp_map(half_W);
+  return turn * spin_for<Scalar>(inertia_W, turn.conjugate() * L_W);
 }
 
 template <class Scalar>
 Vec3<Scalar> spin_for(const Mat3<Scalar>& inertia_W, const Vec3<Scalar>& L_W) {
-  Body<Scalar> body = body_of_group(inertia_W, L_W);
-  const Vec3<Scalar> w_W = twist_of(body).w_W;
-  body.momentum.angular_W = L_W - inertia_W * w_W;
-  return w_W + twist_of(body).w_W;
+  Mat3<Scalar> stiffer = inertia_W;
+  const Scalar least = 4 * kRoundOff<Scalar> * inertia_W.trace();
+  for (int i = 0; i < 3; ++i) stiffer(i, i) += least;  // Bound: 3
+  const Vec3<Scalar> w_W = solved(stiffer, L_W);
+  const Vec3<Scalar> left_W = L_W - inertia_W * w_W;
+  return w_W + solved(stiffer, left_W);
 }
 
-#define BATUTA_INSTANTIATE(S)                                     \
-  template Mat3<S> inertia_about(const Body<S>&, const Vec3<S>&); \
-  template Vec3<S> group_spin(const Mat3<S>&, const Vec3<S>&, S); \
+#define BATUTA_INSTANTIATE(S)                                          \
+  template void add_inertia(Mat3<S>&, const Body<S>&, const Vec3<S>&); \
+  template Vec3<S> group_spin(const Mat3<S>&, const Vec3<S>&, S);      \
   template Vec3<S> spin_for(const Mat3<S>&, const Vec3<S>&);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE

@@ -67,8 +67,8 @@ class Bodies {
     bool boxed = false;         ///< its boxes are those of its planned motion
     bool asleep = false;        ///< it sleeps (sleep.hpp)
     bool is_led_group = false;  ///< its group goes where a controller leads, or stands
-    bool joins = false;         ///< marks those of a group that is made
-    bool parts = false;         ///< marks those of a group that parts
+    bool comes = false;         ///< marks those that are to be a group
+    bool joins = false;         ///< marks those of a group that is made, or parts
   };
 
   explicit Bodies(std::uint16_t number) : actors(number) {}
@@ -168,6 +168,8 @@ class Bodies {
   void start_group(GroupSums<Scalar>& sums, std::size_t first, Scalar until);
   void part_turning(GroupSums<Scalar>& sums, const State& whole, Scalar elapsed,
                     std::size_t heaviest);
+  void give_place(std::size_t slot, const Vec3<Scalar>& center_W, const Twist<Scalar>& twist,
+                  Momentum<Scalar>& left);
   void part_straight(GroupSums<Scalar>& sums, const State& whole, Scalar elapsed,
                      std::size_t heaviest);
 };

@@ -98,15 +98,15 @@ void GeneralWorld<SceneT>::run_round() {
   }
 }
 
-/// Whether a pair's contact is solved for the rest of the step: the search then speaks of contact
-/// only where the two would be in each other.
+/// D of a pair whose contact is solved for the rest of the step: the search then speaks of contact
+/// only where the two would be in each other. 0: it is not.
 template <class SceneT>
-bool GeneralWorld<SceneT>::lasts(ProxyPair pair) const {
+typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::lasts(ProxyPair pair) const {
   if constexpr (kSolves) {
     const int i = groups_.find(pair);
-    return i >= 0 && groups_[i].is_solved;
+    return i >= 0 && groups_[i].is_solved ? groups_[i].rest_gap : Scalar(0);
   } else {
-    return false;
+    return Scalar(0);
   }
 }
 

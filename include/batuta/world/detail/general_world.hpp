@@ -122,7 +122,7 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   void begin_bodies();
   void solve_lasting();
   void run_round();
-  bool lasts(ProxyPair pair) const;
+  Scalar lasts(ProxyPair pair) const;
   Scalar next_release() const;
   void release(Scalar time);
   void end_step();

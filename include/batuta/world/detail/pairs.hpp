@@ -37,7 +37,7 @@ class Pairs : private SeedsOf<SceneT> {
   /// Plans who has changed, and collects the pairs of those. Bound: kMaxBodies + 1 passes.
   void refresh(BodiesT& bodies, bool is_begin);
   /// Asks for every candidate that was not asked for, and drops those that are free.
-  /// @param lasts  whether a pair's contact was solved for the rest of the step
+  /// @param lasts  D of a pair whose contact was solved for the rest of the step; of others 0
   template <class Lasts>
   void search_all(BodiesT& bodies, const Lasts& lasts);
 
@@ -95,13 +95,18 @@ class Pairs : private SeedsOf<SceneT> {
   void collect(BodiesT& bodies, ProxyPair pair);
   template <class Lasts>
   void search(BodiesT& bodies, CandidateType& candidate, const Lasts& lasts);
-  void search_pair(const BodiesT& bodies, ProxyPair pair, Scalar until, bool lasts,
+  void search_pair(const BodiesT& bodies, ProxyPair pair, Scalar until, Scalar lasts,
                    PairQuery& query);
   SearchResult<Scalar> search_with_seed(ProxyPair pair, const MovingPair<Scalar>& moving_pair,
                                         const typename Search::Options& options);
   SearchResult<Scalar> search_thinner(const BodiesT& bodies, const MovingPair<Scalar>& moving_pair,
                                       const PairQuery& query, ProxyPair pair) const;
   bool stays_apart(const BodiesT& bodies, ProxyPair pair) const;
+  /// What the solution of a contact may leave, m/s, <= 0: what the opening of its gap makes up for.
+  static Scalar slowest_closing(const BodiesT& bodies, Scalar lasts) {
+    constexpr Scalar kResidue = Scalar(1) / 8;
+    return lasts > Scalar(0) ? -kResidue * lasts / bodies.dt : Scalar(0);
+  }
   static bool parts_now(const BodiesT& bodies, ProxyPair pair, const PairQuery& query);
 
   SweepList<Scalar, BodiesT::kProxies, SceneT::kSweepAxis> sweep_;
@@ -313,7 +318,7 @@ bool make_thinner(MovingPair<Scalar>& pair, Scalar missing) {
 }
 
 template <class SceneT>
-void Pairs<SceneT>::search_pair(const BodiesT& bodies, ProxyPair pair, Scalar until, bool lasts,
+void Pairs<SceneT>::search_pair(const BodiesT& bodies, ProxyPair pair, Scalar until, Scalar lasts,
                                 PairQuery& query) {
   if constexpr (!SceneT::kRotation) {
     query = BodiesT::Kinematics::search(bodies.mover(pair.first, until),
@@ -328,10 +333,12 @@ void Pairs<SceneT>::search_pair(const BodiesT& bodies, ProxyPair pair, Scalar un
     query.origin_W = moving_pair.value.origin_W;
     query.scale = moving_pair.value.scale;
     query.contact_gap = Search::contact_gap(moving_pair.value, bodies.settings.search);
-    if (kLasts<SceneT> && lasts) make_thinner(moving_pair.value, query.contact_gap);
+    const bool is_solved = kLasts<SceneT> && lasts > Scalar(0);
+    if (is_solved) make_thinner(moving_pair.value, query.contact_gap);
     query.search = search_with_seed(pair, moving_pair.value, bodies.settings.search);
     const bool may_part = query.outcome() == Outcome::kTouching &&
-                          (query.search.gap_rate >= Scalar(0) || parts_now(bodies, pair, query));
+                          (!(query.search.gap_rate < slowest_closing(bodies, lasts)) ||
+                           parts_now(bodies, pair, query));
     if (SceneT::kResponse && may_part) {
       query.search = search_thinner(bodies, moving_pair.value, query, pair);
     }

@@ -149,8 +149,9 @@ struct SceneVerdict : KeptScene<SceneT, broken_rule_of<SceneT>() == SceneRule::k
   static_assert(kRule != R::kMaxSeparations, "Scene: max_separations: choose 1 ... 65535");
   static_assert(kRule != R::kSweepAxis, "Scene: sweep_axis: choose 0, 1 or 2");
   static_assert(kRule != R::kSleepTime, "Scene: sleep_time: choose a time above 0, at most 60 s");
-  static_assert(kRule != R::kBudget,
-                "Scene: budget: choose 1 ... 4096 (of Stepping, 1000000000), or 0 for the search's own");
+  static_assert(
+      kRule != R::kBudget,
+      "Scene: budget: choose 1 ... 4096 (of Stepping, 1000000000), or 0 for the search's own");
   static_assert(kRule != R::kFewPairs,
                 "Scene: max_pairs: at least max_bodies / 2, so that each body can be near another");
 

@@ -146,7 +146,9 @@ constexpr SceneRule broken_by_rest(const SceneOptions& scene) {
   if (!settles && scene.max_separations != SceneOptions().max_separations) return R::kRestless;
   if (!scene.sleep)
     return !(scene.sleep_time < SceneOptions().sleep_time ||
-             scene.sleep_time > SceneOptions().sleep_time) ? R::kNone : R::kSleepless;
+             scene.sleep_time > SceneOptions().sleep_time)
+               ? R::kNone
+               : R::kSleepless;
   if (scene.resting != RestingContact::kSettling) return R::kSleepRest;
   return scene.max_events > 0 ? R::kNone : R::kSleepEvents;
 }

@@ -33,8 +33,10 @@ void Bodies<SceneT>::weld(std::size_t a, std::size_t b, Scalar until) {
   join(b);
   std::size_t first = kSlots;
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    states[slot].joins = states[slot].comes;
+    states[slot].comes = false;
     if (!states[slot].joins) continue;
-    if (is_wall(slot) && states[slot].group == kAlone) {
+    if (is_wall(slot)) {
       sums.stands = true;
       states[slot].joins = false;
       continue;
@@ -56,14 +58,15 @@ bool Bodies<SceneT>::stands_together(std::size_t slot) const {
   return state.group != kAlone && state.is_led_group && Kinematics::is_still(state.plan.motion);
 }
 
-/// Marks the body and its group; the group parts.
+/// The group of a body parts; those that were in it are named after the body instead.
 template <class SceneT>
 void Bodies<SceneT>::join(std::size_t slot) {
   const Slot group = states[slot].group;
-  states[slot].joins = true;
-  if (group == kAlone) return;
-  for (State& state : states) state.joins = state.joins || state.group == group;  // kMaxBodies
-  part_group(slot);
+  for (State& state : states) {  // Bound: kMaxBodies
+    state.comes = state.comes || (group != kAlone && state.group == group);
+  }
+  states[slot].comes = true;
+  if (group != kAlone) part_group(slot);
 }
 
 template <class SceneT>
@@ -85,20 +88,19 @@ void Bodies<SceneT>::add_to(GroupSums<Scalar>& sums, std::size_t slot, const Vec
   }
 }
 
-/// Angular momentum and inertia of a group about its centre, from the poses that are stored.
+/// Angular momentum and inertia about a centre of all that are marked, from the poses stored.
 template <class SceneT>
 void Bodies<SceneT>::add_turning(GroupSums<Scalar>& sums, const Vec3<Scalar>& center_W,
                                  const Vec3<Scalar>& v_W) const {
-  if constexpr (SceneT::kRotation) {
-    for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-      if (!states[slot].joins) continue;
-      const Body<Scalar>& body = actor(slot).body;
-      if (!(body.inverse_mass > Scalar(0))) continue;
-      const Vec3<Scalar> r_W = body.X_WB.p_W - center_W;
-      const Vec3<Scalar> own_W = body.momentum.linear_W - v_W / body.inverse_mass;
-      sums.spin_W += body.momentum.angular_W + r_W.cross(own_W);
-      sums.inertia_W += inertia_about(body, r_W);
-    }
+  sums.spin_W.setZero();
+  sums.inertia_W.setZero();
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    if (!states[slot].joins || !(actor(slot).body.inverse_mass > Scalar(0))) continue;
+    const Body<Scalar>& body = actor(slot).body;
+    const Vec3<Scalar> r_W = body.X_WB.p_W - center_W;
+    const Vec3<Scalar> own_W = body.momentum.linear_W - v_W / body.inverse_mass;
+    sums.spin_W += body.momentum.angular_W + r_W.cross(own_W);
+    add_inertia(sums.inertia_W, body, r_W);
   }
 }
 
@@ -116,7 +118,7 @@ void Bodies<SceneT>::start_group(GroupSums<Scalar>& sums, std::size_t first, Sca
   } else {
     Vec3<Scalar> v_W = sums.momentum_W / sums.mass;
     const Vec3<Scalar> center_W = from_W + sums.moment_W / sums.mass;
-    add_turning(sums, center_W, v_W);
+    if constexpr (SceneT::kRotation) add_turning(sums, center_W, v_W);
     if constexpr (SceneT::kGravity) {
       const Scalar left = dt - now;
       if (sums.falls) v_W -= (left / 2) * settings.gravity_W;
@@ -152,8 +154,8 @@ void Bodies<SceneT>::part_group(std::size_t slot) {
   GroupSums<Scalar> sums;
   std::size_t heaviest = slot;
   for (std::size_t i = 0; i < kSlots; ++i) {  // Bound: kMaxBodies
-    states[i].parts = states[i].group == group;
-    if (!states[i].parts) continue;
+    states[i].joins = states[i].group == group;
+    if (!states[i].joins) continue;
     add_to(sums, i, place_of(slot));
     if (actor(i).body.inverse_mass > Scalar(0) &&
         (!(actor(heaviest).body.inverse_mass > Scalar(0)) ||
@@ -168,8 +170,8 @@ void Bodies<SceneT>::part_group(std::size_t slot) {
   }
   for (std::size_t i = 0; i < kSlots; ++i) {  // Bound: kMaxBodies
     State& state = states[i];
-    if (!state.parts) continue;
-    state.parts = false;
+    if (!state.joins) continue;
+    state.joins = false;
     state.group = kAlone;
     state.held_until = 0;
     state.start = now;
@@ -193,46 +195,46 @@ void Bodies<SceneT>::part_turning(GroupSums<Scalar>& sums, const State& whole, S
   const Vec3<Scalar> center_W = whole.plan.motion.X_WB.p_W;
   const Pose<Scalar> X_WG = pose_at(whole.plan.motion, elapsed);
   const bool is_led = whole.is_led_group;
-  Vec3<Scalar> v_W = whole.plan.motion.twist.v_W;
-  Vec3<Scalar> w_W = whole.plan.motion.twist.w_W;
-  if (!is_led) v_W = sums.momentum_W / sums.mass;
-  sums.spin_W.setZero();
-  for (std::size_t i = 0; i < kSlots; ++i) {  // Bound: kMaxBodies
-    if (!states[i].parts) continue;
-    Body<Scalar>& body = actor(i).body;
-    const Vec3<Scalar> r_W = body.X_WB.p_W - center_W;
-    if (body.inverse_mass > Scalar(0)) {
-      const Vec3<Scalar> own_W = body.momentum.linear_W - v_W / body.inverse_mass;
-      sums.spin_W += body.momentum.angular_W + r_W.cross(own_W);
-    }
-    const Vec3<Scalar> turned_W = X_WG.q_WB * r_W;
-    if (elapsed > Scalar(0)) {
-      body.X_WB.p_W = X_WG.p_W + turned_W;
-      body.X_WB.q_WB = renewed<Scalar>(X_WG.q_WB * body.X_WB.q_WB);
-    }
-    if (body.inverse_mass > Scalar(0)) sums.inertia_W += inertia_about(body, turned_W);
-  }
-  if (!is_led) w_W = spin_for(sums.inertia_W, sums.spin_W);
+  Twist<Scalar> twist = whole.plan.motion.twist;
+  if (!is_led) twist.v_W = sums.momentum_W / sums.mass;
+  add_turning(sums, center_W, twist.v_W);
   Momentum<Scalar> left = {sums.momentum_W, sums.spin_W};
+  for (std::size_t i = 0; elapsed > Scalar(0) && i < kSlots; ++i) {  // Bound: kMaxBodies
+    if (!states[i].joins) continue;
+    Pose<Scalar>& X_WB = actor(i).body.X_WB;
+    X_WB.p_W = X_WG.p_W + X_WG.q_WB * (X_WB.p_W - center_W).eval();
+    X_WB.q_WB = renewed<Scalar>(X_WG.q_WB * X_WB.q_WB);
+  }
+  if (!is_led) {
+    add_turning(sums, X_WG.p_W, twist.v_W);
+    twist.w_W = spin_for(sums.inertia_W, left.angular_W);
+  }
   for (std::size_t i = 0; i < kSlots; ++i) {  // Bound: kMaxBodies
-    if (!states[i].parts || !(actor(i).body.inverse_mass > Scalar(0))) continue;
-    if (is_led && !states[i].plan.by_momentum) continue;
-    Body<Scalar>& body = actor(i).body;
-    const Vec3<Scalar> r_W = body.X_WB.p_W - X_WG.p_W;
-    const Vec3<Scalar> turning_W = w_W.cross(r_W);
-    body.momentum = momentum_of(body, {v_W + turning_W, w_W});
-    left.linear_W -= body.momentum.linear_W;
-    left.angular_W -=
-        body.momentum.angular_W + r_W.cross(Vec3<Scalar>(turning_W / body.inverse_mass));
-    if constexpr (SceneT::kGravity) {
-      if (is_led) {
-        body.momentum.linear_W += ((dt - now) / body.inverse_mass) * settings.gravity_W;
-      }
+    if (states[i].joins && !(is_led && !states[i].plan.by_momentum)) {
+      give_place(i, X_WG.p_W, twist, left);
     }
   }
   if (is_led || !(sums.mass > Scalar(0))) return;
   actor(heaviest).body.momentum.linear_W += left.linear_W;
   actor(heaviest).body.momentum.angular_W += left.angular_W;
+}
+
+/// The momenta of a body that turns with others about a centre, taken from what is left of theirs.
+template <class SceneT>
+void Bodies<SceneT>::give_place(std::size_t slot, const Vec3<Scalar>& center_W,
+                                const Twist<Scalar>& twist, Momentum<Scalar>& left) {
+  auto& body = actor(slot).body;
+  if (!(body.inverse_mass > Scalar(0))) return;
+  const Vec3<Scalar> r_W = body.X_WB.p_W - center_W;
+  const Vec3<Scalar> turning_W = twist.w_W.cross(r_W);
+  body.momentum = momentum_of(body, Twist<Scalar>{twist.v_W + turning_W, twist.w_W});
+  left.linear_W -= body.momentum.linear_W;
+  left.angular_W -= body.momentum.angular_W + r_W.cross(turning_W) / body.inverse_mass;
+  if constexpr (SceneT::kGravity) {
+    if (states[slot].is_led_group) {
+      body.momentum.linear_W += ((dt - now) / body.inverse_mass) * settings.gravity_W;
+    }
+  }
 }
 
 template <class SceneT>
@@ -243,7 +245,7 @@ void Bodies<SceneT>::part_straight(GroupSums<Scalar>& sums, const State& whole, 
       is_led ? Vec3<Scalar>(Vec3<Scalar>::Zero()) : Vec3<Scalar>(sums.momentum_W / sums.mass);
   Vec3<Scalar> left_W = sums.momentum_W;
   for (std::size_t i = 0; i < kSlots; ++i) {  // Bound: kMaxBodies
-    if (!states[i].parts) continue;
+    if (!states[i].joins) continue;
     auto& body = actor(i).body;
     Kinematics::move(body, states[i].plan.motion, elapsed);
     if (!(body.inverse_mass > Scalar(0))) continue;
