@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// What is told of a step, and what may sleep in it, changes nothing in it; and who sleeps wakes
+// when gravity turns.
+#include <gtest/gtest.h>
+
+#include "law_worlds.hpp"
+
+namespace batuta {
+namespace {
+
+using test::Vector;
+
+template <bool kSleeps, bool kTells>
+constexpr SceneOptions switched() {
+  SceneOptions scene = rack();
+  scene.max_bodies = 16;
+  scene.max_pairs = 120;
+  scene.max_contacts = 128;
+  scene.max_events = kTells ? 256 : 0;
+  scene.sleep = kSleeps;
+  return scene;
+}
+template <bool kSleeps, bool kTells>
+using Switched = Scene<switched<kSleeps, kTells>>;
+
+/// Two rails and bars that fall on them and on each other.
+template <class SceneT>
+std::unique_ptr<World<SceneT>> heap() {
+  auto world = std::make_unique<World<SceneT>>();
+  for (const double x : {-0.1, 0.1}) {
+    auto rail = test::fixed_rod<SceneT>(1, 0.03, {x, 0, -0.03}, test::along_y());
+    rail.friction = 0.5F;
+    EXPECT_TRUE(world->add(rail).ok());
+  }
+  for (int i = 0; i < 10; ++i) {
+    auto bar = test::solid_rod<SceneT>(0.4, 0.02, {0.01 * i, 0.013 * (i % 3), 0.05 + 0.06 * i},
+                                       i % 2 == 0 ? test::along_x() : test::along_y(), 700);
+    bar.friction = 0.5F;
+    bar.restitution = 0.3F;
+    EXPECT_TRUE(world->add(bar).ok());
+  }
+  return world;
+}
+
+template <class P, class Q>
+void expect_same_bits(const World<P>& world, const World<Q>& other, int step) {
+  for (std::uint16_t i = 0; i < 12; ++i) {
+    const auto& p = world.get(world.id_at(i))->body;
+    const auto& q = other.get(other.id_at(i))->body;
+    ASSERT_EQ(p.X_WB.p_W, q.X_WB.p_W) << i << ", step " << step;
+    ASSERT_EQ(p.X_WB.q_WB.coeffs(), q.X_WB.q_WB.coeffs()) << i << ", step " << step;
+    ASSERT_EQ(p.momentum.linear_W, q.momentum.linear_W) << i << ", step " << step;
+    ASSERT_EQ(p.momentum.angular_W, q.momentum.angular_W) << i << ", step " << step;
+  }
+}
+
+TEST(Switches, EventsOnOrOff_SameBits) {
+  const auto told = heap<Switched<false, true>>();
+  const auto silent = heap<Switched<false, false>>();
+  std::uint32_t blows = 0;
+  for (int i = 0; i < 1000; ++i) {
+    ASSERT_EQ(told->step(1e-3F), Status::kOk);
+    ASSERT_EQ(silent->step(1e-3F), Status::kOk);
+    blows += told->report().collisions;
+    expect_same_bits(*told, *silent, i);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(blows, 10U);
+}
+
+TEST(Switches, SleepBeforeAnybodySleeps_SameBits) {
+  const auto sleepy = heap<Switched<true, true>>();
+  const auto awake = heap<Switched<false, true>>();
+  int steps = 0;
+  for (; steps < 3000; ++steps) {
+    ASSERT_EQ(sleepy->step(1e-3F), Status::kOk);
+    ASSERT_EQ(awake->step(1e-3F), Status::kOk);
+    if (sleepy->report().asleep > 0) break;
+    expect_same_bits(*sleepy, *awake, steps);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(steps, 200);
+}
+
+/// Bars side by side on two rails, asleep.
+std::unique_ptr<World<Switched<true, true>>> asleep() {
+  using SceneT = Switched<true, true>;
+  auto world = std::make_unique<World<SceneT>>();
+  for (const double x : {-0.1, 0.1}) {
+    auto rail = test::fixed_rod<SceneT>(6, 0.03, {x, 0, -0.03}, test::along_y());
+    rail.friction = 0.5F;
+    EXPECT_TRUE(world->add(rail).ok());
+  }
+  for (int i = 0; i < 8; ++i) {
+    auto bar = test::solid_rod<SceneT>(0.4, 0.02, {0, 0.2 * (i - 4), 0.02 + 1e-4}, test::along_x());
+    bar.friction = 0.5F;
+    EXPECT_TRUE(world->add(bar).ok());
+  }
+  for (int i = 0; i < 1000; ++i) EXPECT_EQ(world->step(1e-3F), Status::kOk);
+  return world;
+}
+int sleepers(const World<Switched<true, true>>& world) {
+  int count = 0;
+  for (std::uint16_t i = 0; i < 16; ++i) count += world.is_asleep(world.id_at(i)) ? 1 : 0;
+  return count;
+}
+
+TEST(Switches, Asleep_IsToldAsItIsAndCostsNothing) {
+  const auto world = asleep();
+  ASSERT_EQ(sleepers(*world), 8);
+  EXPECT_EQ(world->report().asleep, 8U);
+  for (int i = 0; i < 10; ++i) {
+    ASSERT_EQ(world->step(1e-3F), Status::kOk);
+    EXPECT_EQ(world->report().asleep, 8U);
+    EXPECT_EQ(world->report().pairs, 0U);
+    EXPECT_EQ(world->report().evaluations, 0U);
+    EXPECT_EQ(world->events().size(), 0);
+  }
+}
+
+TEST(Switches, GravityThatTurns_WakesAll) {
+  const auto world = asleep();
+  ASSERT_EQ(sleepers(*world), 8);
+  auto settings = world->settings();
+  ASSERT_EQ(world->configure(settings), Status::kOk);
+  EXPECT_EQ(sleepers(*world), 8) << "the same gravity wakes nobody";
+  settings.gravity_W = {0, 9, -1};
+  ASSERT_EQ(world->configure(settings), Status::kOk);
+  EXPECT_EQ(sleepers(*world), 0);
+  for (int i = 0; i < 200; ++i) ASSERT_EQ(world->step(1e-3F), Status::kOk);
+  const auto& bar = std::as_const(*world).get(world->id_at(9))->body;
+  // All of the last bar's acceleration but friction, mu g_z = 0.5 m/s^2: and it may roll.
+  EXPECT_GT(bar.inverse_mass * bar.momentum.linear_W.y(), 1.0F);
+}
+
+}  // namespace
+}  // namespace batuta
