@@ -71,7 +71,7 @@ struct SceneOptions {
   detail::WholeNumber max_events = 16;
   /// Answers of one pair in one step; beyond them its bodies go on together (kSettling); 1 ...
   /// 65535.
-  detail::WholeNumber max_separations = 4;
+  detail::WholeNumber max_separations = 8;
   /// For so long the bodies of a group must not go further than at rest_speed to be put to sleep
   /// (sleep), s, above 0 and at most 60.
   float sleep_time = 0.25F;
