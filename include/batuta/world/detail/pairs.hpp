@@ -102,10 +102,10 @@ class Pairs : private SeedsOf<SceneT> {
   SearchResult<Scalar> search_thinner(const BodiesT& bodies, const MovingPair<Scalar>& moving_pair,
                                       const PairQuery& query, ProxyPair pair) const;
   bool stays_apart(const BodiesT& bodies, ProxyPair pair) const;
-  /// What the solution of a contact may leave, m/s, <= 0: what the opening of its gap makes up for.
-  static Scalar slowest_closing(const BodiesT& bodies, Scalar lasts) {
-    constexpr Scalar kResidue = Scalar(1) / 8;
-    return lasts > Scalar(0) ? -kResidue * lasts / bodies.dt : Scalar(0);
+  /// What the solution of a contact may leave, m/s, <= 0: no more in a step than what the search
+  /// cannot tell from contact; the opening of the gap makes up for it.
+  static Scalar slowest_closing(const BodiesT& bodies, const PairQuery& query, bool is_solved) {
+    return is_solved ? -query.contact_gap / bodies.dt : Scalar(0);
   }
   static bool parts_now(const BodiesT& bodies, ProxyPair pair, const PairQuery& query);
 
@@ -337,7 +337,7 @@ void Pairs<SceneT>::search_pair(const BodiesT& bodies, ProxyPair pair, Scalar un
     if (is_solved) make_thinner(moving_pair.value, query.contact_gap);
     query.search = search_with_seed(pair, moving_pair.value, bodies.settings.search);
     const bool may_part = query.outcome() == Outcome::kTouching &&
-                          (!(query.search.gap_rate < slowest_closing(bodies, lasts)) ||
+                          (!(query.search.gap_rate < slowest_closing(bodies, query, is_solved)) ||
                            parts_now(bodies, pair, query));
     if (SceneT::kResponse && may_part) {
       query.search = search_thinner(bodies, moving_pair.value, query, pair);
