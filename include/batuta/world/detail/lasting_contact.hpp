@@ -29,8 +29,11 @@ struct ContactPoint {
   Scalar gap = 0;                                  ///< m
   Vec3<Scalar> arm_A_W = Vec3<Scalar>::Zero();     ///< from A's centre of mass, m
   Vec3<Scalar> arm_B_W = Vec3<Scalar>::Zero();
-  std::array<Vec3<Scalar>, 3> turn_A_W;  ///< I_A^-1 (arm x d), d: normal and both tangents
-  std::array<Vec3<Scalar>, 3> turn_B_W;
+  std::array<Vec3<Scalar>, 3> turn_A_W = {
+      Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero(),
+      Vec3<Scalar>::Zero()};  ///< I_A^-1 (arm x d), d: normal and both tangents
+  std::array<Vec3<Scalar>, 3> turn_B_W = {Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero(),
+                                          Vec3<Scalar>::Zero()};
   Scalar stiffness = 0;          ///< 1 / (n . K n), kg
   std::array<Scalar, 3> grip{};  ///< inverse of K's tangential part: 11, 12, 22
   Scalar softest = 0;            ///< an upper bound of that part, 1/kg
