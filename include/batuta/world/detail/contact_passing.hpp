@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// ContactGroups: what a blow passes on through a group. Included by contact_groups.hpp.
+
+#include "batuta/world/detail/contact_groups.hpp"
+
+namespace batuta::detail {
+
+/// An opening ends for a whole group that nothing holds: one that ended for some of it would move
+/// the common centre.
+template <class SceneT>
+void ContactGroups<SceneT>::end_opening(BodiesT& bodies, std::size_t slot) {
+  const auto end = [&bodies](std::size_t k) {
+    auto& state = bodies.states[k];
+    if (is_zero(state.opening.v_W) && is_zero(state.opening.w_W)) return;
+    bodies.bring(k);
+    state.opening = {};
+    state.changed = bodies.is_changed = true;
+  };
+  end(slot);
+  if (afloat_[slot] == kSlots) return;
+  for (std::size_t k = 0; k < kSlots; ++k) {  // Bound: kMaxBodies
+    if (afloat_[k] == afloat_[slot]) end(k);
+  }
+}
+
+template <class SceneT>
+void ContactGroups<SceneT>::mark(BodiesT& bodies, std::size_t slot) {
+  if (is_dirty_[slot]) return;
+  if (bodies.is_led(slot)) return load(bodies, slot);
+  is_dirty_[slot] = true;
+  dirty_.push(static_cast<Slot>(slot));
+  bodies.bring(slot);
+  bodies.states[slot].changed = bodies.is_changed = true;
+  end_opening(bodies, slot);
+  load(bodies, slot);
+}
+
+/// A contact where its bodies are now; what it spent so far cannot be taken back.
+template <class SceneT>
+void ContactGroups<SceneT>::refresh(BodiesT& bodies, Contact& contact) {
+  const std::size_t a = a_of(contact);
+  const std::size_t b = b_of(contact);
+  mark(bodies, a);
+  mark(bodies, b);
+  const Scalar left = bodies.dt - bodies.now;
+  if (contact.is_solved) {
+    const Scalar span = bodies.dt - contact.since;
+    if (span > Scalar(0)) spend(contact, 1 - left / span);
+  }
+  contact.since = bodies.now;
+  const Capsule<Scalar> A_W = bodies.shape_W(contact.pair.first);
+  const Capsule<Scalar> B_W = bodies.shape_W(contact.pair.second);
+  contact.is_new = !contact.is_solved;
+  find_points(contact, A_W, B_W, closest_points(A_W.axis, B_W.axis), SceneT::kLineContact);
+  prepare(contact, solved_[a], solved_[b], bodies.place_now(a), bodies.place_now(b), left);
+  contact.is_solved = true;
+}
+
+/// Whether a contact is approached, or pulls, by more than matters in what is left of the step.
+template <class SceneT>
+bool ContactGroups<SceneT>::is_worth(const Contact& contact, Scalar least) const {
+  bool is_worth = false;
+  for (int i = 0; i < contact.count; ++i) {  // Bound: 2
+    const auto& point = contact.points[static_cast<std::size_t>(i)];
+    const Scalar u =
+        point.normal_W.dot(velocity_across(point, solved_[a_of(contact)], solved_[b_of(contact)])) +
+        point.room;
+    is_worth = is_worth || u < -least || (u > least && point.normal > Scalar(0));
+  }
+  return is_worth;
+}
+
+template <class SceneT>
+void ContactGroups<SceneT>::relax_now(BodiesT& bodies, Contact& contact) {
+  const std::size_t a = a_of(contact);
+  const std::size_t b = b_of(contact);
+  Contact before = contact;
+  relax(contact, solved_[a], solved_[b]);
+  for (int i = 0; i < contact.count; ++i) {  // Bound: 2
+    auto& old = before.points[static_cast<std::size_t>(i)];
+    const auto& point = contact.points[static_cast<std::size_t>(i)];
+    old.normal = point.normal - old.normal;
+    old.along = point.along - old.along;
+    old.across = point.across - old.across;
+    old.rolling_W = point.rolling_W - old.rolling_W;
+  }
+  give(bodies, before);
+}
+
+/// A neighbour that is approached much faster than rest is struck in turn.
+template <class SceneT>
+template <class Blow>
+void ContactGroups<SceneT>::pass_blow(BodiesT& bodies, Contact& contact, const Blow& blow) {
+  if constexpr (SceneT::kRestitution) {
+    constexpr Scalar kSurely = 4;
+    const std::size_t a = a_of(contact);
+    const std::size_t b = b_of(contact);
+    const Scalar approach = fastest_approach(contact, solved_[a], solved_[b]);
+    if (!(approach < -kSurely * rest_speed(bodies))) return;
+    blow(contact.pair);
+    load(bodies, a);
+    load(bodies, b);
+  }
+}
+
+template <class SceneT>
+template <class Blow>
+void ContactGroups<SceneT>::pass_on(BodiesT& bodies, PairsT& pairs, ProxyPair pair,
+                                    const Blow& blow) {
+  constexpr Scalar kLeast = Scalar(1) / 8;  // of D, in what is left of the step
+  constexpr Scalar kLeastOfStruck = Scalar(1) / 64;
+  const Scalar left = bodies.dt - bodies.now;
+  dirty_.clear();
+  is_dirty_.fill(false);
+  Contact* struck = add(bodies, pair, pairs.rest_gap(bodies, pair));
+  if (struck == nullptr) {
+    ++bodies.report.contacts_dropped;
+    bodies.weld(BodiesT::body_of(pair.first), BodiesT::body_of(pair.second), bodies.dt);
+    return;
+  }
+  refresh(bodies, *struck);
+  relax_now(bodies, *struck);
+  bool is_done = false;
+  for (int s = 0; s < kEventSweeps && !is_done; ++s) {
+    is_done = true;                            // Bound: kEventSweeps
+    for (int d = 0; d < dirty_.size(); ++d) {  // Bound: kMaxBodies
+      const std::size_t slot = dirty_[d];
+      int next = first_of_[slot];
+      while (next != 0) {  // Bound: the contacts of a body
+        Contact& contact = contacts_[next - 1];
+        next = next_[static_cast<std::size_t>(next - 1)][a_of(contact) == slot ? 0 : 1];
+        if (!contact.is_solved || is_welded(bodies, contact)) continue;
+        const Scalar share = &contact == struck ? kLeastOfStruck : kLeast;
+        if (!is_worth(contact, share * contact.rest_gap / left)) continue;
+        is_done = false;
+        if (contact.since < bodies.now) refresh(bodies, contact);
+        mark(bodies, a_of(contact));
+        mark(bodies, b_of(contact));
+        if (&contact != struck) pass_blow(bodies, contact, blow);
+        relax_now(bodies, contact);
+      }
+    }
+  }
+  if constexpr (SceneT::kGravity) {
+    for (const Slot slot : dirty_) bodies.states[slot].loaded = false;  // Bound: kMaxBodies
+    carry_loads(bodies, true);
+  }
+}
+
+}  // namespace batuta::detail

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// ContactGroups: contacts that last, solved before anybody moves. Included by contact_groups.hpp.
+
+#include "batuta/world/detail/contact_groups.hpp"
+
+namespace batuta::detail {
+
+template <class SceneT>
+void ContactGroups<SceneT>::load(const BodiesT& bodies, std::size_t slot) {
+  SolvedBody<Scalar>& solved = solved_[slot];
+  const auto& body = bodies.actor(slot).body;
+  const auto& state = bodies.states[slot];
+  if (state.asleep) {
+    solved = {};
+  } else if (bodies.is_led(slot)) {
+    solved = {};
+    solved.v_W = state.plan.motion.twist.v_W;
+    solved.w_W = state.plan.motion.twist.w_W;
+  } else {
+    const Twist<Scalar> twist = twist_of(body);
+    solved = {twist.v_W, twist.w_W, inverse_inertia_W(body), body.inverse_mass};
+  }
+}
+
+template <class SceneT>
+Scalar_of<SceneT> ContactGroups<SceneT>::rest_speed(const BodiesT& bodies) const {
+  Scalar speed = bodies.settings.rest_speed;
+  if constexpr (SceneT::kGravity) {
+    speed = max_of(speed, bodies.dt * length(bodies.settings.gravity_W));
+  }
+  return speed;
+}
+
+/// A contact lasts unless it is a blow: by the velocities before gravity, faster than rest. One
+/// that lasted goes on unless it is faster than that by kSurely.
+template <class SceneT>
+void ContactGroups<SceneT>::choose(const BodiesT& bodies) {
+  constexpr Scalar kSurely = 4;
+  const Scalar rest = rest_speed(bodies);
+  solved_count_ = 0;
+  for (int i = 0; i < contacts_.size(); ++i) {  // Bound: kMaxContacts
+    Contact& contact = contacts_[i];
+    const std::size_t a = a_of(contact);
+    const std::size_t b = b_of(contact);
+    contact.is_solved = false;
+    if (!contact.is_kept || (bodies.is_led(a) && bodies.is_led(b))) continue;
+    if (bodies.states[a].group != BodiesT::kAlone || bodies.states[b].group != BodiesT::kAlone)
+      continue;
+    prepare(contact, solved_[a], solved_[b], position_of(bodies.actor(a)),
+            position_of(bodies.actor(b)), bodies.dt);
+    Scalar approach = fastest_approach(contact, solved_[a], solved_[b]);
+    if constexpr (SceneT::kGravity) {
+      const Scalar fall = bodies.dt * contact.points[0].normal_W.dot(bodies.settings.gravity_W);
+      if (bodies.falls(a)) approach -= fall;
+      if (bodies.falls(b)) approach += fall;
+    }
+    bool bounces = false;
+    if constexpr (SceneT::kRestitution) {
+      const Scalar limit = contact.is_new ? rest : kSurely * rest;
+      bounces = approach < -limit && pair_restitution(bodies.actor(a).restitution,
+                                                      bodies.actor(b).restitution) > Scalar(0);
+    }
+    contact.is_solved = !bounces;
+    if (contact.is_solved) {
+      order_[static_cast<std::size_t>(solved_count_++)] = static_cast<Slot>(i);
+    } else {
+      scale_impulses(contact, Scalar(0));
+    }
+  }
+}
+
+template <class SceneT>
+std::size_t ContactGroups<SceneT>::root_of(std::size_t slot) {
+  while (root_[slot] != slot) {  // Bound: kMaxBodies
+    root_[slot] = root_[root_[slot]];
+    slot = root_[slot];
+  }
+  return slot;
+}
+
+/// Groups of bodies that contacts join. What is led belongs to none: it holds those that it
+/// touches. @param loaded_only  contacts that press
+template <class SceneT>
+void ContactGroups<SceneT>::unite(const BodiesT& bodies, bool loaded_only) {
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    root_[slot] = static_cast<Slot>(slot);
+    held_[slot] = false;
+  }
+  for (int pass = 0; pass < 2; ++pass) {          // Bound: 2: who is joined, then who holds
+    for (int i = 0; i < contacts_.size(); ++i) {  // Bound: kMaxContacts
+      const Contact& contact = contacts_[i];
+      if (!contact.is_solved || (loaded_only && !is_loaded(contact))) continue;
+      const std::size_t a = a_of(contact);
+      const std::size_t b = b_of(contact);
+      const bool led_a = bodies.is_led(a);
+      const bool led_b = bodies.is_led(b);
+      if (pass == 1) {
+        if (led_a) held_[root_of(b)] = true;
+        if (led_b) held_[root_of(a)] = true;
+      } else if (!led_a && !led_b) {
+        const std::size_t p = root_of(a);
+        const std::size_t q = root_of(b);
+        root_[max_of(p, q)] = static_cast<Slot>(min_of(p, q));
+      }
+    }
+  }
+}
+
+/// Group by group, from the ground up; heap sort, because it neither recurses nor asks for room.
+template <class SceneT>
+void ContactGroups<SceneT>::order(const BodiesT& bodies) {
+  Vec3<Scalar> down_W = Vec3<Scalar>::Zero();
+  if constexpr (SceneT::kGravity) down_W = bodies.settings.gravity_W;
+  unite(bodies, false);
+  const auto group_of = [&](const Contact& contact) {
+    const std::size_t a = a_of(contact);
+    return root_of(bodies.is_led(a) ? b_of(contact) : a);
+  };
+  const auto precedes = [&](Slot x, Slot y) {
+    const Contact& P = contacts_[x];
+    const Contact& Q = contacts_[y];
+    const std::size_t p = group_of(P);
+    const std::size_t q = group_of(Q);
+    if (p != q) return p < q;
+    const Scalar low_p = down_W.dot(P.points[0].point_W);
+    const Scalar low_q = down_W.dot(Q.points[0].point_W);
+    if (low_p > low_q || low_q > low_p) return low_p > low_q;
+    return batuta::detail::precedes(P.pair, Q.pair);
+  };
+  const auto end = order_.begin() + solved_count_;
+  std::make_heap(order_.begin(), end, precedes);
+  std::sort_heap(order_.begin(), end, precedes);
+}
+
+/// The impulses of the last step, as far as they take energy: along their ray the energy is a
+/// parabola, and its least is taken (world.md, "Warm start").
+template <class SceneT>
+void ContactGroups<SceneT>::warm_up(int first, int last) {
+  const auto work = [&] {
+    Scalar sum = 0;
+    for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
+      const Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
+      for (int i = 0; i < contact.count; ++i) {  // Bound: 2
+        const auto& point = contact.points[static_cast<std::size_t>(i)];
+        const auto u = velocity_across(point, solved_[a_of(contact)], solved_[b_of(contact)]);
+        sum += impulse_of(point).dot(u) + point.normal * point.room;
+      }
+    }
+    return sum;
+  };
+  const auto give = [&](Scalar share) {
+    for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
+      const Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
+      push_share(contact, solved_[a_of(contact)], solved_[b_of(contact)], share);
+    }
+  };
+  const Scalar slope = work();
+  give(Scalar(1));
+  const Scalar bend = work() - slope;
+  const Scalar share = bend > Scalar(0) ? clamp(-slope / bend, Scalar(0), Scalar(1)) : Scalar(0);
+  if (share < Scalar(1)) give(share - 1);
+  for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
+    scale_impulses(contacts_[order_[static_cast<std::size_t>(k)]], share);
+  }
+}
+
+/// Up and down, until nothing changes by enough to matter.
+template <class SceneT>
+void ContactGroups<SceneT>::sweep(int first, int last, Scalar time) {
+  constexpr Scalar kEnough = Scalar(1) / 32;  // of D, in what is left of the step
+  for (int s = 0; s < kMaxSweeps; ++s) {      // Bound: kMaxSweeps
+    bool is_done = true;
+    for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
+      const int at = s % 2 == 0 ? k : last - 1 - (k - first);
+      Contact& contact = contacts_[order_[static_cast<std::size_t>(at)]];
+      const Scalar change = relax(contact, solved_[a_of(contact)], solved_[b_of(contact)]);
+      is_done = is_done && !(change > kEnough * contact.rest_gap / time);
+    }
+    if (is_done) return;
+  }
+}
+
+template <class SceneT>
+void ContactGroups<SceneT>::solve(BodiesT& bodies) {
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    if (bodies.states[slot].present && first_of_[slot] != 0) load(bodies, slot);
+  }
+  choose(bodies);
+  if (solved_count_ == 0) return;
+  order(bodies);
+  const auto group_at = [&](int k) {
+    const Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
+    return root_of(bodies.is_led(a_of(contact)) ? b_of(contact) : a_of(contact));
+  };
+  for (int first = 0; first < solved_count_;) {  // Bound: kMaxContacts
+    int last = first + 1;
+    while (last < solved_count_ && group_at(last) == group_at(first)) ++last;
+    warm_up(first, last);
+    sweep(first, last, bodies.dt);
+    first = last;
+  }
+  for (int k = 0; k < solved_count_; ++k) {  // Bound: kMaxContacts
+    give(bodies, contacts_[order_[static_cast<std::size_t>(k)]]);
+  }
+  carry_loads(bodies, false);
+  open(bodies);
+}
+
+/// What was solved goes into the momenta: one impulse at one point, to both.
+template <class SceneT>
+void ContactGroups<SceneT>::give(BodiesT& bodies, const Contact& contact) {
+  const std::size_t a = a_of(contact);
+  const std::size_t b = b_of(contact);
+  for (int i = 0; i < contact.count; ++i) {  // Bound: 2
+    const auto& point = contact.points[static_cast<std::size_t>(i)];
+    const Vec3<Scalar> J = impulse_of(point);
+    if (!bodies.is_led(a)) {
+      auto& momentum = bodies.actor(a).body.momentum;
+      momentum.linear_W += J;
+      momentum.angular_W += point.arm_A_W.cross(J) + point.rolling_W;
+    }
+    if (!bodies.is_led(b)) {
+      auto& momentum = bodies.actor(b).body.momentum;
+      momentum.linear_W -= J;
+      momentum.angular_W -= point.arm_B_W.cross(J) + point.rolling_W;
+    }
+  }
+}
+
+/// Who is pressed, in a group that something holds, goes with the velocity of the step's end.
+template <class SceneT>
+void ContactGroups<SceneT>::carry_loads(BodiesT& bodies, bool dirty_only) {
+  if constexpr (SceneT::kGravity) {
+    unite(bodies, true);
+    for (int i = 0; i < contacts_.size(); ++i) {  // Bound: kMaxContacts
+      const Contact& contact = contacts_[i];
+      if (!contact.is_solved || !is_loaded(contact)) continue;
+      for (const std::size_t slot : {a_of(contact), b_of(contact)}) {  // Bound: 2
+        if (dirty_only && !is_dirty_[slot]) continue;
+        if (!bodies.is_led(slot) && held_[root_of(slot)]) bodies.states[slot].loaded = true;
+      }
+    }
+  }
+}
+
+/// A velocity for one step that opens the gaps of contacts that press.
+template <class SceneT>
+void ContactGroups<SceneT>::open(BodiesT& bodies) {
+  constexpr Scalar kNarrow = Scalar(0.4);  // of D
+  bool is_needed = false;
+  for (int k = 0; k < solved_count_; ++k) {  // Bound: kMaxContacts
+    const Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
+    for (int i = 0; i < contact.count; ++i) {  // Bound: 2
+      const auto& point = contact.points[static_cast<std::size_t>(i)];
+      is_needed = is_needed || (point.normal > Scalar(0) && point.gap < kNarrow * contact.rest_gap);
+    }
+  }
+  afloat_.fill(static_cast<Slot>(kSlots));
+  if (!is_needed) return;
+  unite(bodies, false);
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    if (!held_[root_of(slot)]) afloat_[slot] = static_cast<Slot>(root_of(slot));
+  }
+  for (int s = 0; s < kOpeningSweeps; ++s) {   // Bound: kOpeningSweeps
+    for (int k = 0; k < solved_count_; ++k) {  // Bound: kMaxContacts
+      Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
+      std::array<SolvedBody<Scalar>, 2> sides;
+      for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2
+        const std::size_t slot = i == 0 ? a_of(contact) : b_of(contact);
+        sides[i] = solved_[slot];
+        sides[i].v_W = bodies.states[slot].opening.v_W;
+        sides[i].w_W = bodies.states[slot].opening.w_W;
+      }
+      relax_opening(contact, sides[0], sides[1], bodies.dt);
+      bodies.states[a_of(contact)].opening = {sides[0].v_W, sides[0].w_W};
+      bodies.states[b_of(contact)].opening = {sides[1].v_W, sides[1].w_W};
+    }
+  }
+}
+
+}  // namespace batuta::detail

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Pairs: the search of one pair, and what may spare it (src/world/world.md, "No search"). Included
+// by pairs.hpp.
+
+#include "batuta/world/detail/pairs.hpp"
+
+namespace batuta::detail {
+
+/// The ends of a capsule along a normal: where they are, and how fast they go.
+template <class Scalar>
+struct EndsAlong {
+  Scalar first = 0;   ///< the furthest at the start, m
+  Scalar last = 0;    ///< at the end of the time, m, were they to go straight on
+  Scalar bend = 0;    ///< as far as they may be off that, m
+  Scalar length = 0;  ///< what rounding is proportional to, m
+};
+
+/// @param sign  +1: the furthest along the normal; -1: along its opposite
+template <class Scalar>
+EndsAlong<Scalar> ends_along(const MovingCapsule<Scalar>& moving, const Vec3<Scalar>& origin_W,
+                             const Vec3<Scalar>& origin_v_W, const Vec3<Scalar>& normal_W,
+                             Scalar sign) {
+  const Motion<Scalar>& motion = moving.motion;
+  const Vec3<Scalar> at_W = motion.X_WB.p_W - origin_W;
+  const Vec3<Scalar> v_W = motion.twist.v_W - origin_v_W;
+  const Scalar place = normal_W.dot(at_W);
+  const Scalar way = motion.duration * normal_W.dot(v_W);
+  EndsAlong<Scalar> ends;
+  Scalar reach = 0;
+  for (int i = 0; i < 2; ++i) {  // Bound: two ends
+    const Vec3<Scalar> arm_W =
+        motion.X_WB.q_WB * (i == 0 ? moving.capsule_B.axis.a : moving.capsule_B.axis.b);
+    const Scalar here = place + normal_W.dot(arm_W);
+    const Scalar there = here + way + motion.duration * normal_W.dot(motion.twist.w_W.cross(arm_W));
+    reach = max_of(reach, length(arm_W));
+    ends.first = i == 0 ? here : sign * max_of(sign * ends.first, sign * here);
+    ends.last = i == 0 ? there : sign * max_of(sign * ends.last, sign * there);
+  }
+  const Scalar turn = motion.duration * length(motion.twist.w_W);
+  ends.bend = turn * turn * reach / 2;
+  ends.length =
+      length(at_W) + reach + motion.duration * length(v_W) + turn * reach + moving.capsule_B.radius;
+  return ends;
+}
+
+/// Whether the normal that parted the pair last parts it for all the time to come: ends go straight
+/// on but for half of (w t)^2 times their arm, so that what is between them along a fixed normal is
+/// least at one of both ends of the time (world.md, "No search").
+template <class SceneT>
+bool Pairs<SceneT>::stays_apart(const BodiesT& bodies, ProxyPair pair) const {
+  const Vec3<Scalar> normal = seed(pair);
+  if (is_zero(normal)) return false;
+  const auto A = bodies.mover(pair.first, bodies.dt);
+  const auto B = bodies.mover(pair.second, bodies.dt);
+  const Vec3<Scalar> origin_W = A.motion.X_WB.p_W;
+  const Vec3<Scalar> origin_v_W = A.motion.twist.v_W;
+  const auto a = ends_along<Scalar>(A, origin_W, origin_v_W, normal, Scalar(1));
+  const auto b = ends_along<Scalar>(B, origin_W, origin_v_W, normal, Scalar(-1));
+  const Scalar at_end = (b.last - a.last) - (a.bend + b.bend);
+  const Scalar between = min_of(b.first - a.first, at_end);
+  const Scalar noise = 2 * kInflation<Scalar> * (a.length + b.length);
+  return between - (A.capsule_B.radius + B.capsule_B.radius) > noise;
+}
+
+
+/// What was seen of the earliest candidate is kept: its contact then needs no other evaluation.
+template <class SceneT>
+template <class Lasts>
+void Pairs<SceneT>::search(BodiesT& bodies, CandidateType& candidate, const Lasts& lasts) {
+  candidate.asked = true;
+  if constexpr (kLasts<SceneT>) {
+    if (stays_apart(bodies, candidate.pair)) {
+      candidate.outcome = Outcome::kFree;
+      return;
+    }
+  }
+  ++bodies.report.pairs;
+  Scalar until = bodies.dt;
+  if constexpr (SceneT::kResting == RestingContact::kSeparation) {
+    for (const int proxy : {int{candidate.pair.first}, int{candidate.pair.second}}) {  // Bound: 2
+      const auto& state = bodies.states[body_of(proxy)];
+      if (state.group != BodiesT::kAlone) until = min_of(until, state.held_until);
+    }
+  }
+  PairQuery& query = queries_.spare();
+  search_pair(bodies, candidate.pair, until, lasts(candidate.pair), query);
+  bodies.report.evaluations += query.evaluations();
+  candidate.outcome = query.outcome();
+  candidate.since = bodies.now;
+  candidate.free_for = query.t_free();
+  candidate.near_after = query.near_after();
+  if (candidate.outcome != Outcome::kFree) queries_.offer(candidate.pair, candidate.free_until());
+}
+
+/// Radii smaller by `missing` together. @returns false: they are not that large
+template <class Scalar>
+bool make_thinner(MovingPair<Scalar>& pair, Scalar missing) {
+  const Scalar radii = pair.A.radius + pair.B.radius;
+  if (!(missing < radii)) return false;
+  pair.A.radius *= Scalar(1) - missing / radii;
+  pair.B.radius *= Scalar(1) - missing / radii;
+  return true;
+}
+
+template <class SceneT>
+void Pairs<SceneT>::search_pair(const BodiesT& bodies, ProxyPair pair, Scalar until, Scalar lasts,
+                                PairQuery& query) {
+  if constexpr (!SceneT::kRotation) {
+    query = BodiesT::Kinematics::search(bodies.mover(pair.first, until),
+                                        bodies.mover(pair.second, until), bodies.settings.search);
+  } else {
+    auto moving_pair =
+        make_moving_pair(bodies.mover(pair.first, until), bodies.mover(pair.second, until));
+    query.search.outcome = Outcome::kInvalid;
+    query.search.t_free = query.search.t_hit = 0;
+    query.search.evaluations = 0;
+    if (!moving_pair.ok()) return;
+    query.origin_W = moving_pair.value.origin_W;
+    query.scale = moving_pair.value.scale;
+    query.contact_gap = Search::contact_gap(moving_pair.value, bodies.settings.search);
+    const bool is_solved = kLasts<SceneT> && lasts > Scalar(0);
+    if (is_solved) make_thinner(moving_pair.value, query.contact_gap);
+    query.search = search_with_seed(pair, moving_pair.value, bodies.settings.search);
+    const bool may_part = query.outcome() == Outcome::kTouching &&
+                          (!(query.search.gap_rate < slowest_closing(bodies, query, is_solved)) ||
+                           parts_now(bodies, pair, query));
+    if (SceneT::kResponse && may_part) {
+      query.search = search_thinner(bodies, moving_pair.value, query, pair);
+    }
+  }
+}
+
+/// Of bodies whose planned turn is the chord of a bent one: whether what they touch with parts at
+/// first (world.md, "Touching and parting").
+template <class SceneT>
+bool Pairs<SceneT>::parts_now(const BodiesT& bodies, ProxyPair pair, const PairQuery& query) {
+  if constexpr (SceneT::kCapsulesPerBody == 1) {
+    return false;
+  } else {
+    const auto velocity = [&](int proxy, const Vec3<Scalar>& surface_P) {
+      const std::size_t slot = body_of(proxy);
+      Twist<Scalar> twist = bodies.twist_now(slot);
+      twist.v_W = bodies.states[slot].plan.motion.twist.v_W;
+      const Vec3<Scalar> arm_W = surface_P + query.origin_W - bodies.place_now(slot);
+      return Vec3<Scalar>(twist.v_W + twist.w_W.cross(arm_W));
+    };
+    const auto& witness = query.search.witness;
+    const Vec3<Scalar> apart =
+        velocity(pair.second, witness.surface_B) - velocity(pair.first, witness.surface_A);
+    const bool alone = bodies.states[body_of(pair.first)].group == BodiesT::kAlone &&
+                       bodies.states[body_of(pair.second)].group == BodiesT::kAlone;
+    return alone && witness.axes.normal_AB.dot(apart) >= Scalar(0);
+  }
+}
+
+/// The seed is a direction in W, and as good a guess in the next round or step.
+template <class SceneT>
+SearchResult<Scalar_of<SceneT>> Pairs<SceneT>::search_with_seed(
+    ProxyPair pair, const MovingPair<Scalar>& moving_pair,
+    const typename Search::Options& options) {
+  if constexpr (Search::kUsesSeed) {
+    auto result = Search::search(moving_pair, options, this->recall(pair));
+    if (result.outcome != Outcome::kInvalid) this->remember(pair, result.witness.axes.normal_AB);
+    return result;
+  } else {
+    return Search::search(moving_pair, options, Vec3<Scalar>::Zero());
+  }
+}
+
+/// What touches and parts is searched as if it were thinner by what is missing to be clear of
+/// contact (world.md, "Touching and parting").
+template <class SceneT>
+SearchResult<Scalar_of<SceneT>> Pairs<SceneT>::search_thinner(const BodiesT& bodies,
+                                                              const MovingPair<Scalar>& moving_pair,
+                                                              const PairQuery& query,
+                                                              ProxyPair pair) const {
+  const Scalar missing = margin_of(bodies, query, pair) - query.search.witness.gap;
+  MovingPair<Scalar> thinner = moving_pair;
+  if (!make_thinner(thinner, missing)) return query.search;
+  SearchResult<Scalar> result =
+      Search::search(thinner, bodies.settings.search, query.search.witness.axes.normal_AB);
+  result.evaluations += query.search.evaluations;
+  return result;
+}
+
+template <class SceneT>
+bool Pairs<SceneT>::take_first(Scalar before, CandidateType& first, Scalar& time) {
+  const int earliest = CandidateOrder::earliest(candidates);
+  if (earliest == CandidateOrder::kNone || before < candidates[earliest].free_until()) return false;
+  time = min_of(candidates[earliest].free_until(), before);
+  const int chosen =
+      SceneT::kMaxPairs > 1 ? CandidateOrder::among_ties(candidates, earliest) : earliest;
+  first = candidates[chosen];
+  candidates.remove_swapping(chosen);
+  return true;
+}
+
+/// A pair as it is now, without a search, where its search was not kept.
+template <class SceneT>
+typename Pairs<SceneT>::PairQuery& Pairs<SceneT>::seen(const BodiesT& bodies, ProxyPair pair,
+                                                       bool is_own_time) {
+  PairQuery& query = queries_.earliest();
+  if (SceneT::kMaxPairs == 1 || (is_own_time && is_same(pair, queries_.pair()))) return query;
+  query = {};
+  queries_.forget();
+  const auto moving_pair =
+      make_moving_pair(bodies.mover(pair.first, bodies.dt), bodies.mover(pair.second, bodies.dt));
+  if (!moving_pair.ok()) return query;
+  query.origin_W = moving_pair.value.origin_W;
+  query.scale = moving_pair.value.scale;
+  query.contact_gap = Search::contact_gap(moving_pair.value, bodies.settings.search);
+  query.search.outcome = Outcome::kContact;
+  query.search.witness = gap_at(moving_pair.value, Scalar(0));
+  query.search.gap_rate = gap_rate_at(moving_pair.value, query.search.witness, Scalar(0));
+  return query;
+}
+
+}  // namespace batuta::detail
