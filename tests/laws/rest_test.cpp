@@ -219,10 +219,10 @@ TYPED_TEST(Rest, TenCrossedLayers_Stand) {
     long incomplete = 0;
     const double moved = stand<Settling<TypeParam, test::kRolling>>(dt, 60, deepest, incomplete);
     EXPECT_LT(moved, 1e-3) << dt << ": but for gaps that open";
-    // At 1/60 s some steps are incomplete before it sleeps (16), and overlaps come to 1.2e-4 m:
-    // neither is reached yet.
-    if (dt > 2e-3) continue;
-    EXPECT_GT(deepest, 0) << dt;
+    // What the search cannot tell from contact, twice, between rods whose lengths and distance come
+    // to 2 m at most (src/world/detail/margin.md).
+    const double margin = 2 * (1e-6 + 72 * static_cast<double>(kRoundOff<TypeParam>)) * 2;
+    EXPECT_GT(deepest, dt < 2e-3 ? 0 : -margin) << dt;
     EXPECT_EQ(incomplete, 0) << dt;
   }
 }

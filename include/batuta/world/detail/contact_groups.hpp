@@ -65,7 +65,7 @@ class ContactGroups {
  private:
   static constexpr std::size_t kSlots = BodiesT::kSlots;
   static constexpr int kMaxSweeps = 20;
-  static constexpr int kEventSweeps = 8;
+  static constexpr int kEventSweeps = 32;
   static constexpr int kOpeningSweeps = 4;
 
   static std::size_t a_of(const Contact& contact) { return BodiesT::body_of(contact.pair.first); }
@@ -87,7 +87,7 @@ class ContactGroups {
   void give(BodiesT& bodies, const Contact& contact);
   void open(BodiesT& bodies);
   void carry_loads(BodiesT& bodies, bool dirty_only);
-  bool is_worth(const Contact& contact, Scalar least) const;
+  bool is_worth(const BodiesT& bodies, const Contact& contact, Scalar share) const;
   void refresh(BodiesT& bodies, Contact& contact);
   void relax_now(BodiesT& bodies, Contact& contact);
   template <class Blow>

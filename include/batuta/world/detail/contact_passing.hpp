@@ -57,16 +57,26 @@ void ContactGroups<SceneT>::refresh(BodiesT& bodies, Contact& contact) {
   contact.is_solved = true;
 }
 
-/// Whether a contact is approached, or pulls, by more than matters in what is left of the step.
+/// Whether a contact is approached, or pulls, by more than matters in what is left of the step:
+/// `share` of D; or less where the gap is nearly closed, because the search would call what is left
+/// contact at once (world.md, "Blows").
 template <class SceneT>
-bool ContactGroups<SceneT>::is_worth(const Contact& contact, Scalar least) const {
+bool ContactGroups<SceneT>::is_worth(const BodiesT& bodies, const Contact& contact,
+                                     Scalar share) const {
+  constexpr Scalar kOfGap = Scalar(1) / 4;
+  constexpr Scalar kLeast = Scalar(1) / 4096;  // of D, in a whole step
+  const Scalar left = bodies.dt - bodies.now;
+  const Scalar most = share * contact.rest_gap;
+  const Scalar least = kLeast * contact.rest_gap * (left / bodies.dt);
   bool is_worth = false;
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
     const auto& point = contact.points[static_cast<std::size_t>(i)];
     const Scalar u =
         point.normal_W.dot(velocity_across(point, solved_[a_of(contact)], solved_[b_of(contact)])) +
         point.room;
-    is_worth = is_worth || u < -least || (u > least && point.normal > Scalar(0));
+    const Scalar may_close = min_of(most, max_of(kOfGap * point.gap, least));
+    const bool pulls = u * left > most && point.normal > Scalar(0);
+    is_worth = is_worth || u * left < -may_close || pulls;
   }
   return is_worth;
 }
@@ -110,7 +120,6 @@ void ContactGroups<SceneT>::pass_on(BodiesT& bodies, PairsT& pairs, ProxyPair pa
                                     const Blow& blow) {
   constexpr Scalar kLeast = Scalar(1) / 8;  // of D, in what is left of the step
   constexpr Scalar kLeastOfStruck = Scalar(1) / 64;
-  const Scalar left = bodies.dt - bodies.now;
   dirty_.clear();
   is_dirty_.fill(false);
   Contact* struck = add(bodies, pair, pairs.rest_gap(bodies, pair));
@@ -132,7 +141,7 @@ void ContactGroups<SceneT>::pass_on(BodiesT& bodies, PairsT& pairs, ProxyPair pa
         next = next_[static_cast<std::size_t>(next - 1)][a_of(contact) == slot ? 0 : 1];
         if (!contact.is_solved || is_welded(bodies, contact)) continue;
         const Scalar share = &contact == struck ? kLeastOfStruck : kLeast;
-        if (!is_worth(contact, share * contact.rest_gap / left)) continue;
+        if (!is_worth(bodies, contact, share)) continue;
         is_done = false;
         if (contact.since < bodies.now) refresh(bodies, contact);
         mark(bodies, a_of(contact));

@@ -63,7 +63,6 @@ bool Pairs<SceneT>::stays_apart(const BodiesT& bodies, ProxyPair pair) const {
   return between - (A.capsule_B.radius + B.capsule_B.radius) > noise;
 }
 
-
 /// What was seen of the earliest candidate is kept: its contact then needs no other evaluation.
 template <class SceneT>
 template <class Lasts>
