@@ -101,16 +101,15 @@ struct SceneOptions {
   /// The axis along which a scene is longest, 0 ... 2: boxes are kept in order along it.
   detail::WholeNumber sweep_axis = 0;
   /// Distance evaluations of one search, 1 ... 4096, or steps of Stepping; 0: the search's own
-  /// default. Where they do
-  /// not suffice, the bodies are held, and counted.
+  /// default. Where they do not suffice, the bodies are held, and counted.
   detail::WholeNumber budget = 0;
-  // A scene may state two of turn_per_step, contact_tolerance and budget; detection/budget_law.hpp
-  // gives the third.
+  // Where turn_per_step is stated, contact_tolerance follows from it and the budget by
+  // detection/budget_law.hpp; where both are, a budget that does not suffice is refused.
   /// Furthest that a body turns in a step, rad, at most half a turn; 0: not stated.
-  float turn_per_step = 0;
+  detail::RealNumber turn_per_step = 0;
   /// A gap of contact_tolerance times S counts as contact, S = MovingPair::scale; 0: not stated,
   /// then what the law asks for, and no less than the search's own default.
-  float contact_tolerance = 0;
+  detail::RealNumber contact_tolerance = 0;
   /// Set where these are what is left of an application's options.
   bool is_rest_of_others = false;
 };

@@ -39,6 +39,7 @@ enum class SceneRule : std::uint8_t {
   kStraightController,
   kStraightSearch,
   kSpheresTurn,
+  kSpheresBudget,
   kSpheresParts,
   kStraightRest,
   kStraightFriction,
@@ -74,6 +75,7 @@ struct SearchTraits {
   bool has_tolerance = false;
   bool has_free_flight = false;  ///< the controller beside it is the one that a scene has by itself
   std::uint32_t default_budget = 0;
+  std::uint32_t least_budget = 0;
 };
 
 /// Most pairs, contacts, events and contacts of one pair: what a 16-bit index can name.
@@ -163,7 +165,10 @@ constexpr SceneRule broken_by_engine(const SceneOptions& scene) {
 constexpr SceneRule broken_by_search(const SceneOptions& scene, const SearchTraits& search) {
   using R = SceneRule;
   const int most = search.has_tolerance ? static_cast<int>(kMaxBudget) : kMostSteps;
-  if (!is_within(0, scene.budget, most)) return R::kBudget;
+  const bool is_budget_stated = scene.budget != 0;
+  if (is_budget_stated && search.for_spheres) return R::kSpheresBudget;
+  const int least = static_cast<int>(search.least_budget);
+  if (is_budget_stated && !is_within(least, scene.budget, most)) return R::kBudget;
   const bool is_turn_stated = scene.turn_per_step != 0;
   const bool is_tolerance_stated = scene.contact_tolerance != 0;
   if (!(scene.turn_per_step >= 0 && scene.turn_per_step <= kMostTurn &&
