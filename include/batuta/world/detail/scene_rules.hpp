@@ -88,6 +88,9 @@ inline constexpr float kMostTurn = 3.1415927F;
 constexpr bool is_within(int low, int x, int high) {
   return low <= x && x <= high;
 }
+constexpr bool is_within(float low, float x, float high) {
+  return low <= x && x <= high;
+}
 
 /// Options as they were stated, with enumerators, not numbers that were cast.
 constexpr SceneRule broken_choice(const SceneOptions& scene) {
@@ -162,18 +165,21 @@ constexpr SceneRule broken_by_engine(const SceneOptions& scene) {
   return scene.sweep_axis == 0 ? R::kNone : R::kSmallAxis;
 }
 
-constexpr SceneRule broken_by_search(const SceneOptions& scene, const SearchTraits& search) {
-  using R = SceneRule;
-  const int most = search.has_tolerance ? static_cast<int>(kMaxBudget) : kMostSteps;
-  const bool is_budget_stated = scene.budget != 0;
-  if (is_budget_stated && search.for_spheres) return R::kSpheresBudget;
+constexpr SceneRule broken_budget(const SceneOptions& scene, const SearchTraits& search) {
+  if (scene.budget == 0) return SceneRule::kNone;
+  if (search.for_spheres) return SceneRule::kSpheresBudget;
   const int least = static_cast<int>(search.least_budget);
-  if (is_budget_stated && !is_within(least, scene.budget, most)) return R::kBudget;
+  const int most = search.has_tolerance ? static_cast<int>(kMaxBudget) : kMostSteps;
+  return is_within(least, scene.budget, most) ? SceneRule::kNone : SceneRule::kBudget;
+}
+
+/// Of turn and contact tolerance, and what the law asks of the budget for them.
+constexpr SceneRule broken_law(const SceneOptions& scene, const SearchTraits& search) {
+  using R = SceneRule;
+  if (!is_within(0.0F, scene.turn_per_step, kMostTurn)) return R::kTurnRange;
+  if (!is_within(0.0F, scene.contact_tolerance, 1.0F)) return R::kTurnRange;
   const bool is_turn_stated = scene.turn_per_step != 0;
   const bool is_tolerance_stated = scene.contact_tolerance != 0;
-  if (!(scene.turn_per_step >= 0 && scene.turn_per_step <= kMostTurn &&
-        scene.contact_tolerance >= 0 && scene.contact_tolerance <= 1))
-    return R::kTurnRange;
   if (is_turn_stated && !scene.rotation) return R::kTurnStraight;
   if (!is_turn_stated && !is_tolerance_stated) return R::kNone;
   if (!search.has_tolerance) return R::kTurnSearch;
@@ -195,7 +201,8 @@ constexpr SceneRule broken_rule(const SceneOptions& scene, const SearchTraits& s
   if (rule == SceneRule::kNone) rule = broken_by_straight_flight(scene, search);
   if (rule == SceneRule::kNone) rule = broken_by_silence(scene);
   if (rule == SceneRule::kNone) rule = broken_by_rest(scene);
-  return rule == SceneRule::kNone ? broken_by_search(scene, search) : rule;
+  if (rule == SceneRule::kNone) rule = broken_budget(scene, search);
+  return rule == SceneRule::kNone ? broken_law(scene, search) : rule;
 }
 
 }  // namespace batuta::detail
