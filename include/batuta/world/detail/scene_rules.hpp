@@ -9,7 +9,7 @@
 
 namespace batuta::detail {
 
-/// Rules in the order in which they are looked at.
+/// Rules, those of one subject together. broken_rule() has the order in which they are looked at.
 enum class SceneRule : std::uint8_t {
   kNone,
   kConst,
@@ -80,7 +80,7 @@ struct SearchTraits {
 
 /// Most pairs, contacts, events and contacts of one pair: what a 16-bit index can name.
 inline constexpr int kMostEntries = 65535;
-/// Most steps of a search that steps: ten times what it takes by itself where it may take many.
+/// Most steps of Stepping: ten times what batuta-answer gives it.
 inline constexpr int kMostSteps = 1000000000;
 /// Most that a body is told to turn in a step, rad: half a turn.
 inline constexpr float kMostTurn = 3.1415927F;
