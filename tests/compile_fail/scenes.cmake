@@ -59,6 +59,7 @@ foreach(qualifier const volatile)
 endforeach()
 
 # Values of another kind, which the compiler would turn into a count or a switch: refused at the line that states them.
+batuta_no_scene(OfKindCharacter_max_bodies ${scene} "deleted" "-DCHANGE=scene.max_bodies = '8'")
 foreach(value 2.5F \"8\" true)
   string(MAKE_C_IDENTIFIER "${value}" kind)
   batuta_no_scene(OfKind${kind}_max_bodies ${scene} "deleted" "-DCHANGE=scene.max_bodies = ${value}")
@@ -67,6 +68,11 @@ foreach(value -9.81F 1 nullptr)
   string(MAKE_C_IDENTIFIER "${value}" kind)
   batuta_no_scene(OfKind${kind}_gravity ${scene} "deleted" "-DCHANGE=scene.gravity = ${value}")
 endforeach()
+foreach(option turn_per_step contact_tolerance)
+  batuta_no_scene(OfKindBool_${option} ${scene} "deleted" "-DCHANGE=scene.${option} = true")
+endforeach()
+batuta_must_compile(Control_Scene_Changed ${scene} ${use}
+                    "-DCHANGE=(scene.max_pairs *= 6, scene.max_pairs += 2, scene.max_pairs -= 1, scene.max_contacts /= 2)")
 batuta_must_compile(Control_Scene_OfOtherWholeNumbers ${scene} ${use}
                     "-DCHANGE=(scene.max_pairs = 3U, scene.max_contacts = 8ULL, scene.max_events = static_cast<unsigned char>(9))")
 batuta_no_scene(OfAnotherEngine ${scene} "engine: choose Engine::kGeneral or Engine::kSmall"
@@ -119,6 +125,13 @@ foreach(count -1 4097 4294967295)
   batuta_impossible_scene(OfBudget${count} "budget: choose 1 ... 4096" "CHANGE=scene.budget = ${count}")
 endforeach()
 batuta_impossible_scene(OfBudgetBeyondSteps "budget: choose 1 ... 4096" SEARCH=Stepping<float> "CHANGE=scene.budget = 1000000001")
+batuta_impossible_scene(OfFewerStepsThanHalvings "budget: choose 1 ... 4096" SEARCH=Stepping<float> "CHANGE=scene.budget = 1")
+batuta_impossible_scene(SpheresWithBudget "takes one evaluation: leave out budget" BASE=straight SEARCH=Spheres<float>
+                        "CHANGE=scene.budget = 1")
+foreach(search Advancement Stepping)
+  batuta_must_compile(Control_Scene_LeastBudgetOf${search} ${scene} ${use} -DSEARCH=${search}<float>
+                      "-DCHANGE=scene.budget = ${search}<float>::kLeastBudget")
+endforeach()
 batuta_must_compile(Control_Scene_OfManySteps ${scene} ${use} -DSEARCH=Stepping<float> "-DCHANGE=scene.budget = 1000000000")
 batuta_must_compile(Control_Scene_OfTheMost ${scene} ${use} -DBASE=settling
   "-DCHANGE=(scene.max_pairs = scene.max_contacts = scene.max_events = scene.max_separations = 65535, scene.budget = 4096)")

@@ -195,6 +195,7 @@ class Answer(unittest.TestCase):
             ["toc", "--in", self.path("none.csv"), "--out", out],
             ["toc", "--in", self.path("in.csv"), "--out", self.path("no/such/folder.csv")],
             ["toc", *files],
+            ["toc", "--in", self.path("."), "--out", out],
             ["toc", *files, "--method", "magic"],
             ["toc", *files, "--budget", "4097"],
             ["toc", *files, "--method", "translation", "--budget", "4097"],

@@ -109,6 +109,7 @@ template <class Derived>
 bool is_finite(const Eigen::MatrixBase<Derived>& m) {
   return (m - m).sum() == typename Derived::Scalar(0);  // NaN where any of them is not finite
 }
+
 namespace detail {
 
 /// (1, 0, 0). UnitX() of Eigen costs each file that includes this some classes; the three numbers

@@ -41,6 +41,8 @@ struct Stepping {
   static constexpr bool kHasContactTolerance = false;
   /// Suits the default options.
   static constexpr std::uint32_t kDefaultBudget = 4096;
+  /// One step, the halvings and the start.
+  static constexpr std::uint32_t kLeastBudget = static_cast<std::uint32_t>(Options{}.halvings) + 2;
 
   /// What the halvings and the start leave of the budget goes into steps.
   static constexpr Options options(std::uint32_t budget, Scalar /*contact_tolerance*/) {
@@ -79,6 +81,8 @@ struct Certified {
   static constexpr bool kForSpheres = false;
   /// Suits the default options.
   static constexpr std::uint32_t kDefaultBudget = Options{}.budget;
+  /// With one evaluation it says what is free, at least.
+  static constexpr std::uint32_t kLeastBudget = 1;
 
   /// Options for so many distance evaluations, <= kMaxBudget. @param contact_tolerance  over S, <=
   /// 1; 0 or less: the default
@@ -160,6 +164,8 @@ struct Spheres {
   static constexpr bool kHasContactTolerance = false;
   /// It takes one evaluation, whatever happens.
   static constexpr std::uint32_t kDefaultBudget = 1;
+  /// The same.
+  static constexpr std::uint32_t kLeastBudget = 1;
 
   /// Options with this contact tolerance, m, >= 0; the budget is always one evaluation.
   static constexpr Options options(std::uint32_t /*budget*/, Scalar contact_tolerance) {

@@ -79,6 +79,8 @@ inline constexpr bool kIsDuelScene<DuelScene<kOptions, SearchT>> = true;
 enum class DuelRule : std::uint8_t {
   kNone,         ///< nothing
   kNoDuelScene,  ///< to be a DuelScene
+  kEngine,       ///< the engine in which bodies turn
+  kTwoBlades,    ///< two bodies, and the one pair of them
   kRotation,     ///< bodies that turn
   kParts,        ///< one capsule for each body
   kHapticEvents  ///< events, from which a hand learns of blows
@@ -90,6 +92,8 @@ constexpr DuelRule broken_duel_rule() {
   if constexpr (!kIsDuelScene<SceneT>) {
     return DuelRule::kNoDuelScene;
   } else {
+    if (SceneT::kEngine != Engine::kGeneral) return DuelRule::kEngine;
+    if (SceneT::kMaxBodies != 2 || SceneT::kMaxPairs != 1) return DuelRule::kTwoBlades;
     if (!SceneT::kRotation) return DuelRule::kRotation;
     if (SceneT::kCapsulesPerBody != 1) return DuelRule::kParts;
     const bool is_deaf = SceneT::kHaptics && SceneT::kMaxEvents <= 0;
@@ -118,6 +122,9 @@ struct DuelVerdict : PlayedOf<SceneT, broken_duel_rule<SceneT>() == DuelRule::kN
   static_assert(kRule != DuelRule::kNoDuelScene,
                 "Duel: name a DuelScene itself: using Drill = DuelScene<my_options>; my_options is "
                 "a constexpr function that returns DuelOptions");
+  static_assert(kRule != DuelRule::kEngine, "DuelScene: engine = Engine::kGeneral: blades turn");
+  static_assert(kRule != DuelRule::kTwoBlades,
+                "DuelScene: max_bodies = 2 and max_pairs = 1: a duel has two blades");
   static_assert(kRule != DuelRule::kRotation, "DuelScene: rotation = true: blades turn");
   static_assert(kRule != DuelRule::kParts,
                 "DuelScene: capsules_per_body = 1: a blade is one capsule");

@@ -74,7 +74,7 @@ struct SceneOptions {
   detail::WholeNumber max_separations = 8;
   /// For so long the bodies of a group must not go further than at rest_speed to be put to sleep
   /// (sleep), s, above 0 and at most 60.
-  float sleep_time = 0.25F;
+  detail::RealNumber sleep_time = 0.25F;
 
   // Features. What is off is absent: no member, no code.
   /// Bodies turn. Off: StraightBody, no quaternion, no inertia; the search is Translation or
@@ -107,13 +107,13 @@ struct SceneOptions {
   /// Distance evaluations of one search, 1 ... 4096, or steps of Stepping; 0: the search's own
   /// default. Where they do not suffice, the bodies go on together, and are counted.
   detail::WholeNumber budget = 0;
-  // A scene may state two of turn_per_step, contact_tolerance and budget; detection/budget_law.hpp
-  // gives the third.
+  // Where turn_per_step is stated, contact_tolerance follows from it and the budget by
+  // detection/budget_law.hpp; where both are, a budget that does not suffice is refused.
   /// Furthest that a body turns in a step, rad, at most half a turn; 0: not stated.
-  float turn_per_step = 0;
+  detail::RealNumber turn_per_step = 0;
   /// A gap of contact_tolerance times S counts as contact, S = MovingPair::scale; 0: not stated,
   /// then what the law asks for, and no less than the search's own default.
-  float contact_tolerance = 0;
+  detail::RealNumber contact_tolerance = 0;
   /// Set where these are what is left of an application's options.
   bool is_rest_of_others = false;
 };

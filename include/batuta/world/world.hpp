@@ -27,8 +27,8 @@ struct WorldOf<SceneT, WorldKind::kRefused> {
 
 }  // namespace detail
 
-/// The world that the scene names (SceneOptions::engine). The members of both are the same, and
-/// described in general_world.hpp.
+/// The world that the scene names (SceneOptions::engine). The members of both are the same but for
+/// events(), and described in general_world.hpp.
 template <class SceneT>
 class World : public detail::WorldOf<SceneT, detail::SceneVerdict<SceneT>::kKind>::Type {
   using Base = typename detail::WorldOf<SceneT, detail::SceneVerdict<SceneT>::kKind>::Type;

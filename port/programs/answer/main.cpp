@@ -2,6 +2,7 @@
 // batuta-answer: answers query files, so that anyone can hold the library against their own truth.
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 
@@ -33,6 +34,9 @@ int run(const Command& command) {
   errno = 0;
   if (command.in != kStandardStream) in_file.open(command.in, std::ios::binary);
   if (!in_file) return fail("cannot read " + command.in + ": " + last_system_error());
+  if (command.in != kStandardStream && std::filesystem::is_directory(command.in)) {
+    return fail("cannot read " + command.in + ": it is a directory");
+  }
   batuta::host::QueryFile queries(command.in == kStandardStream ? std::cin : in_file);
   if (!queries.ok()) return fail(command.in + ": " + queries.error());
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 
 #include "batuta/fencing/fencer.hpp"
 #include "batuta/haptics/duel_hand.hpp"
@@ -83,9 +84,16 @@ void tell(int ms, const port_simulated::SimulatedStick& stick) {
               stick.x().position(), stick.y().position(), stick.held().x(), stick.held().y());
 }
 
-int usage() {
-  std::fprintf(stderr, "batuta-feel [stiffness of the coupling, N/m, >= 0; 100]\n");
-  return 2;
+int usage(std::FILE* out = stderr) {
+  std::fprintf(out, "batuta-feel [stiffness of the coupling, N/m, >= 0; 100]\n");
+  return out == stderr ? 2 : 0;
+}
+
+/// What was printed may be lost: in a full disk, or in what nobody reads.
+int finish(int exit_code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
+  std::fprintf(stderr, "batuta-feel: the output cannot be written\n");
+  return 1;
 }
 
 /// Duel, felt force and output stage about the simulated stick.
@@ -165,7 +173,10 @@ int run(float stiffness) {
 
 int main(int count, char** words) {
   if (count > 2) return batuta::usage();
+  if (count == 2 && std::strcmp(words[1], "--help") == 0) {
+    return batuta::finish(batuta::usage(stdout));
+  }
   char* end = nullptr;
   const float stiffness = count == 2 ? std::strtof(words[1], &end) : 100.0F;
-  return end == nullptr || *end == '\0' ? batuta::run(stiffness) : batuta::usage();
+  return end == nullptr || *end == '\0' ? batuta::finish(batuta::run(stiffness)) : batuta::usage();
 }

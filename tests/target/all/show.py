@@ -30,7 +30,7 @@ def show_prices(build):
     print("Prices (instructions are counted by QEMU's -icount: they are no cycles)")
     prices = {cpu: readme_table.price_of(build / "target" / cpu) for cpu in readme_table.CPUS}
     measured = [price for price in prices.values() if price["figures"]]
-    limits = budgets.read(TARGET / "price" / "budgets.csv")
+    limits = budgets.read(TESTS / "measure" / "price" / "budgets.csv")
     for rows in readme_table.TABLES.values():
         markdown = readme_table.table(dict(readme_table.column_of(price, rows) for price in measured), limits, rows)
         lines = [[word.strip() for word in line[1:-1].split("|")] for line in markdown.splitlines()]

@@ -44,8 +44,8 @@ class KeeperTest(unittest.TestCase):
         return watching
 
     def say(self, data):
+        end = self.cable.to_host.passed + len(data)  # before it is said: the cable may be quick
         self.device.sendall(data)
-        end = self.cable.to_host.passed + len(data)
         while self.cable.to_host.passed < end:
             time.sleep(0.001)
 

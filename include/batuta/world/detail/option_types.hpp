@@ -10,7 +10,13 @@
 namespace batuta::detail {
 
 template <class T>
-inline constexpr bool kIsWhole = std::is_integral_v<T> && !std::is_same_v<T, bool>;
+inline constexpr bool kIsCharacter = std::is_same_v<T, char> || std::is_same_v<T, wchar_t> ||
+                                     std::is_same_v<T, char16_t> || std::is_same_v<T, char32_t>;
+template <class T>
+inline constexpr bool kIsNumber =
+    std::is_arithmetic_v<T> && !std::is_same_v<T, bool> && !kIsCharacter<T>;
+template <class T>
+inline constexpr bool kIsWhole = kIsNumber<T>&& std::is_integral_v<T>;
 
 /// What a count is: max_bodies = 8. What an int cannot hold is kTooLarge, which every rule refuses.
 struct WholeNumber {
@@ -28,6 +34,23 @@ struct WholeNumber {
   template <class T, std::enable_if_t<!kIsWhole<T>, int> = 0>
   constexpr WholeNumber(T other) = delete;  // a count is a whole number: max_bodies = 8
   constexpr operator int() const { return value; }
+
+  constexpr WholeNumber& operator+=(WholeNumber x) { return *this = value + x.value; }
+  constexpr WholeNumber& operator-=(WholeNumber x) { return *this = value - x.value; }
+  constexpr WholeNumber& operator*=(WholeNumber x) { return *this = value * x.value; }
+  constexpr WholeNumber& operator/=(WholeNumber x) { return *this = value / x.value; }
+};
+
+/// What an angle or a length is: turn_per_step = 0.1F.
+struct RealNumber {
+  float value = 0;
+
+  template <class T, std::enable_if_t<kIsNumber<T>, int> = 0>
+  // cppcheck-suppress noExplicitConstructor ; deviation: scene-options
+  constexpr RealNumber(T number) : value(static_cast<float>(number)) {}
+  template <class T, std::enable_if_t<!kIsNumber<T>, int> = 0>
+  constexpr RealNumber(T other) = delete;  // it is a number: contact_tolerance = 1e-3F
+  constexpr operator float() const { return value; }
 };
 
 /// What a feature is: gravity = true.

@@ -23,7 +23,10 @@ inline constexpr bool kIsSearch = false;
 template <class SearchT>
 inline constexpr bool kIsSearch<
     SearchT, std::void_t<typename SearchT::Scalar, typename SearchT::Options,
-                         decltype(SearchT::kNumber), decltype(SearchT::kForStraightFlight)>> = true;
+                         decltype(SearchT::kNumber), decltype(SearchT::kForStraightFlight),
+                         decltype(SearchT::kForSpheres), decltype(SearchT::kHasContactTolerance),
+                         decltype(SearchT::kDefaultBudget), decltype(SearchT::kLeastBudget)>> =
+    true;
 
 constexpr SceneOptions everything() {
   SceneOptions scene;

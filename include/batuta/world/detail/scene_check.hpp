@@ -12,9 +12,12 @@ namespace batuta::detail {
 
 template <class SearchT, class ControllerT>
 constexpr SearchTraits traits_of() {
-  return {SearchT::kForStraightFlight, SearchT::kForSpheres, SearchT::kHasContactTolerance,
+  return {SearchT::kForStraightFlight,
+          SearchT::kForSpheres,
+          SearchT::kHasContactTolerance,
           std::is_same_v<ControllerT, FreeFlight<typename SearchT::Scalar>>,
-          SearchT::kDefaultBudget};
+          SearchT::kDefaultBudget,
+          SearchT::kLeastBudget};
 }
 
 template <class ControllerT, class Scalar>
@@ -149,9 +152,9 @@ struct SceneVerdict : KeptScene<SceneT, broken_rule_of<SceneT>() == SceneRule::k
   static_assert(kRule != R::kMaxSeparations, "Scene: max_separations: choose 1 ... 65535");
   static_assert(kRule != R::kSweepAxis, "Scene: sweep_axis: choose 0, 1 or 2");
   static_assert(kRule != R::kSleepTime, "Scene: sleep_time: choose a time above 0, at most 60 s");
-  static_assert(
-      kRule != R::kBudget,
-      "Scene: budget: choose 1 ... 4096 (of Stepping, 1000000000), or 0 for the search's own");
+  static_assert(kRule != R::kBudget,
+                "Scene: budget: choose 1 ... 4096 (of Stepping, its halvings + 2 ... 1000000000), "
+                "or 0 for the search's own");
   static_assert(kRule != R::kFewPairs,
                 "Scene: max_pairs: at least max_bodies / 2, so that each body can be near another");
 
@@ -161,6 +164,8 @@ struct SceneVerdict : KeptScene<SceneT, broken_rule_of<SceneT>() == SceneRule::k
                 "Scene: without rotation, bodies fly by their momenta and ask no controller: leave "
                 "it out, or FreeFlight<Scalar>");
   static_assert(kRule != R::kSpheresTurn, "Scene: Spheres<Scalar> takes rotation = false");
+  static_assert(kRule != R::kSpheresBudget,
+                "Scene: Spheres<Scalar> takes one evaluation: leave out budget");
   static_assert(kRule != R::kSpheresParts, "Scene: Spheres<Scalar> takes capsules_per_body = 1");
   static_assert(
       kRule != R::kStraightRest,

@@ -9,7 +9,7 @@
 
 namespace batuta::detail {
 
-/// Rules in the order in which they are looked at.
+/// Rules, those of one subject together. broken_rule() has the order in which they are looked at.
 enum class SceneRule : std::uint8_t {
   kNone,
   kConst,
@@ -39,6 +39,7 @@ enum class SceneRule : std::uint8_t {
   kStraightController,
   kStraightSearch,
   kSpheresTurn,
+  kSpheresBudget,
   kSpheresParts,
   kStraightRest,
   kStraightFriction,
@@ -75,16 +76,20 @@ struct SearchTraits {
   bool has_tolerance = false;
   bool has_free_flight = false;  ///< the controller beside it is the one that a scene has by itself
   std::uint32_t default_budget = 0;
+  std::uint32_t least_budget = 0;
 };
 
 /// Most pairs, contacts, events and contacts of one pair: what a 16-bit index can name.
 inline constexpr int kMostEntries = 65535;
-/// Most steps of a search that steps: ten times what it takes by itself where it may take many.
+/// Most steps of Stepping: ten times what batuta-answer gives it.
 inline constexpr int kMostSteps = 1000000000;
 /// Most that a body is told to turn in a step, rad: half a turn.
 inline constexpr float kMostTurn = 3.1415927F;
 
 constexpr bool is_within(int low, int x, int high) {
+  return low <= x && x <= high;
+}
+constexpr bool is_within(float low, float x, float high) {
   return low <= x && x <= high;
 }
 
@@ -165,15 +170,21 @@ constexpr SceneRule broken_by_engine(const SceneOptions& scene) {
   return scene.sweep_axis == 0 ? R::kNone : R::kSmallAxis;
 }
 
-constexpr SceneRule broken_by_search(const SceneOptions& scene, const SearchTraits& search) {
-  using R = SceneRule;
+constexpr SceneRule broken_budget(const SceneOptions& scene, const SearchTraits& search) {
+  if (scene.budget == 0) return SceneRule::kNone;
+  if (search.for_spheres) return SceneRule::kSpheresBudget;
+  const int least = static_cast<int>(search.least_budget);
   const int most = search.has_tolerance ? static_cast<int>(kMaxBudget) : kMostSteps;
-  if (!is_within(0, scene.budget, most)) return R::kBudget;
+  return is_within(least, scene.budget, most) ? SceneRule::kNone : SceneRule::kBudget;
+}
+
+/// Of turn and contact tolerance, and what the law asks of the budget for them.
+constexpr SceneRule broken_law(const SceneOptions& scene, const SearchTraits& search) {
+  using R = SceneRule;
+  if (!is_within(0.0F, scene.turn_per_step, kMostTurn)) return R::kTurnRange;
+  if (!is_within(0.0F, scene.contact_tolerance, 1.0F)) return R::kTurnRange;
   const bool is_turn_stated = scene.turn_per_step != 0;
   const bool is_tolerance_stated = scene.contact_tolerance != 0;
-  if (!(scene.turn_per_step >= 0 && scene.turn_per_step <= kMostTurn &&
-        scene.contact_tolerance >= 0 && scene.contact_tolerance <= 1))
-    return R::kTurnRange;
   if (is_turn_stated && !scene.rotation) return R::kTurnStraight;
   if (!is_turn_stated && !is_tolerance_stated) return R::kNone;
   if (!search.has_tolerance) return R::kTurnSearch;
@@ -195,7 +206,8 @@ constexpr SceneRule broken_rule(const SceneOptions& scene, const SearchTraits& s
   if (rule == SceneRule::kNone) rule = broken_by_straight_flight(scene, search);
   if (rule == SceneRule::kNone) rule = broken_by_silence(scene);
   if (rule == SceneRule::kNone) rule = broken_by_rest(scene);
-  return rule == SceneRule::kNone ? broken_by_search(scene, search) : rule;
+  if (rule == SceneRule::kNone) rule = broken_budget(scene, search);
+  return rule == SceneRule::kNone ? broken_law(scene, search) : rule;
 }
 
 }  // namespace batuta::detail
