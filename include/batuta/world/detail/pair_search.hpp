@@ -102,6 +102,20 @@ bool make_thinner(MovingPair<Scalar>& pair, Scalar missing) {
   return true;
 }
 
+/// By how much a pair is to be thinner, so that it is clear of contact where it is and turns back
+/// before it overlaps by more than the margin: it has `share` of what is left to there. One that
+/// overlaps by as much may part, and come no closer than it is but for rounding; where it closes,
+/// however slowly, it is in contact.
+template <class Scalar>
+Scalar thinner_by(Scalar margin, Scalar contact_gap, Scalar gap, Scalar share, bool parts) {
+  constexpr Scalar kContactGaps = 2;  // in a margin; the rest of it is rounding
+  constexpr Scalar kOfRest = 4;       // a part of that is clear of it for one search
+  const Scalar rounding = (margin - kContactGaps * contact_gap) / kOfRest;
+  const Scalar left = margin - contact_gap + min_of(gap, Scalar(0));
+  const Scalar thinner = contact_gap + max_of(rounding, share * left) - gap;
+  return parts ? thinner : min_of(thinner, margin);
+}
+
 template <class SceneT>
 void Pairs<SceneT>::search_pair(const BodiesT& bodies, ProxyPair pair, Scalar until, Scalar lasts,
                                 PairQuery& query) {
@@ -119,13 +133,18 @@ void Pairs<SceneT>::search_pair(const BodiesT& bodies, ProxyPair pair, Scalar un
     query.scale = moving_pair.value.scale;
     query.contact_gap = Search::contact_gap(moving_pair.value, bodies.settings.search);
     const bool is_solved = kLasts<SceneT> && lasts > Scalar(0);
-    if (is_solved) make_thinner(moving_pair.value, query.contact_gap);
+    // Half of what the search calls contact: as much again is left for what closes slowly.
+    const Scalar so_far = is_solved ? query.contact_gap / 2 : Scalar(0);
+    if (is_solved) make_thinner(moving_pair.value, so_far);
     query.search = search_with_seed(pair, moving_pair.value, bodies.settings.search);
-    const bool may_part = query.outcome() == Outcome::kTouching &&
-                          (!(query.search.gap_rate < slowest_closing(bodies, query, is_solved)) ||
-                           parts_now(bodies, pair, query));
-    if (SceneT::kResponse && may_part) {
-      query.search = search_thinner(bodies, moving_pair.value, query, pair);
+    if (!SceneT::kResponse || query.outcome() != Outcome::kTouching) return;
+    // Where nothing is moved apart within a step, a pair may come back more than once.
+    constexpr Scalar kShare = kLasts<SceneT> ? Scalar(0.5) : Scalar(1);
+    const bool parts = !(query.search.gap_rate < Scalar(0)) || parts_now(bodies, pair, query);
+    if (parts || !(query.search.gap_rate < slowest_closing(bodies, query, is_solved))) {
+      const Scalar thinner = thinner_by(margin_of(bodies, query, pair), query.contact_gap,
+                                        query.search.witness.gap - so_far, kShare, parts);
+      query.search = search_thinner(bodies, moving_pair.value, query, thinner - so_far);
     }
   }
 }
@@ -173,8 +192,7 @@ template <class SceneT>
 SearchResult<Scalar_of<SceneT>> Pairs<SceneT>::search_thinner(const BodiesT& bodies,
                                                               const MovingPair<Scalar>& moving_pair,
                                                               const PairQuery& query,
-                                                              ProxyPair pair) const {
-  const Scalar missing = margin_of(bodies, query, pair) - query.search.witness.gap;
+                                                              Scalar missing) {
   MovingPair<Scalar> thinner = moving_pair;
   if (!make_thinner(thinner, missing)) return query.search;
   SearchResult<Scalar> result =

@@ -99,8 +99,9 @@ class Pairs : private SeedsOf<SceneT> {
                    PairQuery& query);
   SearchResult<Scalar> search_with_seed(ProxyPair pair, const MovingPair<Scalar>& moving_pair,
                                         const typename Search::Options& options);
-  SearchResult<Scalar> search_thinner(const BodiesT& bodies, const MovingPair<Scalar>& moving_pair,
-                                      const PairQuery& query, ProxyPair pair) const;
+  static SearchResult<Scalar> search_thinner(const BodiesT& bodies,
+                                             const MovingPair<Scalar>& moving_pair,
+                                             const PairQuery& query, Scalar missing);
   bool stays_apart(const BodiesT& bodies, ProxyPair pair) const;
   /// What the solution of a contact may leave, m/s, <= 0: no more in a step than what the search
   /// cannot tell from contact; the opening of the gap makes up for it.
