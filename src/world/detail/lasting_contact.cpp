@@ -333,10 +333,10 @@ void relax_opening(LastingContact<Scalar>& contact, SolvedBody<Scalar>& A, Solve
   constexpr Scalar kWanted = Scalar(0.5);    // of D
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
     auto& point = contact.points[static_cast<std::size_t>(i)];
-    const Scalar missing = kWanted * contact.rest_gap - point.gap;
-    const bool is_loaded = point.normal > Scalar(0);
-    const Scalar goal = missing > Scalar(0) && is_loaded ? kShare * missing / time
-                                                         : min_of(Scalar(0), missing / time);
+    const Scalar wanted = point.normal > Scalar(0) ? kWanted * contact.rest_gap : Scalar(0);
+    const Scalar missing = wanted - point.gap;
+    const Scalar most = min_of(Scalar(0), kWanted * contact.rest_gap - point.gap) / time;
+    const Scalar goal = missing > Scalar(0) ? kShare * missing / time : most;
     const Scalar u = point.normal_W.dot(velocity_across(point, A, B));
     const Scalar opening = max_of(Scalar(0), point.opening + point.stiffness * (goal - u));
     push(point, A, B, opening - point.opening, Scalar(0), Scalar(0));
