@@ -82,6 +82,8 @@ void Pairs<SceneT>::search(BodiesT& bodies, CandidateType& candidate, const Last
       if (state.group != BodiesT::kAlone) until = min_of(until, state.held_until);
     }
   }
+  until = min_of(until, min_of(bodies.course_end(body_of(candidate.pair.first)),
+                               bodies.course_end(body_of(candidate.pair.second))));
   PairQuery& query = queries_.spare();
   search_pair(bodies, candidate.pair, until, lasts(candidate.pair), query);
   bodies.report.evaluations += query.evaluations();
@@ -123,7 +125,7 @@ void Pairs<SceneT>::search_pair(const BodiesT& bodies, ProxyPair pair, Scalar un
     query.search = search_with_seed(pair, moving_pair.value, bodies.settings.search);
     const bool may_part = query.outcome() == Outcome::kTouching &&
                           (!(query.search.gap_rate < slowest_closing(bodies, query, is_solved)) ||
-                           parts_now(bodies, pair, query));
+                           parts_now(bodies, pair, query, is_solved));
     if (SceneT::kResponse && may_part) {
       query.search = search_thinner(bodies, moving_pair.value, query, pair);
     }
@@ -133,7 +135,8 @@ void Pairs<SceneT>::search_pair(const BodiesT& bodies, ProxyPair pair, Scalar un
 /// Of bodies whose planned turn is the chord of a bent one: whether what they touch with parts at
 /// first (world.md, "Touching and parting").
 template <class SceneT>
-bool Pairs<SceneT>::parts_now(const BodiesT& bodies, ProxyPair pair, const PairQuery& query) {
+bool Pairs<SceneT>::parts_now(const BodiesT& bodies, ProxyPair pair, const PairQuery& query,
+                              bool is_solved) {
   if constexpr (SceneT::kCapsulesPerBody == 1) {
     return false;
   } else {
@@ -149,7 +152,7 @@ bool Pairs<SceneT>::parts_now(const BodiesT& bodies, ProxyPair pair, const PairQ
         velocity(pair.second, witness.surface_B) - velocity(pair.first, witness.surface_A);
     const bool alone = bodies.states[body_of(pair.first)].group == BodiesT::kAlone &&
                        bodies.states[body_of(pair.second)].group == BodiesT::kAlone;
-    return alone && witness.axes.normal_AB.dot(apart) >= Scalar(0);
+    return alone && witness.axes.normal_AB.dot(apart) >= slowest_closing(bodies, query, is_solved);
   }
 }
 
