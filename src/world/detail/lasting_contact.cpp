@@ -53,6 +53,16 @@ struct LineEnds {
     if (point.place > ends[1].place) ends[1] = point;
     found = true;
   }
+  Scalar span() const { return ends[1].place - ends[0].place; }
+  /// Axes that cross a little are nearer to each other between the ends than at them: by what the
+  /// line through both gaps is above the least one, both count as nearer.
+  void dip_to(const ContactPoint<Scalar>& nearest) {
+    const Scalar share = clamp((nearest.place - ends[0].place) / span(), Scalar(0), Scalar(1));
+    const Scalar line = ends[0].gap + share * (ends[1].gap - ends[0].gap);
+    const Scalar dip = max_of(Scalar(0), line - nearest.gap);
+    ends[0].gap -= dip;
+    ends[1].gap -= dip;
+  }
 };
 
 /// The end of an axis over the other axis, where that is as near as the closest points, to D.
@@ -246,8 +256,8 @@ void find_points(LastingContact<Scalar>& contact, const Capsule<Scalar>& A_W,
       offer_end(ends, A_W, B_W, which, gap + contact.rest_gap, along);
     }
     if (ends.found) ends.offer(nearest);
-    const Scalar span = ends.ends[1].place - ends.ends[0].place;
-    if (ends.found && span > min_of(A_W.radius, B_W.radius) / 16) {
+    if (ends.found && ends.span() > min_of(A_W.radius, B_W.radius) / 16) {
+      ends.dip_to(nearest);
       contact.count = 2;
       contact.points = ends.ends;
     }
