@@ -83,7 +83,7 @@ void let_fall(World<SceneT>& world, unsigned seed) {
     const Vector place(x, draw(-0.2, 0.2), 0.1 + 0.07 * (i - 8));
     const Rotation tilt = test::about(Vector::UnitX(), draw(1.5, 1.64));
     const Rotation yaw = test::about(Vector::UnitZ(), draw(0, 3));
-    auto bar = test::solid_rod<SceneT>(0.25, 0.02, place, yaw * tilt, 700);
+    auto bar = test::solid_rod<SceneT>(0.25, 0.025, place, yaw * tilt, 700);
     bar.friction = 0.5F;
     bar.restitution = 0.3F;
     ASSERT_TRUE(world.add(bar).ok());

@@ -54,14 +54,18 @@ struct LineEnds {
     found = true;
   }
   Scalar span() const { return ends[1].place - ends[0].place; }
-  /// Axes that cross a little are nearer to each other between the ends than at them: by what the
-  /// line through both gaps is above the least one, both count as nearer.
-  void dip_to(const ContactPoint<Scalar>& nearest) {
+  /// Axes that cross a little are nearer to each other between the ends than at them. Then both
+  /// ends are those of a straight line through the nearest point, with its normal and its gap: what
+  /// holds at both ends holds between them.
+  void dip_to(const ContactPoint<Scalar>& nearest, const Vec3<Scalar>& along) {
     const Scalar share = clamp((nearest.place - ends[0].place) / span(), Scalar(0), Scalar(1));
-    const Scalar line = ends[0].gap + share * (ends[1].gap - ends[0].gap);
-    const Scalar dip = max_of(Scalar(0), line - nearest.gap);
-    ends[0].gap -= dip;
-    ends[1].gap -= dip;
+    const Scalar dip = ends[0].gap + share * (ends[1].gap - ends[0].gap) - nearest.gap;
+    if (!(dip > Scalar(0))) return;
+    for (ContactPoint<Scalar>& end : ends) {  // Bound: 2
+      end.gap = nearest.gap;
+      end.normal_W = nearest.normal_W;
+      end.point_W = nearest.point_W + (end.place - nearest.place) * along;
+    }
   }
 };
 
@@ -257,7 +261,7 @@ void find_points(LastingContact<Scalar>& contact, const Capsule<Scalar>& A_W,
     }
     if (ends.found) ends.offer(nearest);
     if (ends.found && ends.span() > min_of(A_W.radius, B_W.radius) / 16) {
-      ends.dip_to(nearest);
+      ends.dip_to(nearest, along);
       contact.count = 2;
       contact.points = ends.ends;
     }
