@@ -108,6 +108,9 @@ class Bodies {
   void reseat(std::size_t slot);
   /// Within a step, what slept is at rest, and carried for the rest of it.
   void wake_now(std::size_t slot);
+  /// The two, which are where they are now, are off their parabolas by the same from now on: what
+  /// makes up for it does not bring them nearer to each other. Their common centre stays on its own.
+  void share_off(std::size_t a, std::size_t b);
   /// A blow of two bodies that do not turn, with their velocities of now.
   StraightHit<Scalar> strike_straight(std::size_t a, std::size_t b, const Vec3<Scalar>& normal_BA_W,
                                       Scalar restitution);
@@ -319,6 +322,19 @@ void Bodies<SceneT>::wake_now(std::size_t slot) {
   state.start = now;
   if constexpr (SceneT::kGravity) state.loaded = true;
   state.changed = is_changed = true;
+}
+
+template <class SceneT>
+void Bodies<SceneT>::share_off(std::size_t a, std::size_t b) {
+  if constexpr (SceneT::kGravity) {
+    const Scalar of_a = actor(b).body.inverse_mass;  // a's share of both masses, and b's
+    const Scalar of_b = actor(a).body.inverse_mass;
+    Vec3<Scalar> mean_W = Vec3<Scalar>::Zero();
+    if (!is_led(a) && !is_led(b) && of_a + of_b > Scalar(0)) {
+      mean_W = (of_a * states[a].off_W + of_b * states[b].off_W) / (of_a + of_b);
+    }
+    states[a].off_W = states[b].off_W = mean_W;
+  }
 }
 
 template <class SceneT>

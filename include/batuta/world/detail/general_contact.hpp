@@ -235,6 +235,10 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
   const bool is_resting = kSeparates && answer.kind == ContactKind::kResting;
   if constexpr (kSolves) {
     tell_controllers(pair, answer.impulse, Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero());
+    if (answers_of_pair_ > 1 || !(answer.impulse > Scalar(0))) {
+      for (const std::size_t slot : {a, b}) groups_.end_opening(bodies_, slot);  // Bound: 2
+      bodies_.share_off(a, b);
+    }
     groups_.pass_on(bodies_, pairs_, pair, [this](ProxyPair next) { strike_neighbour(next); });
   } else if (is_resting || at.contact.gap < Scalar(0)) {
     separate_pair(pair, query, at.contact, answer, is_resting);
