@@ -82,6 +82,8 @@ void Pairs<SceneT>::search(BodiesT& bodies, CandidateType& candidate, const Last
       if (state.group != BodiesT::kAlone) until = min_of(until, state.held_until);
     }
   }
+  until = min_of(until, min_of(bodies.course_end(body_of(candidate.pair.first)),
+                               bodies.course_end(body_of(candidate.pair.second))));
   PairQuery& query = queries_.spare();
   search_pair(bodies, candidate.pair, until, lasts(candidate.pair), query);
   bodies.report.evaluations += query.evaluations();
@@ -140,7 +142,8 @@ void Pairs<SceneT>::search_pair(const BodiesT& bodies, ProxyPair pair, Scalar un
     if (!SceneT::kResponse || query.outcome() != Outcome::kTouching) return;
     // Where nothing is moved apart within a step, a pair may come back more than once.
     constexpr Scalar kShare = kLasts<SceneT> ? Scalar(0.5) : Scalar(1);
-    const bool parts = !(query.search.gap_rate < Scalar(0)) || parts_now(bodies, pair, query);
+    const bool parts =
+        !(query.search.gap_rate < Scalar(0)) || parts_now(bodies, pair, query, is_solved);
     if (parts || !(query.search.gap_rate < slowest_closing(bodies, query, is_solved))) {
       const Scalar thinner = thinner_by(margin_of(bodies, query, pair), query.contact_gap,
                                         query.search.witness.gap - so_far, kShare, parts);
@@ -152,7 +155,8 @@ void Pairs<SceneT>::search_pair(const BodiesT& bodies, ProxyPair pair, Scalar un
 /// Of bodies whose planned turn is the chord of a bent one: whether what they touch with parts at
 /// first (world.md, "Touching and parting").
 template <class SceneT>
-bool Pairs<SceneT>::parts_now(const BodiesT& bodies, ProxyPair pair, const PairQuery& query) {
+bool Pairs<SceneT>::parts_now(const BodiesT& bodies, ProxyPair pair, const PairQuery& query,
+                              bool is_solved) {
   if constexpr (SceneT::kCapsulesPerBody == 1) {
     return false;
   } else {
@@ -168,7 +172,7 @@ bool Pairs<SceneT>::parts_now(const BodiesT& bodies, ProxyPair pair, const PairQ
         velocity(pair.second, witness.surface_B) - velocity(pair.first, witness.surface_A);
     const bool alone = bodies.states[body_of(pair.first)].group == BodiesT::kAlone &&
                        bodies.states[body_of(pair.second)].group == BodiesT::kAlone;
-    return alone && witness.axes.normal_AB.dot(apart) >= Scalar(0);
+    return alone && witness.axes.normal_AB.dot(apart) >= slowest_closing(bodies, query, is_solved);
   }
 }
 
