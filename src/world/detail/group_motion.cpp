@@ -41,14 +41,19 @@ Vec3<Scalar> group_spin(const Mat3<Scalar>& inertia_W, const Vec3<Scalar>& L_W, 
   return turn * spin_for<Scalar>(inertia_W, turn.conjugate() * L_W);
 }
 
+/// In units in which the trace is one: the cube of a small moment would vanish.
 template <class Scalar>
 Vec3<Scalar> spin_for(const Mat3<Scalar>& inertia_W, const Vec3<Scalar>& L_W) {
-  Mat3<Scalar> stiffer = inertia_W;
-  const Scalar least = 4 * kRoundOff<Scalar> * inertia_W.trace();
-  for (int i = 0; i < 3; ++i) stiffer(i, i) += least;  // Bound: 3
-  const Vec3<Scalar> w_W = solved(stiffer, L_W);
-  const Vec3<Scalar> left_W = L_W - inertia_W * w_W;
-  return w_W + solved(stiffer, left_W);
+  const Scalar size = inertia_W.trace();
+  if (!(size > Scalar(0))) return Vec3<Scalar>::Zero();
+  const Mat3<Scalar> unit = inertia_W / size;
+  const Vec3<Scalar> wanted_W = L_W / size;
+  Mat3<Scalar> stiffer = unit;
+  constexpr Scalar kLeast = 4 * kRoundOff<Scalar>;
+  for (int i = 0; i < 3; ++i) stiffer(i, i) += kLeast;  // Bound: 3
+  const Vec3<Scalar> w_W = solved(stiffer, wanted_W);
+  const Vec3<Scalar> left_W = wanted_W - unit * w_W;
+  return w_W + solved<Scalar>(stiffer, left_W);
 }
 
 #define BATUTA_INSTANTIATE(S)                                          \

@@ -220,16 +220,18 @@ Scalar share_within(const Vec3<Scalar>& from, const Vec3<Scalar>& change, Scalar
 template <class Scalar>
 void relax_rolling(ContactPoint<Scalar>& point, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
                    Scalar lever) {
-  const Mat3<Scalar> softness = A.inverse_inertia_W + B.inverse_inertia_W;
-  const Scalar volume = softness.determinant();
-  if (!(volume > Scalar(0))) return;
+  Mat3<Scalar> softness = A.inverse_inertia_W + B.inverse_inertia_W;
+  const Scalar size = softness.trace();
+  if (!(size > Scalar(0))) return;
+  softness /= size;  // of a trace of one: the cube of what is soft overflows
+  if (!(softness.determinant() > Scalar(0))) return;
   const Scalar limit = lever * point.normal;
   const Vec3<Scalar> before = point.rolling_W;
   const Scalar square = before.squaredNorm();
   using std::sqrt;
   if (square > limit * limit) point.rolling_W *= limit / sqrt(square);
   const Vec3<Scalar> wanted =
-      before - point.rolling_W - softness.inverse() * (A.w_W - B.w_W).eval();
+      before - point.rolling_W - softness.inverse() * ((A.w_W - B.w_W) / size).eval();
   point.rolling_W += share_within<Scalar>(point.rolling_W, wanted, limit) * wanted;
   const Vec3<Scalar> change = point.rolling_W - before;
   A.w_W += A.inverse_inertia_W * change;

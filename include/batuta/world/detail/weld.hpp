@@ -16,6 +16,7 @@ struct GroupSums {
   Vec3<Scalar> momentum_W = Vec3<Scalar>::Zero();  ///< of the step's end where they fall
   Vec3<Scalar> moment_W = Vec3<Scalar>::Zero();    ///< mass times place from the first one
   Vec3<Scalar> off_W = Vec3<Scalar>::Zero();       ///< mass times FallState::off_W
+  Vec3<Scalar> opening_W = Vec3<Scalar>::Zero();   ///< mass times OpeningState::opening
   Vec3<Scalar> spin_W = Vec3<Scalar>::Zero();      ///< angular momentum about the centre
   Mat3<Scalar> inertia_W = Mat3<Scalar>::Zero();   ///< about the centre
   int led = 0;                                     ///< bodies that a controller moves
@@ -24,11 +25,17 @@ struct GroupSums {
   bool falls = true;                               ///< nothing in it is carried
 };
 
-/// A wall is no member: what else comes to it is not to stop there.
+/// A wall is no member: what else comes to it is not to stop there. Who was a member stays one:
+/// where its group stood, it looks like a wall once that has parted.
 template <class SceneT>
 void Bodies<SceneT>::weld(std::size_t a, std::size_t b, Scalar until) {
   GroupSums<Scalar> sums;
   sums.stands = stands_together(a) || stands_together(b);
+  const auto is_lone_wall = [this](std::size_t slot) {
+    return states[slot].group == kAlone && !states[slot].changed && is_wall(slot);
+  };
+  const bool is_wall_a = is_lone_wall(a);
+  const bool is_wall_b = is_lone_wall(b);
   join(a);
   join(b);
   std::size_t first = kSlots;
@@ -36,7 +43,7 @@ void Bodies<SceneT>::weld(std::size_t a, std::size_t b, Scalar until) {
     states[slot].joins = states[slot].comes;
     states[slot].comes = false;
     if (!states[slot].joins) continue;
-    if (is_wall(slot)) {
+    if ((slot == a && is_wall_a) || (slot == b && is_wall_b)) {
       sums.stands = true;
       states[slot].joins = false;
       continue;
@@ -82,6 +89,7 @@ void Bodies<SceneT>::add_to(GroupSums<Scalar>& sums, std::size_t slot, const Vec
   sums.mass += mass;
   sums.momentum_W += Kinematics::linear_momentum(body);
   sums.moment_W += mass * (place_of(slot) - from_W);
+  if constexpr (kLasts<SceneT>) sums.opening_W += mass * state.opening.v_W;
   if constexpr (SceneT::kGravity) {
     sums.off_W += mass * state.off_W;
     sums.falls = sums.falls && falls(slot);
@@ -124,6 +132,9 @@ void Bodies<SceneT>::start_group(GroupSums<Scalar>& sums, std::size_t first, Sca
       if (sums.falls) v_W -= (left / 2) * settings.gravity_W;
       if (left > Scalar(0)) v_W += sums.off_W / (sums.mass * left);
     }
+    // Who is opened goes on with its share: without it the centre of those opened together would
+    // move.
+    if constexpr (kLasts<SceneT>) v_W += sums.opening_W / sums.mass;
     motion = Kinematics::group_motion(center_W, sums, v_W, rest);
   }
   for (std::size_t slot = first; slot < kSlots; ++slot) {  // Bound: kMaxBodies
@@ -141,7 +152,10 @@ void Bodies<SceneT>::start_group(GroupSums<Scalar>& sums, std::size_t first, Sca
                                                      : Vec3<Scalar>(Vec3<Scalar>::Zero());
       state.loaded = !sums.falls || is_led;
     }
-    if constexpr (kLasts<SceneT>) state.opening = {};
+    if constexpr (kLasts<SceneT>) {
+      state.opening = {};
+      if (!is_led) state.opening.v_W = sums.opening_W / sums.mass;
+    }
     state.changed = true;
   }
   is_changed = true;

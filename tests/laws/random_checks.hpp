@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Random scenes as a suite of tests: one for each law that can be broken, over the same scenes.
+#include <gtest/gtest.h>
+
+#include "random_kinds.hpp"
+
+namespace batuta::test {
+
+inline constexpr int kRandomSeeds = 24;
+inline constexpr int kRandomSteps = 20;
+
+template <class SceneT>
+class RandomScenes : public ::testing::Test {
+ protected:
+  /// Holds that none of the laws was broken.
+  static void expect_kept(std::initializer_list<const char*> laws) {
+    for (int seed = 0; seed < kRandomSeeds; ++seed) {
+      RandomRun<SceneT> run{Choices(static_cast<std::uint64_t>(seed))};
+      for (const Found& found : run_scene(run, kRandomSteps)) {
+        const Breach& breach = found.breach;
+        const bool counts = std::find(laws.begin(), laws.end(), breach.law) != laws.end();
+        if (!counts) continue;
+        ADD_FAILURE() << breach.law << ", " << breach.what << ": " << static_cast<double>(breach.by)
+                      << ", at most " << static_cast<double>(breach.may_be) << "; seed " << seed
+                      << ", step " << found.step;
+        break;  // the first of a scene
+      }
+    }
+  }
+};
+
+TYPED_TEST_SUITE_P(RandomScenes);
+
+TYPED_TEST_P(RandomScenes, Momentum_IsKeptAndNumbersStayFinite) {
+  this->expect_kept({"finite", "momentum", "centre", "spin"});
+}
+TYPED_TEST_P(RandomScenes, Energy_DoesNotGrow) {
+  this->expect_kept({"energy", "energy (gaps opened)"});
+}
+TYPED_TEST_P(RandomScenes, Flight_IsFreeAndRestIsStill) {
+  this->expect_kept({"flight", "rest"});
+}
+TYPED_TEST_P(RandomScenes, Bodies_StayOutOfEachOther) {
+  this->expect_kept({"overlap", "untold overlap"});
+}
+TYPED_TEST_P(RandomScenes, Frame_ChangesNothing) {
+  for (int seed = 0; seed < kRandomSeeds; ++seed) {
+    EXPECT_LE(static_cast<double>(
+                  frame_breach<TypeParam>(static_cast<std::uint64_t>(seed), kRandomSteps)),
+              0)
+        << "seed " << seed;
+  }
+}
+REGISTER_TYPED_TEST_SUITE_P(RandomScenes, Momentum_IsKeptAndNumbersStayFinite, Energy_DoesNotGrow,
+                            Flight_IsFreeAndRestIsStill, Bodies_StayOutOfEachOther,
+                            Frame_ChangesNothing);
+
+}  // namespace batuta::test

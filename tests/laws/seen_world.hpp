@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// What can be seen of a world from outside, in long double: poses, momenta, shapes. What the laws
+// are checked with owes nothing to the library but the numbers that it stores.
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "batuta/world/world.hpp"
+
+namespace batuta::test {
+
+using Real = long double;
+using Real3 = Eigen::Matrix<Real, 3, 1>;
+using RealQuat = Eigen::Quaternion<Real>;
+
+struct SeenPart {
+  Real3 a = Real3::Zero();  ///< ends of the axis, in W, m
+  Real3 b = Real3::Zero();
+  Real radius = 0;
+};
+struct SeenBody {
+  int slot = 0;
+  bool led = false;    ///< a controller moves it, or nothing can
+  bool moves = false;  ///< a controller takes it somewhere
+  bool asleep = false;
+  Real inverse_mass = 0;
+  Real mass = 0;  ///< 0: nothing pushes it
+  Real3 inverse_moments = Real3::Zero();
+  Real3 x = Real3::Zero();
+  RealQuat q = RealQuat::Identity();
+  Real3 p = Real3::Zero();
+  Real3 b = Real3::Zero();
+  Real reach = 0;  ///< from its point to its furthest surface, m
+  std::vector<SeenPart> parts;
+
+  Real3 v() const { return inverse_mass * p; }
+  Real3 w() const {
+    const Real3 b_B = q.conjugate() * b;
+    return q * inverse_moments.cwiseProduct(b_B);
+  }
+  Real turning() const { return b.dot(w()) / 2; }  ///< J
+  Real kinetic() const { return inverse_mass * p.squaredNorm() / 2 + turning(); }
+  /// The energy if it turned about its softest axis, J.
+  Real soft() const {
+    return inverse_mass * p.squaredNorm() / 2 + inverse_moments.maxCoeff() * b.squaredNorm() / 2;
+  }
+  bool is_unlike() const {
+    const Real3& j = inverse_moments;
+    const Real near = 1e-4L * j.maxCoeff();
+    const auto differ = [&](int i, int k) { return std::abs(j[i] - j[k]) > near; };
+    return differ(0, 1) && differ(1, 2) && differ(0, 2);
+  }
+};
+using Seen = std::vector<SeenBody>;
+
+inline Real distance_to(const Real3& a, const Real3& b, const Real3& point) {
+  const Real3 along = b - a;
+  const Real square = along.squaredNorm();
+  const Real share = square > 0 ? std::clamp<Real>(along.dot(point - a) / square, 0, 1) : 0;
+  return (a + share * along - point).norm();
+}
+
+/// The least of four ends against the other axis, and of where both lines come nearest.
+inline Real gap_of(const SeenPart& A, const SeenPart& B) {
+  Real least = std::min({distance_to(A.a, A.b, B.a), distance_to(A.a, A.b, B.b),
+                         distance_to(B.a, B.b, A.a), distance_to(B.a, B.b, A.b)});
+  const Real3 d = A.b - A.a;
+  const Real3 e = B.b - B.a;
+  const Real3 n = d.cross(e);
+  const Real square = n.squaredNorm();
+  if (square > 0) {
+    const Real3 r = B.a - A.a;
+    const Real s = r.cross(e).dot(n) / square;
+    const Real t = r.cross(d).dot(n) / square;
+    if (s >= 0 && s <= 1 && t >= 0 && t <= 1)
+      least = std::min(least, std::abs(r.dot(n)) / std::sqrt(square));
+  }
+  return least - A.radius - B.radius;
+}
+
+template <class S>
+SeenPart seen_part(const Real3& x, const RealQuat& q, const Capsule<S>& shape) {
+  return {x + q * shape.axis.a.template cast<Real>(), x + q * shape.axis.b.template cast<Real>(),
+          static_cast<Real>(shape.radius)};
+}
+
+template <class S>
+void see_state(SeenBody& seen, const Body<S>& body) {
+  seen.x = body.X_WB.p_W.template cast<Real>();
+  seen.q = body.X_WB.q_WB.template cast<Real>();
+  seen.q.normalize();
+  seen.p = body.momentum.linear_W.template cast<Real>();
+  seen.b = body.momentum.angular_W.template cast<Real>();
+  seen.inverse_moments = body.inverse_moments.template cast<Real>();
+}
+template <class S>
+void see_state(SeenBody& seen, const StraightBody<S>& body) {
+  seen.x = body.p_W.template cast<Real>();
+  seen.p = body.momentum_W.template cast<Real>();
+}
+
+template <class SceneT>
+SeenBody see(const Actor<SceneT>& actor) {
+  SeenBody seen;
+  see_state(seen, actor.body);
+  seen.inverse_mass = static_cast<Real>(actor.body.inverse_mass);
+  seen.mass = seen.inverse_mass > 0 ? 1 / seen.inverse_mass : 0;
+  seen.led = !(seen.inverse_mass > 0);
+  if constexpr (SceneT::Search::kForSpheres) {
+    seen.parts.push_back({seen.x, seen.x, static_cast<Real>(actor.radius)});
+  } else {
+    for (int i = 0; i < parts_of(actor); ++i) {
+      seen.parts.push_back(seen_part(seen.x, seen.q, part_of(actor, i)));
+    }
+  }
+  for (const SeenPart& part : seen.parts) {
+    const Real end = std::max((part.a - seen.x).norm(), (part.b - seen.x).norm());
+    seen.reach = std::max(seen.reach, end + part.radius);
+  }
+  return seen;
+}
+
+}  // namespace batuta::test

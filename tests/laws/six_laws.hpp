@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The six laws of src/world/world.md, looked at after each step of a scene, from what is seen of it
+// before and after. Bounds are those of the world's derivation; u is the scene's rounding.
+
+#include <string>
+
+#include "seen_world.hpp"
+
+namespace batuta::test {
+
+/// What a step was, and what it told.
+struct Told {
+  Real u = 0;  ///< rounding of the scene's numbers
+  Real dt = 0;
+  Real3 g = Real3::Zero();
+  Real D = 0;          ///< WorldSettings::separation, or 0
+  Real tolerance = 0;  ///< contact_tolerance of the search
+  bool settles = false;
+  bool separates = false;
+  bool turns = true;  ///< angular momentum is a matter of bodies that turn, or are balls
+  int evaluations = 0;
+  int impulses = 0;  ///< that were counted
+  int separations = 0;
+  int overlaps = 0;  ///< that were counted
+  int asleep = 0;
+  int events = 0;
+  Real deepest = 0;
+  Real held = 0;
+  bool complete = true;
+};
+
+template <class SceneT>
+Told told_by(const World<SceneT>& world, double dt, const Vec3<double>& g) {
+  const auto& report = world.report();
+  Told told;
+  told.u = kRoundOff<typename SceneT::Scalar>;
+  told.dt = dt;
+  told.g = g.template cast<Real>();
+  if constexpr (detail::kKnowsRest<SceneT>) {
+    told.D = static_cast<Real>(world.settings().separation);
+  }
+  if constexpr (SceneT::Search::kHasContactTolerance) {
+    told.tolerance = static_cast<Real>(world.settings().search.contact_tolerance);
+  }
+  told.settles = SceneT::kResting == RestingContact::kSettling;
+  told.turns = SceneT::kRotation || SceneT::Search::kForSpheres;
+  told.separates = SceneT::kResting == RestingContact::kSeparation;
+  told.evaluations = static_cast<int>(report.evaluations);
+  told.impulses = static_cast<int>(report.collisions);
+  told.separations = static_cast<int>(report.separations);
+  told.overlaps = static_cast<int>(report.overlaps_at_start);
+  told.asleep = static_cast<int>(report.asleep);
+  if constexpr (SceneT::kMaxEvents > 0) told.events = world.events().size();
+  told.deepest = static_cast<Real>(report.deepest_overlap);
+  told.held = static_cast<Real>(report.time_held);
+  told.complete = report.complete();
+  return told;
+}
+
+/// A law that did not hold.
+struct Breach {
+  std::string law;
+  std::string what;
+  Real by = 0;  ///< how much it was
+  Real may_be = 0;
+};
+
+/// Checks one step. @returns what is broken
+std::vector<Breach> broken_laws(const Seen& before, const Seen& after, const Told& told);
+
+/// What two bodies may come nearer than touching in a step: src/world/detail/margin.md.
+Real margin_of(const SeenBody& A, const SeenBody& B, const Told& told, Real fastest);
+
+/// The least gap of two bodies' parts, m.
+Real gap_between(const SeenBody& A, const SeenBody& B);
+
+}  // namespace batuta::test
