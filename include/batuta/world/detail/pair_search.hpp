@@ -142,24 +142,30 @@ void Pairs<SceneT>::search_pair(const BodiesT& bodies, ProxyPair pair, Scalar un
     if (!SceneT::kResponse || query.outcome() != Outcome::kTouching) return;
     // Where nothing is moved apart within a step, a pair may come back more than once.
     constexpr Scalar kShare = kLasts<SceneT> ? Scalar(0.5) : Scalar(1);
-    const bool parts =
-        !(query.search.gap_rate < Scalar(0)) || parts_now(bodies, pair, query, is_solved);
-    if (parts || !(query.search.gap_rate < slowest_closing(bodies, query, is_solved))) {
-      const Scalar thinner = thinner_by(margin_of(bodies, query, pair), query.contact_gap,
-                                        query.search.witness.gap - so_far, kShare, parts);
-      query.search = search_thinner(bodies, moving_pair.value, query, thinner - so_far);
-    }
+    const Scalar rate = max_of(query.search.gap_rate, rate_of_momenta(bodies, pair, query));
+    if (rate < slowest_closing(bodies, query, is_solved)) return;
+    const Scalar thinner =
+        thinner_by(margin_of(bodies, query, pair), query.contact_gap,
+                   query.search.witness.gap - so_far, kShare, !(rate < Scalar(0)));
+    query.search = search_thinner(bodies, moving_pair.value, query, thinner - so_far);
   }
 }
 
-/// Of bodies whose planned turn is the chord of a bent one: whether what they touch with parts at
-/// first (world.md, "Touching and parting").
+/// How fast the gap of what touches opens, m/s, by the momenta of the two where their planned turn
+/// is the chord of a bent one (world.md, "Touching and parting"); where it is not, or one goes with
+/// others: the least there is.
 template <class SceneT>
-bool Pairs<SceneT>::parts_now(const BodiesT& bodies, ProxyPair pair, const PairQuery& query,
-                              bool is_solved) {
+Scalar_of<SceneT> Pairs<SceneT>::rate_of_momenta([[maybe_unused]] const BodiesT& bodies,
+                                                 [[maybe_unused]] ProxyPair pair,
+                                                 [[maybe_unused]] const PairQuery& query) {
+  constexpr Scalar kUnknown = std::numeric_limits<Scalar>::lowest();
   if constexpr (SceneT::kCapsulesPerBody == 1) {
-    return false;
+    return kUnknown;
   } else {
+    if (bodies.states[body_of(pair.first)].group != BodiesT::kAlone ||
+        bodies.states[body_of(pair.second)].group != BodiesT::kAlone) {
+      return kUnknown;
+    }
     const auto velocity = [&](int proxy, const Vec3<Scalar>& surface_P) {
       const std::size_t slot = body_of(proxy);
       Twist<Scalar> twist = bodies.twist_now(slot);
@@ -168,11 +174,8 @@ bool Pairs<SceneT>::parts_now(const BodiesT& bodies, ProxyPair pair, const PairQ
       return Vec3<Scalar>(twist.v_W + twist.w_W.cross(arm_W));
     };
     const auto& witness = query.search.witness;
-    const Vec3<Scalar> apart =
-        velocity(pair.second, witness.surface_B) - velocity(pair.first, witness.surface_A);
-    const bool alone = bodies.states[body_of(pair.first)].group == BodiesT::kAlone &&
-                       bodies.states[body_of(pair.second)].group == BodiesT::kAlone;
-    return alone && witness.axes.normal_AB.dot(apart) >= slowest_closing(bodies, query, is_solved);
+    return witness.axes.normal_AB.dot(velocity(pair.second, witness.surface_B) -
+                                      velocity(pair.first, witness.surface_A));
   }
 }
 

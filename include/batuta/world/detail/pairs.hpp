@@ -108,8 +108,7 @@ class Pairs : private SeedsOf<SceneT> {
   static Scalar slowest_closing(const BodiesT& bodies, const PairQuery& query, bool is_solved) {
     return is_solved ? -query.contact_gap / bodies.dt : Scalar(0);
   }
-  static bool parts_now(const BodiesT& bodies, ProxyPair pair, const PairQuery& query,
-                        bool is_solved);
+  static Scalar rate_of_momenta(const BodiesT& bodies, ProxyPair pair, const PairQuery& query);
 
   SweepList<Scalar, BodiesT::kProxies, SceneT::kSweepAxis> sweep_;
   EarliestQuery<PairQuery, Scalar, (SceneT::kMaxPairs > 1)> queries_;
