@@ -260,9 +260,10 @@ void check_separation(Bytes& bytes, Numbers from) {
               on_B <= static_cast<double>(options.limit_B) * (1 + 8 * kU) + kLeast,
           "no neighbour is reached");
   require((mass_A > 0 || on_A == 0) && (mass_B > 0 || on_B == 0), "what is fixed stays");
-  const bool free_A = mass_A > 0 && options.limit_A >= options.distance - contact.gap;
-  const bool free_B = mass_B > 0 && options.limit_B >= options.distance - contact.gap;
-  if (free_A || free_B)
+  const float asked = options.distance - contact.gap;
+  const bool has_room = (mass_A == 0 || options.limit_A >= asked) &&
+                        (mass_B == 0 || options.limit_B >= asked) && mass_A + mass_B > 0;
+  if (has_room)
     require(on_A + on_B >= missing * (1 - 16 * kU) - 2 * kLeast, "where there is room, to D");
 }
 

@@ -49,13 +49,12 @@ TYPED_TEST_SUITE(Sliding, Scalars);
 
 TYPED_TEST(Sliding, Smooth_KeepsItsSpeedAndIsNeverHeld) {
   Slide<test::RestScene<TypeParam>> slide(-1.75, 10);
-  std::uint32_t touches = 0;
   for (int i = 0; i < 350; ++i) {
     slide.step();
     EXPECT_EQ(slide.world.report().time_held, 0);
-    touches += slide.world.report().collisions;
+    // It lies on the blades all the way, within D.
+    EXPECT_NEAR(slide.rod().X_WB.p_W.z(), 2 * test::kRodRadius + kD / 2, kD / 2);
   }
-  EXPECT_GT(touches, 20U);  // it lies on the blades all the way
   const double precision = static_cast<double>(kRoundOff<TypeParam>) * 350 * 4;
   EXPECT_NEAR(slide.speed(), 10, 10 * precision);
   EXPECT_NEAR(slide.y(), 1.75, 10 * precision);
@@ -79,19 +78,17 @@ TYPED_TEST(Sliding, OffTheEnd_FallsAndTheContactsEnd) {
   Slide<test::RestScene<TypeParam>> slide(kBladeHalf - 0.1, 1);
   const double energy = slide.energy();
   int ends = 0;
-  double furthest = 0;  // place on a blade's axis
   for (int i = 0; i < 400; ++i) {
     slide.step();
     EXPECT_EQ(slide.world.report().time_held, 0);
     // D is restored again and again, never more.
     EXPECT_LT(slide.energy(), energy + kG * 2 * kD);
-    for (const auto& event : slide.world.events()) {
-      ends += event.kind == EventKind::kEnd ? 1 : 0;
-      if (event.kind != EventKind::kEnd)
-        furthest = std::max(furthest, static_cast<double>(event.place_B));
+    for (const auto& event : slide.world.events()) ends += event.kind == EventKind::kEnd ? 1 : 0;
+    // It does not fall before it has left the blades.
+    if (slide.y() < kBladeHalf) {
+      EXPECT_GT(slide.rod().X_WB.p_W.z(), 2 * test::kRodRadius);
     }
   }
-  EXPECT_GT(furthest, 0.999);
   EXPECT_GE(ends, 2);
   EXPECT_EQ(slide.world.report().pairs, 0U);  // nothing near any more
   EXPECT_LT(static_cast<double>(slide.rod().X_WB.p_W.z()), -0.2);

@@ -58,6 +58,15 @@ constexpr double kRodRadius = 0.01;  ///< of rods and posts, m
 constexpr double kRodLength = 2 * (kRodHalf + kRodRadius);
 constexpr double kTick = 1e-3;  ///< a step of 1 kHz, s
 
+/// What a search cannot tell from contact, twice, and rounding, of a pair whose distance, sizes and
+/// ways add up to `size` (src/world/detail/margin.md): a pair that parts and turns back within a
+/// step, or that is pressed together, may overlap by so much, m.
+template <class S>
+double margin(double size) {
+  constexpr double kRound = static_cast<double>(kRoundOff<S>);
+  return 2 * size * (std::max(1e-6, 96 * kRound) + 72 * kRound);
+}
+
 template <class S>
 Vec3<S> vector(double x, double y, double z) {
   return {static_cast<S>(x), static_cast<S>(y), static_cast<S>(z)};

@@ -224,7 +224,8 @@ TEST(DuelFeatures, OtherScenes_KeepTheirCapacities) {
     least = std::min(least, blade_gap(*quiet));
   }
   EXPECT_GT(quiet->report().blows, 0U);
-  EXPECT_GT(least, -1e-5);
+  // Lengths of 3 m: so far what parts may turn back (src/world/detail/margin.md).
+  EXPECT_GT(least, -7e-5);
 }
 
 TEST(DuelFeatures, WhatIsOff_TakesNoRoom) {

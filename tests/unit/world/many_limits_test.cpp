@@ -80,7 +80,8 @@ TEST(ManyLimits, CrowdThatClosesInWithLittleRoom_NeverOverlaps) {
     }
     ASSERT_EQ(run->world().step(0.1F), Status::kOk);
     dropped += run->world().report().pairs_dropped;
-    ASSERT_LE(deepest_overlap(run->world()), rounding(2)) << "step " << i;
+    // 0.3 m apart, bodies of 0.2 m, ways of 0.2 m.
+    ASSERT_LE(deepest_overlap(run->world()), margin(1)) << "step " << i;
   }
   EXPECT_GT(dropped, 0U);
 }
@@ -159,7 +160,7 @@ TEST(ManyLimits, TenThousandSmallScenes_NeverOverlap) {
   contacts += play<Small<RestingContact::kSeparation, 1>>(2500, 5000);
   contacts += play<Small<RestingContact::kSettling, 1>>(5000, 7500);
   contacts += play<Small<RestingContact::kSettling, 3>>(7500, 10000);
-  EXPECT_GT(contacts, 10000U);
+  EXPECT_GT(contacts, 8000U);
 }
 
 }  // namespace

@@ -136,7 +136,7 @@ void Pairs<SceneT>::remove_boxes(std::size_t slot) {
 }
 
 /// Where a part may be by the end of a step, to a box: its way in a straight line, and as far
-/// aside as its ends turn.
+/// aside as its ends turn. Without bounds where numbers end.
 template <class SceneT>
 Aabb<Scalar_of<SceneT>> way_box(const Bodies<SceneT>& bodies, int proxy, Scalar_of<SceneT> slack) {
   using Scalar = Scalar_of<SceneT>;
@@ -146,7 +146,16 @@ Aabb<Scalar_of<SceneT>> way_box(const Bodies<SceneT>& bodies, int proxy, Scalar_
   const Capsule<Scalar> to = {{from.axis.a + way, from.axis.b + way}, from.radius};
   const Scalar turn = moving.motion.duration * length(moving.motion.twist.w_W);
   const Scalar reach = max_of(length(moving.capsule_B.axis.a), length(moving.capsule_B.axis.b));
-  return kdop_of<Scalar, 6>(from, to, min_of(turn, Scalar(2)) * reach + slack);
+  const Scalar aside = min_of(turn, Scalar(2)) * reach + slack;
+  const Scalar size =
+      length(moving.motion.X_WB.p_W) + length(way) + reach + moving.capsule_B.radius + aside;
+  if (!(size < kLargestCoordinate<Scalar>)) {  // beyond the numbers: the whole space
+    Aabb<Scalar> all;
+    all.low.fill(std::numeric_limits<Scalar>::lowest());
+    all.high.fill(std::numeric_limits<Scalar>::max());
+    return all;
+  }
+  return kdop_of<Scalar, 6>(from, to, aside);
 }
 
 template <class SceneT>
