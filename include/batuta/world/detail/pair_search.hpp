@@ -103,7 +103,7 @@ bool make_thinner(MovingPair<Scalar>& pair, Scalar missing) {
 }
 
 template <class SceneT>
-void Pairs<SceneT>::search_pair(const BodiesT& bodies, ProxyPair pair, Scalar until, Scalar lasts,
+void Pairs<SceneT>::search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, Scalar lasts,
                                 PairQuery& query) {
   if constexpr (!SceneT::kRotation) {
     query = BodiesT::Kinematics::search(bodies.mover(pair.first, until),
@@ -119,15 +119,29 @@ void Pairs<SceneT>::search_pair(const BodiesT& bodies, ProxyPair pair, Scalar un
     query.scale = moving_pair.value.scale;
     query.contact_gap = Search::contact_gap(moving_pair.value, bodies.settings.search);
     const bool is_solved = kLasts<SceneT> && lasts > Scalar(0);
+    const Scalar radius_A = moving_pair.value.A.radius;
+    const Scalar radius_B = moving_pair.value.B.radius;
     if (is_solved) make_thinner(moving_pair.value, query.contact_gap);
     query.search = search_with_seed(pair, moving_pair.value, bodies.settings.search);
     const bool may_part = query.outcome() == Outcome::kTouching &&
                           (!(query.search.gap_rate < slowest_closing(bodies, query, is_solved)) ||
                            parts_now(bodies, pair, query));
     if (SceneT::kResponse && may_part) {
+      tell_overlap(bodies, query, pair);
       query.search = search_thinner(bodies, moving_pair.value, query, pair);
     }
+    // What was found is told of the pair as it is.
+    query.search.witness = capsule_gap(query.search.witness.axes, radius_A, radius_B);
   }
+}
+
+/// What is in each other by more than the margin is told where it parts as well.
+template <class SceneT>
+void Pairs<SceneT>::tell_overlap(BodiesT& bodies, const PairQuery& query, ProxyPair pair) {
+  const Scalar depth = -query.search.witness.gap;
+  if (!(depth > margin_of(bodies, query, pair))) return;
+  ++bodies.report.overlaps_at_start;
+  bodies.report.deepest_overlap = max_of(bodies.report.deepest_overlap, depth);
 }
 
 /// Of bodies whose planned turn is the chord of a bent one: whether what they touch with parts at
