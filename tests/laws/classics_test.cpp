@@ -144,7 +144,7 @@ void tumble_at_post(double turn, unsigned seed) {
 
 TYPED_TEST(Classics, CompoundAtPost_MakesAllOfEveryStep) {
   for (const double turn : {0.05, 0.2, 0.5, 1.0}) {
-    for (unsigned seed = 1; seed <= 20; ++seed) {
+    for (unsigned seed = 1; seed <= 100; ++seed) {
       SCOPED_TRACE(::testing::Message() << turn << " rad a step");
       tumble_at_post<LawScene<TypeParam, RestingContact::kNone, test::kCompound>>(turn, seed);
       tumble_at_post<LawScene<TypeParam, RestingContact::kSeparation, test::kCompound>>(turn, seed);

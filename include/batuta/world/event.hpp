@@ -16,6 +16,8 @@ enum class EventKind : std::uint8_t {
 };
 
 /// One contact of two bodies. A and B are slots in the world's pool: World::id_at() names the body.
+/// Where contacts last (RestingContact::kSettling), one event tells all that two capsules did in a
+/// step: where and when they approached fastest, and the sum of their impulses.
 template <class Scalar>
 struct ContactEvent {
   EventKind kind = EventKind::kBegin;  ///< begins, persists or ends

@@ -34,8 +34,9 @@ enum class RestingContact : std::uint8_t {
   kSeparation,
   /// For bodies that lie on each other: contacts that last are solved together before anybody
   /// moves, group by group; blows are answered one by one, and passed on through the group. A pair
-  /// that asks for more than max_separations answers in a step goes on as one body for the rest of
-  /// it.
+  /// that asks for more than max_separations answers in quick succession goes on as one body for
+  /// the
+  /// rest of the step.
   kSettling,
 };
 
@@ -69,8 +70,8 @@ struct SceneOptions {
   /// Events kept for reading after a step; a surplus is counted. 0: none, and no pair is followed.
   /// At most 65535.
   detail::WholeNumber max_events = 16;
-  /// Answers of one pair in one step; beyond them its bodies go on together (kSettling); 1 ...
-  /// 65535.
+  /// Answers of one pair in one step that come within 1/32 of it of the one before; beyond them its
+  /// bodies go on together (kSettling); 1 ... 65535.
   detail::WholeNumber max_separations = 8;
   /// For so long the bodies of a group must not go further than at rest_speed to be put to sleep
   /// (sleep), s, above 0 and at most 60.

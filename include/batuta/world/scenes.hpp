@@ -47,8 +47,8 @@ constexpr SceneOptions rack() {
   SceneOptions scene;
   scene.max_bodies = 64;
   scene.max_pairs = 512;
-  scene.max_contacts = 384;
-  scene.max_events = 384;
+  scene.max_contacts = 512;
+  scene.max_events = 512;
   scene.friction = true;
   scene.line_contact = true;
   scene.gravity = true;

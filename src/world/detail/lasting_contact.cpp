@@ -53,6 +53,20 @@ struct LineEnds {
     if (point.place > ends[1].place) ends[1] = point;
     found = true;
   }
+  Scalar span() const { return ends[1].place - ends[0].place; }
+  /// Axes that cross a little are nearer to each other between the ends than at them. Then both
+  /// ends are those of a straight line through the nearest point, with its normal and its gap: what
+  /// holds at both ends holds between them.
+  void dip_to(const ContactPoint<Scalar>& nearest, const Vec3<Scalar>& along) {
+    const Scalar share = clamp((nearest.place - ends[0].place) / span(), Scalar(0), Scalar(1));
+    const Scalar dip = ends[0].gap + share * (ends[1].gap - ends[0].gap) - nearest.gap;
+    if (!(dip > Scalar(0))) return;
+    for (ContactPoint<Scalar>& end : ends) {  // Bound: 2
+      end.gap = nearest.gap;
+      end.normal_W = nearest.normal_W;
+      end.point_W = nearest.point_W + (end.place - nearest.place) * along;
+    }
+  }
 };
 
 /// The end of an axis over the other axis, where that is as near as the closest points, to D.
@@ -248,8 +262,8 @@ void find_points(LastingContact<Scalar>& contact, const Capsule<Scalar>& A_W,
       offer_end(ends, A_W, B_W, which, gap + contact.rest_gap, along);
     }
     if (ends.found) ends.offer(nearest);
-    const Scalar span = ends.ends[1].place - ends.ends[0].place;
-    if (ends.found && span > min_of(A_W.radius, B_W.radius) / 16) {
+    if (ends.found && ends.span() > min_of(A_W.radius, B_W.radius) / 16) {
+      ends.dip_to(nearest, along);
       contact.count = 2;
       contact.points = ends.ends;
     }
@@ -335,10 +349,10 @@ void relax_opening(LastingContact<Scalar>& contact, SolvedBody<Scalar>& A, Solve
   constexpr Scalar kWanted = Scalar(0.5);    // of D
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
     auto& point = contact.points[static_cast<std::size_t>(i)];
-    const Scalar missing = kWanted * contact.rest_gap - point.gap;
-    const bool is_loaded = point.normal > Scalar(0);
-    const Scalar goal = missing > Scalar(0) && is_loaded ? kShare * missing / time
-                                                         : min_of(Scalar(0), missing / time);
+    const Scalar wanted = point.normal > Scalar(0) ? kWanted * contact.rest_gap : Scalar(0);
+    const Scalar missing = wanted - point.gap;
+    const Scalar most = min_of(Scalar(0), kWanted * contact.rest_gap - point.gap) / time;
+    const Scalar goal = missing > Scalar(0) ? kShare * missing / time : most;
     const Scalar u = point.normal_W.dot(velocity_across(point, A, B));
     const Scalar opening = max_of(Scalar(0), point.opening + point.stiffness * (goal - u));
     push(point, A, B, opening - point.opening, Scalar(0), Scalar(0));

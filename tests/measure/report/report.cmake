@@ -17,7 +17,7 @@ endfunction()
 set(folder ${PROJECT_SOURCE_DIR}/build/report)
 set(programs "")
 set(files "")
-foreach(section search peers misses climb swept response friction stiff flight simulation haptics growth worlds)
+foreach(section search peers misses climb swept response friction stiff flight simulation haptics growth worlds motion)
   if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${section}/CMakeLists.txt)
     add_subdirectory(${section})
   endif()
@@ -38,7 +38,7 @@ add_custom_target(report-full COMMAND ${run} ${folder}/full full ${files} DEPEND
 # What pages of the repository show of the quick report, as FILE:MARK. `cmake --build build/host --target readme-report` runs
 # it and writes these blocks and their pictures, unless the host was busy; where a report has been run, the test holds the
 # blocks against it, but for the times.
-set(blocks docs/error.md:report docs/error.md:beat docs/error.md:phrase docs/error.md:flight)
+set(blocks docs/error.md:report docs/error.md:beat docs/error.md:phrase docs/error.md:flight docs/error.md:motion)
 set(readme ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/readme.py ${PROJECT_SOURCE_DIR} --report ${folder} ${blocks})
 add_custom_target(readme-report COMMAND ${readme} --update DEPENDS run-report VERBATIM
                   COMMENT "docs/error.md: tables and pictures from the quick report")

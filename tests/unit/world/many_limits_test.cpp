@@ -42,6 +42,14 @@ constexpr float rounding(float size) {
   return kUlps * std::numeric_limits<float>::epsilon() * size;
 }
 
+/// What a search cannot tell from contact, twice, and rounding, of a pair whose distance, sizes and
+/// ways add up to `size` (src/world/detail/margin.md): so far a pair that parts and turns back
+/// within the step may overlap.
+constexpr float margin(float size) {
+  constexpr float kUlps = 96 + 72;  // contact tolerance; evaluation and stored poses
+  return 2 * kUlps * kRoundOff<float> * size;
+}
+
 TEST(ManyLimits, MorePairsThanRoom_HoldsTheirBodiesAndNeverOverlaps) {
   using Run = CrowdRun<float, 64>;
   static_assert(Run::SceneT::kMaxPairs < 64 * 63 / 2);
@@ -137,7 +145,8 @@ std::uint32_t play(std::uint64_t first, std::uint64_t last) {
       const double dt = draws.power_of_two(-8, -3);
       EXPECT_EQ(world->step(static_cast<float>(dt)), Status::kOk);
       contacts += world->report().collisions + world->report().separations;
-      EXPECT_LE(deepest_overlap(*world), rounding(2)) << "scene " << index << " step " << i;
+      // 0.7 m apart, 0.6 m of bodies, ways of 0.8 m each, and ends that turn by 2.5 m each.
+      EXPECT_LE(deepest_overlap(*world), margin(8)) << "scene " << index << " step " << i;
       if (::testing::Test::HasFailure()) return contacts;
     }
   }

@@ -30,6 +30,15 @@ struct FallState {
   Vec3<Scalar> off_W = Vec3<Scalar>::Zero();
   bool loaded = false;  ///< something carries it: it goes with the velocity of the step's end
 };
+/// Where the turn of a body may be the chord of a bent one, and contacts are answered.
+template <class SceneT>
+inline constexpr bool kBends = SceneT::kRotation&& SceneT::kResponse &&
+                               (SceneT::kCapsulesPerBody > 1 || kLasts<SceneT>);
+/// Of a body whose turn may be the chord of a bent one.
+template <class Scalar>
+struct BentState {
+  Scalar course_end = 0;  ///< in the step, s: until then its chord goes (bent_course.hpp)
+};
 /// Of a body whose contacts last.
 template <class Scalar>
 struct OpeningState {
@@ -55,7 +64,8 @@ class Bodies {
 
   /// What the step knows of a body besides the actor.
   struct State : FeatureIf<SceneT::kGravity, FallState<Scalar>, 2>,
-                 FeatureIf<kLasts<SceneT>, OpeningState<Scalar>, 3> {
+                 FeatureIf<kLasts<SceneT>, OpeningState<Scalar>, 3>,
+                 FeatureIf<kBends<SceneT>, BentState<Scalar>, 4> {
     typename Kinematics::PlanType plan;
     Scalar start = 0;           ///< in the step, s: the body's own pose is the one of this time
     Scalar held_until = 0;      ///< in the step, s: until then it goes with its group
@@ -98,6 +108,9 @@ class Bodies {
   void reseat(std::size_t slot);
   /// Within a step, what slept is at rest, and carried for the rest of it.
   void wake_now(std::size_t slot);
+  /// The two, which are where they are now, are off their parabolas by the same from now on: what
+  /// makes up for it does not bring them nearer to each other. Their common centre stays on its own.
+  void share_off(std::size_t a, std::size_t b);
   /// A blow of two bodies that do not turn, with their velocities of now.
   StraightHit<Scalar> strike_straight(std::size_t a, std::size_t b, const Vec3<Scalar>& normal_BA_W,
                                       Scalar restitution);
@@ -119,6 +132,15 @@ class Bodies {
   bool is_led(std::size_t slot) const {
     return !states[slot].plan.by_momentum || states[slot].asleep ||
            Kinematics::is_immovable(actor(slot).body);
+  }
+  /// In the step, s: until then its planned motion goes.
+  Scalar course_end(std::size_t slot) const {
+    if constexpr (kBends<SceneT>) return states[slot].course_end;
+    return dt;
+  }
+  /// @pre now < time
+  void end_course(std::size_t slot, Scalar time) {
+    if constexpr (kBends<SceneT>) states[slot].course_end = time;
   }
   /// Stands where it is, whatever happens to it.
   bool is_wall(std::size_t slot) const {
@@ -181,6 +203,7 @@ bool Bodies<SceneT>::begin(std::size_t slot) {
   state.present = state.stands = state.changed = state.fresh = false;
   state.group = kAlone;
   state.start = state.held_until = 0;
+  end_course(slot, dt);
   if constexpr (SceneT::kGravity) {
     state.off_W.setZero();
     state.loaded = false;
@@ -226,7 +249,7 @@ void Bodies<SceneT>::plan(std::size_t slot) {
     state.plan.motion = Kinematics::standing(actor.body, rest);
     return;
   }
-  state.plan = Kinematics::ask(actor, now, rest);
+  state.plan = Kinematics::ask(actor, now, course_end(slot) - now);
   if (!is_valid(state.plan.motion)) {  // where it turns is not known: it goes on without a turn
     ++report.plans_invalid;
     state.plan.motion = Kinematics::without_turn(actor.body, rest);
@@ -299,6 +322,19 @@ void Bodies<SceneT>::wake_now(std::size_t slot) {
   state.start = now;
   if constexpr (SceneT::kGravity) state.loaded = true;
   state.changed = is_changed = true;
+}
+
+template <class SceneT>
+void Bodies<SceneT>::share_off(std::size_t a, std::size_t b) {
+  if constexpr (SceneT::kGravity) {
+    const Scalar of_a = actor(b).body.inverse_mass;  // a's share of both masses, and b's
+    const Scalar of_b = actor(a).body.inverse_mass;
+    Vec3<Scalar> mean_W = Vec3<Scalar>::Zero();
+    if (!is_led(a) && !is_led(b) && of_a + of_b > Scalar(0)) {
+      mean_W = (of_a * states[a].off_W + of_b * states[b].off_W) / (of_a + of_b);
+    }
+    states[a].off_W = states[b].off_W = mean_W;
+  }
 }
 
 template <class SceneT>

@@ -94,31 +94,30 @@ class EarliestQuery {
   Scalar until_ = 0;
 };
 
-/// How many contacts of each pair were resolved in this step.
-template <int N>
+/// How many contacts of each pair were resolved in this step in quick succession.
+template <class Scalar, int N>
 class RepeatBook {
  protected:
   void clear_repeats() { repeats_.clear(); }
-  /// Counts one more contact. @returns how many there were with it. Bound: N. Never full: N
-  /// contacts are resolved in a step.
-  int repeat(ProxyPair pair) {
+  /// Counts a contact that comes within `soon` of the last one of its pair, and the first one.
+  /// @returns how many there were with it. Bound: N. Never full: N contacts are resolved in a step.
+  int repeat(ProxyPair pair, Scalar now, Scalar soon) {
     for (int i = 0; i < repeats_.size(); ++i) {  // Bound: kMaxContacts
-      if (is_same(repeats_[i].pair, pair)) return ++repeats_[i].count;
+      Repeat& repeat = repeats_[i];
+      if (!is_same(repeat.pair, pair)) continue;
+      if (now - repeat.last < soon) ++repeat.count;
+      repeat.last = now;
+      return repeat.count;
     }
-    repeats_.push({pair, 1});
+    repeats_.push({pair, 1, now});
     return 1;
-  }
-  bool was_resolved(ProxyPair pair) const {
-    for (const Repeat& repeat : repeats_) {  // Bound: kMaxContacts
-      if (is_same(repeat.pair, pair)) return true;
-    }
-    return false;
   }
 
  private:
   struct Repeat {
     ProxyPair pair;
     int count = 0;
+    Scalar last = 0;  ///< in the step, s
   };
   FixedList<Repeat, N> repeats_;
 };
@@ -133,6 +132,7 @@ inline constexpr bool kCountsRepeats = SceneT::kRotation&& SceneT::kResponse &&
                                         SceneT::kResting == RestingContact::kSettling);
 template <class SceneT>
 using RepeatsOf =
-    std::conditional_t<kCountsRepeats<SceneT>, RepeatBook<SceneT::kMaxContacts>, NoRepeats>;
+    std::conditional_t<kCountsRepeats<SceneT>,
+                       RepeatBook<typename SceneT::Scalar, SceneT::kMaxContacts>, NoRepeats>;
 
 }  // namespace batuta::detail

@@ -32,7 +32,6 @@ void ContactGroups<SceneT>::mark(BodiesT& bodies, std::size_t slot) {
   dirty_.push(static_cast<Slot>(slot));
   bodies.bring(slot);
   bodies.states[slot].changed = bodies.is_changed = true;
-  end_opening(bodies, slot);
   load(bodies, slot);
 }
 

@@ -253,7 +253,8 @@ void ContactGroups<SceneT>::open(BodiesT& bodies) {
     const Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
     for (int i = 0; i < contact.count; ++i) {  // Bound: 2
       const auto& point = contact.points[static_cast<std::size_t>(i)];
-      is_needed = is_needed || (point.normal > Scalar(0) && point.gap < kNarrow * contact.rest_gap);
+      const Scalar limit = point.normal > Scalar(0) ? kNarrow * contact.rest_gap : Scalar(0);
+      is_needed = is_needed || point.gap < limit;
     }
   }
   afloat_.fill(static_cast<Slot>(kSlots));

@@ -20,6 +20,17 @@ class EventBook {
   const EventList& list() const { return events_; }
   /// False: no room.
   bool push(const ContactEvent<Scalar>& event) { return events_.push(event); }
+  /// The contact of the same two capsules that was told in this step, or null. Bound: kMaxEvents.
+  ContactEvent<Scalar>* find_told(const ContactEvent<Scalar>& event) {
+    for (int i = 0; i < events_.size(); ++i) {  // Bound: kMaxEvents
+      ContactEvent<Scalar>& told = events_[i];
+      if (told.body_A == event.body_A && told.body_B == event.body_B &&
+          told.part_A == event.part_A && told.part_B == event.part_B) {
+        return &told;
+      }
+    }
+    return nullptr;
+  }
 
   /// Pairs of proxies in contact.
   int touches() const { return touching_.size(); }

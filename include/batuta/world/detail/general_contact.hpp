@@ -82,11 +82,13 @@ void GeneralWorld<SceneT>::answer(const CandidateType& candidate, bool is_own_ti
   }
 }
 
-/// Counts the answers of a pair. @returns whether it has had all that one step has for it
+/// Counts the answers of a pair that come in quick succession. @returns whether it has had all that
+/// one step has for it
 template <class SceneT>
 bool GeneralWorld<SceneT>::uses_up_answers(ProxyPair pair) {
   if constexpr (kSolves) {
-    answers_of_pair_ = this->repeat(pair);
+    constexpr Scalar kSoon = Scalar(1) / 32;  // of the step
+    answers_of_pair_ = this->repeat(pair, bodies_.now, kSoon * bodies_.dt);
     return answers_of_pair_ > SceneT::kMaxSeparations;
   } else {
     return false;
@@ -235,12 +237,17 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
   const bool is_resting = kSeparates && answer.kind == ContactKind::kResting;
   if constexpr (kSolves) {
     tell_controllers(pair, answer.impulse, Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero());
+    if (answers_of_pair_ > 1 || !(answer.impulse > Scalar(0))) {
+      for (const std::size_t slot : {a, b}) groups_.end_opening(bodies_, slot);  // Bound: 2
+      bodies_.share_off(a, b);
+    }
     groups_.pass_on(bodies_, pairs_, pair, [this](ProxyPair next) { strike_neighbour(next); });
   } else if (is_resting || is_deep) {
     separate_pair(pair, query, at.contact, answer, is_resting);
   } else {
     tell_controllers(pair, answer.impulse, Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero());
   }
+  if constexpr (kBends<SceneT>) shorten_courses(bodies_, pair, at.contact, query.contact_gap);
 }
 
 /// A blow that is passed on: where the two are now.

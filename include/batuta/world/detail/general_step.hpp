@@ -110,7 +110,7 @@ typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::lasts(ProxyPair pair
   }
 }
 
-/// The first time at which a group parts, or the end of the step.
+/// The first time at which a group parts or a course ends, or the end of the step.
 template <class SceneT>
 typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::next_release() const {
   Scalar time = bodies_.dt;
@@ -119,14 +119,26 @@ typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::next_release() const
       if (state.present && state.group != BodiesT::kAlone) time = min_of(time, state.held_until);
     }
   }
+  if constexpr (kBends<SceneT>) {
+    for (const auto& state : bodies_.states) {  // Bound: kMaxBodies
+      if (state.present) time = min_of(time, state.course_end);
+    }
+  }
   return time;
 }
 
 template <class SceneT>
 void GeneralWorld<SceneT>::release(Scalar time) {
   bodies_.now = time;
+  if (!(time < bodies_.dt)) return;
+  if constexpr (kBends<SceneT>) {
+    for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+      if (!bodies_.states[slot].present || time < bodies_.course_end(slot)) continue;
+      bodies_.bring(slot);
+      bodies_.end_course(slot, bodies_.dt);
+    }
+  }
   if constexpr (kSeparates) {
-    if (!(time < bodies_.dt)) return;
     for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
       const auto& state = bodies_.states[slot];
       const bool is_over = state.group != BodiesT::kAlone && !(time < state.held_until);

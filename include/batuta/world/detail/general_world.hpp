@@ -11,6 +11,7 @@
 #include "batuta/response/line_contact.hpp"
 #include "batuta/response/separation.hpp"
 #include "batuta/response/straight_impulse.hpp"
+#include "batuta/world/detail/bent_course.hpp"
 #include "batuta/world/detail/sleep.hpp"
 #include "batuta/world/detail/touches.hpp"
 
@@ -36,10 +37,10 @@ class GeneralWorld : private RepeatsOf<SceneT> {
 
   /// Rounds of one step: each ends with a contact (kMaxContacts), with the end of the time that a
   /// separation takes (kMaxContacts), with two groups that become one or a group that comes to
-  /// stand (2 kMaxBodies; where nobody answers contacts, with a pair that is left: kMaxPairs), or
-  /// with the step (1).
-  static constexpr int kMaxRounds =
-      2 * SceneT::kMaxContacts + max_of(2 * SceneT::kMaxBodies, SceneT::kMaxPairs) + 1;
+  /// stand (2 kMaxBodies; where nobody answers contacts, with a pair that is left: kMaxPairs), with
+  /// the end of a course that a contact has cut short (kMaxContacts), or with the step (1).
+  static constexpr int kMaxRounds = (detail::kBends<SceneT> ? 3 : 2) * SceneT::kMaxContacts +
+                                    max_of(2 * SceneT::kMaxBodies, SceneT::kMaxPairs) + 1;
   /// Most pairs searched in one round.
   static constexpr int kPairsPerRound = SceneT::kMaxPairs;
 

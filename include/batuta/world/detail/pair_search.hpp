@@ -82,6 +82,8 @@ void Pairs<SceneT>::search(BodiesT& bodies, CandidateType& candidate, const Last
       if (state.group != BodiesT::kAlone) until = min_of(until, state.held_until);
     }
   }
+  until = min_of(until, min_of(bodies.course_end(body_of(candidate.pair.first)),
+                               bodies.course_end(body_of(candidate.pair.second))));
   PairQuery& query = queries_.spare();
   search_pair(bodies, candidate.pair, until, lasts(candidate.pair), query);
   bodies.report.evaluations += query.evaluations();
@@ -100,6 +102,20 @@ bool make_thinner(MovingPair<Scalar>& pair, Scalar missing) {
   pair.A.radius *= Scalar(1) - missing / radii;
   pair.B.radius *= Scalar(1) - missing / radii;
   return true;
+}
+
+/// By how much a pair is to be thinner, so that it is clear of contact where it is and turns back
+/// before it overlaps by more than the margin: it has `share` of what is left to there. One that
+/// overlaps by as much may part, and come no closer than it is but for rounding; where it closes,
+/// however slowly, it is in contact.
+template <class Scalar>
+Scalar thinner_by(Scalar margin, Scalar contact_gap, Scalar gap, Scalar share, bool parts) {
+  constexpr Scalar kContactGaps = 2;  // in a margin; the rest of it is rounding
+  constexpr Scalar kOfRest = 4;       // a part of that is clear of it for one search
+  const Scalar rounding = (margin - kContactGaps * contact_gap) / kOfRest;
+  const Scalar left = margin - contact_gap + min_of(gap, Scalar(0));
+  const Scalar thinner = contact_gap + max_of(rounding, share * left) - gap;
+  return parts ? thinner : min_of(thinner, margin);
 }
 
 template <class SceneT>
@@ -121,36 +137,52 @@ void Pairs<SceneT>::search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, S
     const bool is_solved = kLasts<SceneT> && lasts > Scalar(0);
     const Scalar radius_A = moving_pair.value.A.radius;
     const Scalar radius_B = moving_pair.value.B.radius;
-    if (is_solved) make_thinner(moving_pair.value, query.contact_gap);
+    // Half of what the search calls contact: as much again is left for what closes slowly.
+    const Scalar so_far = is_solved ? query.contact_gap / 2 : Scalar(0);
+    if (is_solved) make_thinner(moving_pair.value, so_far);
     query.search = search_with_seed(pair, moving_pair.value, bodies.settings.search);
-    const bool may_part = query.outcome() == Outcome::kTouching &&
-                          (!(query.search.gap_rate < slowest_closing(bodies, query, is_solved)) ||
-                           parts_now(bodies, pair, query));
-    if (SceneT::kResponse && may_part) {
-      tell_overlap(bodies, query, pair);
-      query.search = search_thinner(bodies, moving_pair.value, query, pair);
+    if (SceneT::kResponse && query.outcome() == Outcome::kTouching) {
+      let_part(bodies, pair, moving_pair.value, so_far, query);
     }
     // What was found is told of the pair as it is.
     query.search.witness = capsule_gap(query.search.witness.axes, radius_A, radius_B);
   }
 }
 
-/// What is in each other by more than the margin is told where it parts as well.
+/// What touches and parts is searched as thinner, and told where it is in each other.
+/// @param so_far  by how much it is thinner already: above zero where its contact was solved
 template <class SceneT>
-void Pairs<SceneT>::tell_overlap(BodiesT& bodies, const PairQuery& query, ProxyPair pair) {
-  const Scalar depth = -query.search.witness.gap;
-  if (!(depth > margin_of(bodies, query, pair))) return;
-  ++bodies.report.overlaps_at_start;
-  bodies.report.deepest_overlap = max_of(bodies.report.deepest_overlap, depth);
+void Pairs<SceneT>::let_part(BodiesT& bodies, ProxyPair pair, const MovingPair<Scalar>& moving_pair,
+                             Scalar so_far, PairQuery& query) {
+  // Where nothing is moved apart within a step, a pair may come back more than once.
+  constexpr Scalar kShare = kLasts<SceneT> ? Scalar(0.5) : Scalar(1);
+  const Scalar rate = max_of(query.search.gap_rate, rate_of_momenta(bodies, pair, query));
+  if (rate < slowest_closing(bodies, query, so_far > Scalar(0))) return;
+  const Scalar margin = margin_of(bodies, query, pair);
+  const Scalar gap = query.search.witness.gap - so_far;
+  if (gap < -margin) {
+    ++bodies.report.overlaps_at_start;
+    bodies.report.deepest_overlap = max_of(bodies.report.deepest_overlap, -gap);
+  }
+  const Scalar thinner = thinner_by(margin, query.contact_gap, gap, kShare, !(rate < Scalar(0)));
+  query.search = search_thinner(bodies, moving_pair, query, thinner - so_far);
 }
 
-/// Of bodies whose planned turn is the chord of a bent one: whether what they touch with parts at
-/// first (world.md, "Touching and parting").
+/// How fast the gap of what touches opens, m/s, by the momenta of the two where their planned turn
+/// is the chord of a bent one (world.md, "Touching and parting"); where it is not, or one goes with
+/// others: the least there is.
 template <class SceneT>
-bool Pairs<SceneT>::parts_now(const BodiesT& bodies, ProxyPair pair, const PairQuery& query) {
+Scalar_of<SceneT> Pairs<SceneT>::rate_of_momenta([[maybe_unused]] const BodiesT& bodies,
+                                                 [[maybe_unused]] ProxyPair pair,
+                                                 [[maybe_unused]] const PairQuery& query) {
+  constexpr Scalar kUnknown = std::numeric_limits<Scalar>::lowest();
   if constexpr (SceneT::kCapsulesPerBody == 1) {
-    return false;
+    return kUnknown;
   } else {
+    if (bodies.states[body_of(pair.first)].group != BodiesT::kAlone ||
+        bodies.states[body_of(pair.second)].group != BodiesT::kAlone) {
+      return kUnknown;
+    }
     const auto velocity = [&](int proxy, const Vec3<Scalar>& surface_P) {
       const std::size_t slot = body_of(proxy);
       Twist<Scalar> twist = bodies.twist_now(slot);
@@ -159,11 +191,8 @@ bool Pairs<SceneT>::parts_now(const BodiesT& bodies, ProxyPair pair, const PairQ
       return Vec3<Scalar>(twist.v_W + twist.w_W.cross(arm_W));
     };
     const auto& witness = query.search.witness;
-    const Vec3<Scalar> apart =
-        velocity(pair.second, witness.surface_B) - velocity(pair.first, witness.surface_A);
-    const bool alone = bodies.states[body_of(pair.first)].group == BodiesT::kAlone &&
-                       bodies.states[body_of(pair.second)].group == BodiesT::kAlone;
-    return alone && witness.axes.normal_AB.dot(apart) >= Scalar(0);
+    return witness.axes.normal_AB.dot(velocity(pair.second, witness.surface_B) -
+                                      velocity(pair.first, witness.surface_A));
   }
 }
 
@@ -187,8 +216,7 @@ template <class SceneT>
 SearchResult<Scalar_of<SceneT>> Pairs<SceneT>::search_thinner(const BodiesT& bodies,
                                                               const MovingPair<Scalar>& moving_pair,
                                                               const PairQuery& query,
-                                                              ProxyPair pair) const {
-  const Scalar missing = margin_of(bodies, query, pair) - query.search.witness.gap;
+                                                              Scalar missing) {
   MovingPair<Scalar> thinner = moving_pair;
   if (!make_thinner(thinner, missing)) return query.search;
   SearchResult<Scalar> result =

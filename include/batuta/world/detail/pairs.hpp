@@ -95,19 +95,21 @@ class Pairs : private SeedsOf<SceneT> {
   void collect(BodiesT& bodies, ProxyPair pair);
   template <class Lasts>
   void search(BodiesT& bodies, CandidateType& candidate, const Lasts& lasts);
-  static void tell_overlap(BodiesT& bodies, const PairQuery& query, ProxyPair pair);
+  void let_part(BodiesT& bodies, ProxyPair pair, const MovingPair<Scalar>& moving_pair,
+                Scalar so_far, PairQuery& query);
   void search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, Scalar lasts, PairQuery& query);
   SearchResult<Scalar> search_with_seed(ProxyPair pair, const MovingPair<Scalar>& moving_pair,
                                         const typename Search::Options& options);
-  SearchResult<Scalar> search_thinner(const BodiesT& bodies, const MovingPair<Scalar>& moving_pair,
-                                      const PairQuery& query, ProxyPair pair) const;
+  static SearchResult<Scalar> search_thinner(const BodiesT& bodies,
+                                             const MovingPair<Scalar>& moving_pair,
+                                             const PairQuery& query, Scalar missing);
   bool stays_apart(const BodiesT& bodies, ProxyPair pair) const;
   /// What the solution of a contact may leave, m/s, <= 0: no more in a step than what the search
   /// cannot tell from contact; the opening of the gap makes up for it.
   static Scalar slowest_closing(const BodiesT& bodies, const PairQuery& query, bool is_solved) {
     return is_solved ? -query.contact_gap / bodies.dt : Scalar(0);
   }
-  static bool parts_now(const BodiesT& bodies, ProxyPair pair, const PairQuery& query);
+  static Scalar rate_of_momenta(const BodiesT& bodies, ProxyPair pair, const PairQuery& query);
 
   SweepList<Scalar, BodiesT::kProxies, SceneT::kSweepAxis> sweep_;
   EarliestQuery<PairQuery, Scalar, (SceneT::kMaxPairs > 1)> queries_;

@@ -71,12 +71,22 @@ ContactEvent<Scalar_of<SceneT>> Touches<SceneT>::event_of(ProxyPair pair,
   return event;
 }
 
+/// Where contacts last, one event tells all that a pair did in the step: its fastest approach, and
+/// the sum of the impulses.
 template <class SceneT>
 void Touches<SceneT>::tell(BodiesT& bodies, ContactEvent<Scalar>& event, ProxyPair pair) {
   event.kind = EventKind::kPersist;
   if (!this->is_touching(pair)) {
     event.kind = EventKind::kBegin;
     if (!this->begin_touch(pair)) ++bodies.report.contacts_untracked;
+  } else if (kLasts<SceneT>) {
+    if (ContactEvent<Scalar>* told = this->find_told(event)) {
+      event.kind = told->kind;
+      event.impulse += told->impulse;
+      if (event.v_rel < told->v_rel) *told = event;
+      told->impulse = event.impulse;
+      return;
+    }
   }
   if (!this->push(event)) ++bodies.report.events_dropped;
 }

@@ -144,6 +144,7 @@ void Bodies<SceneT>::start_group(GroupSums<Scalar>& sums, std::size_t first, Sca
     state.group = static_cast<Slot>(first);
     state.is_led_group = is_led;
     state.held_until = until;
+    end_course(slot, dt);
     state.start = now;
     state.plan.motion = Kinematics::seat(motion, actor(slot).body);
     if constexpr (SceneT::kGravity) {

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// After a contact: how long the chord of a bent turn may stand for it (src/world/world.md,
+// "Touching and parting"). Frame W, SI units.
+
+#include "batuta/response/impulse.hpp"
+#include "batuta/world/detail/bodies.hpp"
+
+namespace batuta::detail {
+
+/// Of a body after a contact: its twist now, with the turn of the chord over `duration`.
+template <class SceneT>
+Twist<Scalar_of<SceneT>> chord_after(const Bodies<SceneT>& bodies, std::size_t slot,
+                                     Scalar_of<SceneT> duration) {
+  Twist<Scalar_of<SceneT>> twist = bodies.twist_now(slot);
+  if (bodies.is_led(slot)) return twist;
+  const auto plan = Bodies<SceneT>::Kinematics::ask(bodies.actor(slot), bodies.now, duration);
+  if (plan.by_momentum && is_valid(plan.motion)) twist.w_W = plan.motion.twist.w_W;
+  return twist;
+}
+
+/// Where two part by their momenta, and approach along the chords of their turns by more than
+/// `least` in the rest of the step, the chords are cut short: to the half, the quarter and so on,
+/// until they part, or come no nearer than that. Bound: kHalvings.
+template <class SceneT>
+void shorten_courses(Bodies<SceneT>& bodies, ProxyPair pair,
+                     const Contact<Scalar_of<SceneT>>& contact, Scalar_of<SceneT> least) {
+  using Scalar = Scalar_of<SceneT>;
+  constexpr int kHalvings = 12;
+  const std::size_t a = Bodies<SceneT>::body_of(pair.first);
+  const std::size_t b = Bodies<SceneT>::body_of(pair.second);
+  const auto apart = [&](Scalar duration) {
+    return relative_velocity(contact, bodies.actor(a).body.X_WB, chord_after(bodies, a, duration),
+                             bodies.actor(b).body.X_WB, chord_after(bodies, b, duration));
+  };
+  const bool alone = bodies.states[a].group == Bodies<SceneT>::kAlone &&
+                     bodies.states[b].group == Bodies<SceneT>::kAlone;
+  const Scalar rest = bodies.dt - bodies.now;
+  Scalar share = 1;
+  for (int k = 0; k < kHalvings && alone; ++k) {  // Bound: kHalvings
+    if (!(apart(share * rest) * (share * rest) < -least)) break;
+    share /= 2;
+  }
+  const Scalar end = bodies.now + share * rest;
+  if (!(share < Scalar(1)) || !(bodies.now < end)) return;
+  for (const std::size_t slot : {a, b}) {  // Bound: 2
+    if (!bodies.is_led(slot)) bodies.end_course(slot, end);
+  }
+}
+
+}  // namespace batuta::detail
