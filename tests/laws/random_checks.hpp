@@ -44,6 +44,9 @@ TYPED_TEST_P(RandomScenes, Flight_IsFreeAndRestIsStill) {
 TYPED_TEST_P(RandomScenes, Bodies_StayOutOfEachOther) {
   this->expect_kept({"overlap", "untold overlap"});
 }
+TYPED_TEST_P(RandomScenes, Friction_StaysInItsCone) {
+  this->expect_kept({"friction"});
+}
 TYPED_TEST_P(RandomScenes, Frame_ChangesNothing) {
   for (int seed = 0; seed < kRandomSeeds; ++seed) {
     EXPECT_LE(static_cast<double>(
@@ -54,6 +57,6 @@ TYPED_TEST_P(RandomScenes, Frame_ChangesNothing) {
 }
 REGISTER_TYPED_TEST_SUITE_P(RandomScenes, Momentum_IsKeptAndNumbersStayFinite, Energy_DoesNotGrow,
                             Flight_IsFreeAndRestIsStill, Bodies_StayOutOfEachOther,
-                            Frame_ChangesNothing);
+                            Friction_StaysInItsCone, Frame_ChangesNothing);
 
 }  // namespace batuta::test

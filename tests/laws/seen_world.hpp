@@ -32,6 +32,7 @@ struct SeenBody {
   RealQuat q = RealQuat::Identity();
   Real3 p = Real3::Zero();
   Real3 b = Real3::Zero();
+  Real friction = 0;
   Real reach = 0;  ///< from its point to its furthest surface, m
   std::vector<SeenPart> parts;
 
@@ -55,17 +56,24 @@ struct SeenBody {
 };
 using Seen = std::vector<SeenBody>;
 
-inline Real distance_to(const Real3& a, const Real3& b, const Real3& point) {
-  const Real3 along = b - a;
+/// From the nearest point of an axis to a point.
+inline Real3 way_to(const SeenPart& part, const Real3& point) {
+  const Real3 along = part.b - part.a;
   const Real square = along.squaredNorm();
-  const Real share = square > 0 ? std::clamp<Real>(along.dot(point - a) / square, 0, 1) : 0;
-  return (a + share * along - point).norm();
+  const Real share = square > 0 ? std::clamp<Real>(along.dot(point - part.a) / square, 0, 1) : 0;
+  return point - (part.a + share * along);
 }
 
-/// The least of four ends against the other axis, and of where both lines come nearest.
-inline Real gap_of(const SeenPart& A, const SeenPart& B) {
-  Real least = std::min({distance_to(A.a, A.b, B.a), distance_to(A.a, A.b, B.b),
-                         distance_to(B.a, B.b, A.a), distance_to(B.a, B.b, A.b)});
+/// From A's axis to B's, the shortest way: the least of four ends against the other axis, and of
+/// where both lines come nearest.
+inline Real3 way_between(const SeenPart& A, const SeenPart& B) {
+  Real3 least = way_to(A, B.a);
+  const auto offer = [&least](const Real3& way) {
+    if (way.squaredNorm() < least.squaredNorm()) least = way;
+  };
+  offer(way_to(A, B.b));
+  offer(-way_to(B, A.a));
+  offer(-way_to(B, A.b));
   const Real3 d = A.b - A.a;
   const Real3 e = B.b - B.a;
   const Real3 n = d.cross(e);
@@ -74,10 +82,12 @@ inline Real gap_of(const SeenPart& A, const SeenPart& B) {
     const Real3 r = B.a - A.a;
     const Real s = r.cross(e).dot(n) / square;
     const Real t = r.cross(d).dot(n) / square;
-    if (s >= 0 && s <= 1 && t >= 0 && t <= 1)
-      least = std::min(least, std::abs(r.dot(n)) / std::sqrt(square));
+    if (s >= 0 && s <= 1 && t >= 0 && t <= 1) offer(r.dot(n) / square * n);
   }
-  return least - A.radius - B.radius;
+  return least;
+}
+inline Real gap_of(const SeenPart& A, const SeenPart& B) {
+  return way_between(A, B).norm() - A.radius - B.radius;
 }
 
 template <class S>
@@ -108,6 +118,7 @@ SeenBody see(const Actor<SceneT>& actor) {
   seen.inverse_mass = static_cast<Real>(actor.body.inverse_mass);
   seen.mass = seen.inverse_mass > 0 ? 1 / seen.inverse_mass : 0;
   seen.led = !(seen.inverse_mass > 0);
+  if constexpr (SceneT::kFriction) seen.friction = static_cast<Real>(actor.friction);
   if constexpr (SceneT::Search::kForSpheres) {
     seen.parts.push_back({seen.x, seen.x, static_cast<Real>(actor.radius)});
   } else {

@@ -66,6 +66,7 @@ class Checker {
     check_overlaps();
     check_flights();
     check_rest();
+    check_friction();
     return broken_;
   }
 
@@ -98,15 +99,18 @@ class Checker {
         const SeenBody& B = before_[k];
         const Real way = way_of(i) + way_of(k) + fastest(A, A.kinetic()) * told_.dt +
                          fastest(B, B.kinetic()) * told_.dt;
-        const Real near = A.reach + B.reach + way + 4 * told_.D;
+        const Real margin = margin_of(A, B, told_, way / told_.dt);
+        const Real fall = told_.g.norm() * told_.dt * told_.dt;
+        const Real D = std::max({told_.D, 2 * margin, fall / 4});
+        const Real near = A.reach + B.reach + way + fall + 4 * D;
         if ((A.x - B.x).norm() > near && (after_[i].x - after_[k].x).norm() > near) continue;
         Pair pair;
         pair.a = i;
         pair.b = k;
         pair.was = gap_between(A, B);
         pair.is = gap_between(after_[i], after_[k]);
-        pair.margin = margin_of(A, B, told_, way / told_.dt);
-        pair.D = std::max({told_.D, 2 * pair.margin, told_.g.norm() * told_.dt * told_.dt / 4});
+        pair.margin = margin;
+        pair.D = D;
         pairs_.push_back(pair);
       }
     }
@@ -281,6 +285,43 @@ class Checker {
     if (all)
       hold(told_.evaluations == 0 && told_.events == 0, "rest", "sleepers cost", told_.evaluations,
            0);
+  }
+
+  /// Where nothing struck, contacts were solved as the bodies stood before: what came to a body
+  /// that is near but one other lies in the friction cone of that contact.
+  void check_friction() {
+    if (!told_.settles || !told_.complete || told_.held > 0 || told_.impulses > 0) return;
+    std::vector<int> near(before_.size(), 0);
+    for (const Pair& pair : pairs_) {
+      ++near[pair.a];
+      ++near[pair.b];
+    }
+    for (const Pair& pair : pairs_) {
+      const bool is_a = near[pair.a] == 1 && !before_[pair.a].led;
+      if (!is_a && (near[pair.b] != 1 || before_[pair.b].led)) continue;
+      check_cone(is_a ? pair.a : pair.b, is_a ? pair.b : pair.a, pair.D);
+    }
+  }
+  void check_cone(std::size_t i, std::size_t k, Real D) {
+    const SeenBody& A = before_[i];
+    const SeenBody& B = before_[k];
+    if (A.parts.size() > 1 || B.parts.size() > 1 || A.asleep || after_[i].asleep) return;
+    const Real3 n = -way_between(A.parts[0], B.parts[0]).normalized();
+    const Real3 J = after_[i].p - A.p - A.mass * told_.dt * told_.g;
+    const Real pressed = J.dot(n);
+    const Real3 d = A.parts[0].b - A.parts[0].a;
+    const Real3 e = B.parts[0].b - B.parts[0].a;
+    const bool is_line = d.cross(e).norm() < 0.5L * d.norm() * e.norm();
+    // Both points of a line are a sixteenth of a radius apart or more, and within D of the gap.
+    const Real radii = A.parts[0].radius + B.parts[0].radius;
+    const Real rounding_n = 64 * told_.u * (A.x.norm() + B.x.norm() + A.reach + B.reach) / radii;
+    const Real least = std::min(A.parts[0].radius, B.parts[0].radius);
+    const Real lean = rounding_n + (is_line ? 16 * D / least : 0);
+    const Real rounding =
+        64 * told_.u * (A.p.norm() + after_[i].p.norm() + A.mass * told_.dt * told_.g.norm());
+    const Real along = (J - pressed * n).norm();
+    const Real may_be = (std::min(A.friction, B.friction) + lean) * pressed + rounding;
+    hold(along <= may_be, "friction", "body " + std::to_string(A.slot), along, may_be);
   }
 
   const Seen& before_;

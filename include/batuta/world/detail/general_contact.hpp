@@ -214,7 +214,9 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
   Answer<Scalar> answer;
   answer.v_rel = velocity_between(pair, at.contact);
   answer.kind = classify(answer.v_rel, rest_speed());
-  answer.is_overlap = candidate.outcome == Outcome::kTouching && !(at.contact.gap > Scalar(0));
+  const bool is_deep = at.contact.gap < -query.contact_gap;
+  answer.is_overlap =
+      is_deep || (candidate.outcome == Outcome::kTouching && !(at.contact.gap > Scalar(0)));
   const bool collides = answer.kind == ContactKind::kColliding;
   if (collides || kSolves) {
     // A pair that comes again and again in a step is between others, and settles.
@@ -240,7 +242,7 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
       bodies_.share_off(a, b);
     }
     groups_.pass_on(bodies_, pairs_, pair, [this](ProxyPair next) { strike_neighbour(next); });
-  } else if (is_resting || at.contact.gap < Scalar(0)) {
+  } else if (is_resting || is_deep) {
     separate_pair(pair, query, at.contact, answer, is_resting);
   } else {
     tell_controllers(pair, answer.impulse, Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero());

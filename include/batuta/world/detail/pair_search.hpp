@@ -119,7 +119,7 @@ Scalar thinner_by(Scalar margin, Scalar contact_gap, Scalar gap, Scalar share, b
 }
 
 template <class SceneT>
-void Pairs<SceneT>::search_pair(const BodiesT& bodies, ProxyPair pair, Scalar until, Scalar lasts,
+void Pairs<SceneT>::search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, Scalar lasts,
                                 PairQuery& query) {
   if constexpr (!SceneT::kRotation) {
     query = BodiesT::Kinematics::search(bodies.mover(pair.first, until),
@@ -135,20 +135,37 @@ void Pairs<SceneT>::search_pair(const BodiesT& bodies, ProxyPair pair, Scalar un
     query.scale = moving_pair.value.scale;
     query.contact_gap = Search::contact_gap(moving_pair.value, bodies.settings.search);
     const bool is_solved = kLasts<SceneT> && lasts > Scalar(0);
+    const Scalar radius_A = moving_pair.value.A.radius;
+    const Scalar radius_B = moving_pair.value.B.radius;
     // Half of what the search calls contact: as much again is left for what closes slowly.
     const Scalar so_far = is_solved ? query.contact_gap / 2 : Scalar(0);
     if (is_solved) make_thinner(moving_pair.value, so_far);
     query.search = search_with_seed(pair, moving_pair.value, bodies.settings.search);
-    if (!SceneT::kResponse || query.outcome() != Outcome::kTouching) return;
-    // Where nothing is moved apart within a step, a pair may come back more than once.
-    constexpr Scalar kShare = kLasts<SceneT> ? Scalar(0.5) : Scalar(1);
-    const Scalar rate = max_of(query.search.gap_rate, rate_of_momenta(bodies, pair, query));
-    if (rate < slowest_closing(bodies, query, is_solved)) return;
-    const Scalar thinner =
-        thinner_by(margin_of(bodies, query, pair), query.contact_gap,
-                   query.search.witness.gap - so_far, kShare, !(rate < Scalar(0)));
-    query.search = search_thinner(bodies, moving_pair.value, query, thinner - so_far);
+    if (SceneT::kResponse && query.outcome() == Outcome::kTouching) {
+      let_part(bodies, pair, moving_pair.value, so_far, query);
+    }
+    // What was found is told of the pair as it is.
+    query.search.witness = capsule_gap(query.search.witness.axes, radius_A, radius_B);
   }
+}
+
+/// What touches and parts is searched as thinner, and told where it is in each other.
+/// @param so_far  by how much it is thinner already: above zero where its contact was solved
+template <class SceneT>
+void Pairs<SceneT>::let_part(BodiesT& bodies, ProxyPair pair, const MovingPair<Scalar>& moving_pair,
+                             Scalar so_far, PairQuery& query) {
+  // Where nothing is moved apart within a step, a pair may come back more than once.
+  constexpr Scalar kShare = kLasts<SceneT> ? Scalar(0.5) : Scalar(1);
+  const Scalar rate = max_of(query.search.gap_rate, rate_of_momenta(bodies, pair, query));
+  if (rate < slowest_closing(bodies, query, so_far > Scalar(0))) return;
+  const Scalar margin = margin_of(bodies, query, pair);
+  const Scalar gap = query.search.witness.gap - so_far;
+  if (gap < -margin) {
+    ++bodies.report.overlaps_at_start;
+    bodies.report.deepest_overlap = max_of(bodies.report.deepest_overlap, -gap);
+  }
+  const Scalar thinner = thinner_by(margin, query.contact_gap, gap, kShare, !(rate < Scalar(0)));
+  query.search = search_thinner(bodies, moving_pair, query, thinner - so_far);
 }
 
 /// How fast the gap of what touches opens, m/s, by the momenta of the two where their planned turn

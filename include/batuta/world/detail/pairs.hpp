@@ -95,8 +95,9 @@ class Pairs : private SeedsOf<SceneT> {
   void collect(BodiesT& bodies, ProxyPair pair);
   template <class Lasts>
   void search(BodiesT& bodies, CandidateType& candidate, const Lasts& lasts);
-  void search_pair(const BodiesT& bodies, ProxyPair pair, Scalar until, Scalar lasts,
-                   PairQuery& query);
+  void let_part(BodiesT& bodies, ProxyPair pair, const MovingPair<Scalar>& moving_pair,
+                Scalar so_far, PairQuery& query);
+  void search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, Scalar lasts, PairQuery& query);
   SearchResult<Scalar> search_with_seed(ProxyPair pair, const MovingPair<Scalar>& moving_pair,
                                         const typename Search::Options& options);
   static SearchResult<Scalar> search_thinner(const BodiesT& bodies,

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// What random scenes have found (random_checks.hpp), each reduced to the smallest scene that showed
+// it.
+#include <gtest/gtest.h>
+
+#include "batuta/world/detail/group_motion.hpp"
+#include "law_worlds.hpp"
+
+namespace batuta {
+namespace {
+
+using test::LawScene;
+using test::Vector;
+
+constexpr double kStep = 1e-2;
+
+template <class S>
+class FoundAtRandom : public ::testing::Test {};
+using Scalars = ::testing::Types<float, double>;
+TYPED_TEST_SUITE(FoundAtRandom, Scalars);
+
+// The cube of 1e-13 kg m^2 is no number of float's any more: I^-1 L of a group is, and so is the
+// torque that resists rolling.
+TYPED_TEST(FoundAtRandom, GroupOfGrains_TurnsByItsInertia) {
+  const Vec3<TypeParam> moments = Vector(1e-14, 2e-14, 3e-14).template cast<TypeParam>();
+  const Mat3<TypeParam> inertia = moments.asDiagonal();
+  const Vec3<TypeParam> L = Vector(1e-12, -4e-12, 3e-12).template cast<TypeParam>();
+  const Vec3<TypeParam> w = detail::spin_for(inertia, L);
+  const double rounding = 64 * static_cast<double>(kRoundOff<TypeParam>);
+  EXPECT_NEAR(static_cast<double>(w.x()), 100, 100 * rounding);
+  EXPECT_NEAR(static_cast<double>(w.y()), -200, 200 * rounding);
+  EXPECT_NEAR(static_cast<double>(w.z()), 100, 100 * rounding);
+}
+
+TYPED_TEST(FoundAtRandom, GrainThatRolls_IsBrakedAndNotLost) {
+  using SceneT = test::Settling<TypeParam, test::kRolling>;
+  auto world = std::make_unique<World<SceneT>>();
+  const auto add = [&world](Actor<SceneT> ball, bool is_fixed) {
+    ball.friction = TypeParam(0.5);
+    ball.rolling_resistance = TypeParam(1e-5);
+    if (is_fixed) {
+      ball.body.inverse_mass = 0;
+      ball.body.inverse_moments.setZero();
+    } else {
+      test::throw_body(ball, Vector::Zero(), {0, 0, 10});
+    }
+    return world->add(ball).value;
+  };
+  add(test::solid_ball<SceneT>(0.05, {0, 0, 0}), true);
+  const auto id = add(test::solid_ball<SceneT>(3e-4, {0, 0, 0.0503}), false);  // 4e-15 kg m^2
+  for (int i = 0; i < 5; ++i) ASSERT_EQ(world->step(TypeParam(1e-3)), Status::kOk);
+  const auto& body = std::as_const(*world).get(id)->body;
+  EXPECT_NEAR(static_cast<double>(body.X_WB.p_W.z()), 0.0503, 2e-4);
+  EXPECT_LE(static_cast<double>(twist_of(body).w_W.norm()), 10.001);
+}
+
+template <class S>
+constexpr SceneOptions hands_options() {
+  SceneOptions scene;
+  scene.max_bodies = 3;
+  scene.max_pairs = 3;
+  scene.resting = RestingContact::kSettling;
+  return scene;
+}
+
+// Two hands meet and stand; a third one comes to them later in the step: then the three stand.
+TYPED_TEST(FoundAtRandom, HandThatMeetsTwoThatStand_StandsWithThem) {
+  using S = TypeParam;
+  using SceneT = Scene<hands_options<S>, Advancement<S>, Hand<S>>;
+  World<SceneT> world;
+  const double from[] = {-0.11, 0.11, 0.34};
+  const double ways[] = {0.1, -0.1, -0.3};
+  Handle<Actor<SceneT>> ids[3];
+  for (int i = 0; i < 3; ++i) {
+    auto ball = test::solid_ball<SceneT>(0.1, {from[i], 0, 0});
+    ball.body.inverse_mass = 0;
+    ball.body.inverse_moments.setZero();
+    ball.controller.step = S(kStep);
+    ball.controller.target_W.p_W = {static_cast<S>(from[i] + ways[i]), 0, 0};
+    ids[i] = world.add(ball).value;
+  }
+  ASSERT_EQ(world.step(S(kStep)), Status::kOk);
+  EXPECT_LE(world.report().blocked, 2U);
+  EXPECT_GT(world.report().time_held, S(0));
+  const auto at = [&](int i) {
+    return static_cast<double>(std::as_const(world).get(ids[i])->body.X_WB.p_W.x());
+  };
+  EXPECT_NEAR(at(0), -0.1, 1e-4);
+  EXPECT_NEAR(at(1), 0.1, 1e-4);
+  EXPECT_NEAR(at(2), 0.3, 1e-4);
+}
+
+template <class S>
+constexpr SceneOptions cramped_options() {
+  SceneOptions scene;
+  scene.max_bodies = 5;
+  scene.max_pairs = 10;
+  scene.max_contacts = 3;
+  scene.friction = true;
+  scene.resting = RestingContact::kSettling;
+  return scene;
+}
+
+// A row of balls that press on each other, with room for three of four contacts: what is opened and
+// what goes on together keep the common centre where it is.
+TYPED_TEST(FoundAtRandom, RowWithTooFewContacts_KeepsItsCentre) {
+  using S = TypeParam;
+  using SceneT = Scene<cramped_options<S>, Advancement<S>>;
+  World<SceneT> world;
+  for (int i = 0; i < 5; ++i) {
+    auto ball = test::solid_ball<SceneT>(0.1, {0.1999 * i, 0, 0});
+    test::throw_body(ball, {-0.001 * i, 0, 0});
+    ASSERT_TRUE(world.add(ball).ok());
+  }
+  const auto before = test::sums_of(std::as_const(world));
+  ASSERT_EQ(world.step(S(kStep)), Status::kOk);
+  EXPECT_GT(world.report().contacts_dropped, 0U) << "or nothing is seen";
+  const Vector way = test::sums_of(std::as_const(world)).place - before.place;
+  const Vector wanted = kStep / before.mass * before.momentum;
+  EXPECT_LE((way - wanted).norm(), 16 * static_cast<double>(kRoundOff<S>));
+}
+
+// Whether it comes nearer or not, an overlap is told, and is as deep as it is told.
+template <class SceneT>
+void tell_overlap(double speed) {
+  using S = typename SceneT::Scalar;
+  World<SceneT> world;
+  for (int i = 0; i < 2; ++i) {
+    auto ball = test::solid_ball<SceneT>(0.1, {0.199 * i, 0, 0});
+    test::throw_body(ball, {speed * i, 0.1, 0});
+    ASSERT_TRUE(world.add(ball).ok());
+  }
+  ASSERT_EQ(world.step(S(kStep)), Status::kOk);
+  EXPECT_NEAR(static_cast<double>(world.report().deepest_overlap), 1e-3, 1e-6) << speed;
+}
+
+TYPED_TEST(FoundAtRandom, OverlapThatParts_IsTold) {
+  for (const double speed : {0.0, 0.01, -0.01}) {
+    tell_overlap<LawScene<TypeParam, RestingContact::kNone, test::kFloating>>(speed);
+    tell_overlap<LawScene<TypeParam, RestingContact::kSeparation, test::kFloating>>(speed);
+    tell_overlap<LawScene<TypeParam, RestingContact::kSettling, test::kFloating>>(speed);
+  }
+}
+
+// A contact is found at a gap of nothing, give or take a rounding: that is no overlap to be shifted
+// out of, which would change the angular momentum.
+TYPED_TEST(FoundAtRandom, BlowOfSpinningRods_KeepsAngularMomentum) {
+  using S = TypeParam;
+  using SceneT = LawScene<S, RestingContact::kNone, test::kFloating>;
+  for (int i = 0; i < 50; ++i) {
+    World<SceneT> world;
+    auto one = test::solid_rod<SceneT>(0.4, 0.02, {0.01 * i, 0, 0}, test::along_x());
+    test::throw_body(one, {0, 0.3, 0.1}, {1, 0.1 * i, 3});
+    auto other = test::solid_rod<SceneT>(0.3, 0.03, {0, 0.001 * i, 0.055}, test::along_y());
+    test::throw_body(other, {0.2, 0, -1}, {2, -1, 0.1});
+    one.restitution = S(1);
+    ASSERT_TRUE(world.add(one).ok() && world.add(other).ok());
+    const auto before = test::sums_of(std::as_const(world));
+    ASSERT_EQ(world.step(S(kStep)), Status::kOk);
+    const auto after = test::sums_of(std::as_const(world));
+    const double each = 8 * static_cast<double>(kRoundOff<S>) * (before.spread + after.spread);
+    EXPECT_LE((after.spin - before.spin).norm(), each * (2 + world.report().collisions)) << i;
+  }
+}
+
+}  // namespace
+}  // namespace batuta
