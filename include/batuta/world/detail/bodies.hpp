@@ -109,7 +109,8 @@ class Bodies {
   /// Within a step, what slept is at rest, and carried for the rest of it.
   void wake_now(std::size_t slot);
   /// The two, which are where they are now, are off their parabolas by the same from now on: what
-  /// makes up for it does not bring them nearer to each other. Their common centre stays on its own.
+  /// makes up for it does not bring them nearer to each other. Their common centre stays on its
+  /// own.
   void share_off(std::size_t a, std::size_t b);
   /// A blow of two bodies that do not turn, with their velocities of now.
   StraightHit<Scalar> strike_straight(std::size_t a, std::size_t b, const Vec3<Scalar>& normal_BA_W,
@@ -182,6 +183,7 @@ class Bodies {
 
   const Vec3<Scalar>& place_of(std::size_t slot) const { return position_of(actor(slot)); }
   void set_course(std::size_t slot);
+  void move(std::size_t slot, Scalar elapsed);
   bool stands_together(std::size_t slot) const;
   void join(std::size_t slot);
   void add_to(GroupSums<Scalar>& sums, std::size_t slot, const Vec3<Scalar>& from_W);
@@ -282,6 +284,25 @@ void Bodies<SceneT>::set_course(std::size_t slot) {
   }
 }
 
+/// An opening turns a body as no momentum does: where that would add energy, what turns it is less.
+template <class SceneT>
+void Bodies<SceneT>::move(std::size_t slot, Scalar elapsed) {
+  auto& body = actor(slot).body;
+  const auto& motion = states[slot].plan.motion;
+  if constexpr (kLasts<SceneT>) {
+    if (!is_zero(states[slot].opening.w_W)) {
+      const auto energy = [&body] { return body.momentum.angular_W.dot(twist_of(body).w_W); };
+      const Scalar before = energy();
+      Kinematics::move(body, motion, elapsed);
+      const Scalar after = energy();
+      using std::sqrt;
+      if (after > before) body.momentum.angular_W *= sqrt(before / after);
+      return;
+    }
+  }
+  Kinematics::move(body, motion, elapsed);
+}
+
 template <class SceneT>
 void Bodies<SceneT>::advance(std::size_t slot, Scalar elapsed) {
   State& state = states[slot];
@@ -291,7 +312,7 @@ void Bodies<SceneT>::advance(std::size_t slot, Scalar elapsed) {
     state.off_W *= left;
     if (falls(slot)) state.off_W -= (elapsed * (whole - elapsed) / 2) * settings.gravity_W;
   }
-  Kinematics::move(actor(slot).body, state.plan.motion, elapsed);
+  move(slot, elapsed);
   state.plan.motion = Kinematics::from_here(actor(slot).body, state.plan.motion, dt - now);
   state.start = now;
   state.changed = true;
@@ -304,7 +325,7 @@ void Bodies<SceneT>::finish(std::size_t slot) {
   const State& state = states[slot];
   ActorType& actor = this->actor(slot);
   if (!state.stands && state.start < dt) {
-    Kinematics::move(actor.body, state.plan.motion, dt - state.start);
+    move(slot, dt - state.start);
   }
   if constexpr (SceneT::kRotation) actor.controller.on_step_end(actor.body, dt);
 }

@@ -241,6 +241,8 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
       for (const std::size_t slot : {a, b}) groups_.end_opening(bodies_, slot);  // Bound: 2
       bodies_.share_off(a, b);
     }
+    // It came back once too often, and what opens gaps comes with the next step.
+    if (is_deep) separate_pair(pair, query, at.contact, answer, false);
     groups_.pass_on(bodies_, pairs_, pair, [this](ProxyPair next) { strike_neighbour(next); });
   } else if (is_resting || is_deep) {
     separate_pair(pair, query, at.contact, answer, is_resting);
