@@ -42,7 +42,9 @@ class Pairs : private SeedsOf<SceneT> {
   void search_all(BodiesT& bodies, const Lasts& lasts);
 
   /// The candidate that ends the round, taken out; false: none does.
-  bool take_first(Scalar before, CandidateType& first, Scalar& time);
+  /// @param has_had  tells of a pair and a time whether it was answered at that time
+  template <class HasHad>
+  bool take_first(Scalar before, const HasHad& has_had, CandidateType& first, Scalar& time);
   /// What is known of the contact of a candidate at its time, or found out now.
   PairQuery& seen(const BodiesT& bodies, ProxyPair pair, bool is_own_time);
   /// The gap from which a search lets parting bodies go (src/world/detail/margin.md).
