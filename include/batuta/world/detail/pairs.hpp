@@ -104,10 +104,10 @@ class Pairs : private SeedsOf<SceneT> {
   SearchResult<Scalar> search_thinner(const BodiesT& bodies, const MovingPair<Scalar>& moving_pair,
                                       const PairQuery& query, ProxyPair pair) const;
   bool stays_apart(const BodiesT& bodies, ProxyPair pair) const;
-  /// What the solution of a contact may leave, m/s, <= 0: no more in a step than what the search
-  /// cannot tell from contact; the opening of the gap makes up for it.
+  /// What the solution of a contact may leave, m/s, <= 0: no more in the rest of a step than what
+  /// the search cannot tell from contact; the opening of the gap makes up for it.
   static Scalar slowest_closing(const BodiesT& bodies, const PairQuery& query, bool is_solved) {
-    return is_solved ? -query.contact_gap / bodies.dt : Scalar(0);
+    return is_solved ? -query.contact_gap / (bodies.dt - bodies.now) : Scalar(0);
   }
   static bool parts_now(const BodiesT& bodies, ProxyPair pair, const PairQuery& query,
                         bool is_solved);
