@@ -109,7 +109,8 @@ class Bodies {
   /// Within a step, what slept is at rest, and carried for the rest of it.
   void wake_now(std::size_t slot);
   /// The two, which are where they are now, are off their parabolas by the same from now on: what
-  /// makes up for it does not bring them nearer to each other. Their common centre stays on its own.
+  /// makes up for it does not bring them nearer to each other. Their common centre stays on its
+  /// own.
   void share_off(std::size_t a, std::size_t b);
   /// A blow of two bodies that do not turn, with their velocities of now.
   StraightHit<Scalar> strike_straight(std::size_t a, std::size_t b, const Vec3<Scalar>& normal_BA_W,
