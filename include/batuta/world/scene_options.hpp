@@ -70,8 +70,8 @@ struct SceneOptions {
   /// Events kept for reading after a step; a surplus is counted. 0: none, and no pair is followed.
   /// At most 65535.
   detail::WholeNumber max_events = 16;
-  /// Answers of one pair in one step that come within 1/32 of it of the one before; beyond them its
-  /// bodies go on together (kSettling); 1 ... 65535.
+  /// Answers of one pair in one step that come within 1/128 of it of the one before; beyond them
+  /// its bodies go on together (kSettling); 1 ... 65535.
   detail::WholeNumber max_separations = 8;
   /// For so long the bodies of a group must not go further than at rest_speed to be put to sleep
   /// (sleep), s, above 0 and at most 60.

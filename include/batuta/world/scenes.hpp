@@ -46,7 +46,7 @@ using TwoBlades = Scene<two_blades>;
 constexpr SceneOptions rack() {
   SceneOptions scene;
   scene.max_bodies = 64;
-  scene.max_pairs = 512;
+  scene.max_pairs = 640;
   scene.max_contacts = 512;
   scene.max_events = 512;
   scene.friction = true;

@@ -176,17 +176,21 @@ void push(const ContactPoint<Scalar>& point, SolvedBody<Scalar>& A, SolvedBody<S
 }
 
 /// The part of friction: stops the slip within the cone. Where that is beyond it, a step down the
-/// slope of the energy, back onto the cone: neither adds energy.
+/// slope of the energy, back onto the cone: neither adds energy, unless the cone has become smaller
+/// than what was there.
+/// @returns what it adds to the energy at most, J
 template <class Scalar>
-void relax_friction(ContactPoint<Scalar>& point, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
-                    Scalar friction) {
+Scalar relax_friction(ContactPoint<Scalar>& point, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
+                      Scalar friction) {
   const Vec3<Scalar> slip = velocity_across(point, A, B);
   const Scalar u = point.tangent_W.dot(slip);
   const Scalar v = other_tangent(point).dot(slip);
   const Scalar limit = friction * point.normal;
   Scalar along = point.along - (point.grip[0] * u + point.grip[1] * v);
   Scalar across = point.across - (point.grip[1] * u + point.grip[2] * v);
+  Scalar bend = 0;
   if (along * along + across * across > limit * limit) {
+    bend = point.softest;
     const Scalar share = point.softest > Scalar(0) ? 1 / point.softest : Scalar(0);
     along = point.along - share * u;
     across = point.across - share * v;
@@ -198,9 +202,13 @@ void relax_friction(ContactPoint<Scalar>& point, SolvedBody<Scalar>& A, SolvedBo
       across *= scale;
     }
   }
-  push(point, A, B, Scalar(0), along - point.along, across - point.across);
+  const Scalar change = along - point.along;
+  const Scalar aside = across - point.across;
+  push(point, A, B, Scalar(0), change, aside);
   point.along = along;
   point.across = across;
+  const Scalar slope = change * u + aside * v;
+  return bend > Scalar(0) ? slope + bend * (change * change + aside * aside) / 2 : slope / 2;
 }
 
 /// How much of a change leaves a vector no longer than `limit`. @pre |from| <= limit
@@ -216,26 +224,53 @@ Scalar share_within(const Vec3<Scalar>& from, const Vec3<Scalar>& change, Scalar
 }
 
 /// Resists rolling with a torque of at most `lever` times the load: towards the one that stops the
-/// relative spin, as far as that goes; along the way the energy falls.
+/// relative spin, as far as that goes; along the way the energy falls, unless the limit has become
+/// smaller than what was there.
+/// @returns what it adds to the energy, J
 template <class Scalar>
-void relax_rolling(ContactPoint<Scalar>& point, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
-                   Scalar lever) {
+Scalar relax_rolling(ContactPoint<Scalar>& point, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
+                     Scalar lever) {
   Mat3<Scalar> softness = A.inverse_inertia_W + B.inverse_inertia_W;
   const Scalar size = softness.trace();
-  if (!(size > Scalar(0))) return;
+  if (!(size > Scalar(0))) return Scalar(0);
   softness /= size;  // of a trace of one: the cube of what is soft overflows
-  if (!(softness.determinant() > Scalar(0))) return;
+  if (!(softness.determinant() > Scalar(0))) return Scalar(0);
   const Scalar limit = lever * point.normal;
   const Vec3<Scalar> before = point.rolling_W;
   const Scalar square = before.squaredNorm();
   using std::sqrt;
   if (square > limit * limit) point.rolling_W *= limit / sqrt(square);
-  const Vec3<Scalar> wanted =
-      before - point.rolling_W - softness.inverse() * ((A.w_W - B.w_W) / size).eval();
+  const Vec3<Scalar> spin = A.w_W - B.w_W;
+  const Vec3<Scalar> wanted = before - point.rolling_W - softness.inverse() * (spin / size).eval();
   point.rolling_W += share_within<Scalar>(point.rolling_W, wanted, limit) * wanted;
   const Vec3<Scalar> change = point.rolling_W - before;
   A.w_W += A.inverse_inertia_W * change;
   B.w_W -= B.inverse_inertia_W * change;
+  return change.dot(spin) + change.dot(softness * change) / 2;
+}
+
+/// The impulses of a point.
+template <class Scalar>
+struct PointImpulses {
+  Scalar normal = 0;
+  Scalar along = 0;
+  Scalar across = 0;
+  Vec3<Scalar> rolling_W = Vec3<Scalar>::Zero();
+};
+
+/// A point's impulses become those of before the visit.
+template <class Scalar>
+void take_back(ContactPoint<Scalar>& point, const PointImpulses<Scalar>& before,
+               SolvedBody<Scalar>& A, SolvedBody<Scalar>& B) {
+  push(point, A, B, before.normal - point.normal, before.along - point.along,
+       before.across - point.across);
+  const Vec3<Scalar> torque = before.rolling_W - point.rolling_W;
+  A.w_W += A.inverse_inertia_W * torque;
+  B.w_W -= B.inverse_inertia_W * torque;
+  point.normal = before.normal;
+  point.along = before.along;
+  point.across = before.across;
+  point.rolling_W = before.rolling_W;
 }
 
 }  // namespace
@@ -324,20 +359,29 @@ void scale_impulses(LastingContact<Scalar>& contact, Scalar share) {
 }
 
 template <class Scalar>
-Scalar relax(LastingContact<Scalar>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B) {
+Scalar relax(LastingContact<Scalar>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
+             Scalar& energy) {
   Scalar most = 0;
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
     auto& point = contact.points[static_cast<std::size_t>(i)];
-    const Scalar u = point.normal_W.dot(velocity_across(point, A, B));
-    const Scalar normal = max_of(Scalar(0), point.normal - point.stiffness * (u + point.room));
+    const PointImpulses<Scalar> before = {point.normal, point.along, point.across, point.rolling_W};
+    const Scalar u = point.normal_W.dot(velocity_across(point, A, B)) + point.room;
+    const Scalar normal = max_of(Scalar(0), point.normal - point.stiffness * u);
     const Scalar change = normal - point.normal;
+    Scalar gain = 0;
     if (change != Scalar(0)) {
-      most = max_of(most, std::abs(change) * (A.inverse_mass + B.inverse_mass));
       push(point, A, B, change, Scalar(0), Scalar(0));
       point.normal = normal;
+      gain = change * u + change * change / (2 * point.stiffness);
     }
-    if (contact.friction > Scalar(0)) relax_friction(point, A, B, contact.friction);
-    if (contact.rolling > Scalar(0)) relax_rolling(point, A, B, contact.rolling);
+    if (contact.friction > Scalar(0)) gain += relax_friction(point, A, B, contact.friction);
+    if (contact.rolling > Scalar(0)) gain += relax_rolling(point, A, B, contact.rolling);
+    if (gain > Scalar(0) && energy + gain > Scalar(0)) {
+      take_back(point, before, A, B);
+      continue;
+    }
+    energy += gain;
+    most = max_of(most, std::abs(change) * (A.inverse_mass + B.inverse_mass));
   }
   return most;
 }
@@ -400,7 +444,7 @@ void take_together(LastingContact<Scalar>& contact) {
                               const SolvedBody<S>&);                                     \
   template void push_share(const LastingContact<S>&, SolvedBody<S>&, SolvedBody<S>&, S); \
   template void scale_impulses(LastingContact<S>&, S);                                   \
-  template S relax(LastingContact<S>&, SolvedBody<S>&, SolvedBody<S>&);                  \
+  template S relax(LastingContact<S>&, SolvedBody<S>&, SolvedBody<S>&, S&);              \
   template void relax_opening(LastingContact<S>&, SolvedBody<S>&, SolvedBody<S>&, S);    \
   template Vec3<S> impulse_of(const ContactPoint<S>&);                                   \
   template void spend(LastingContact<S>&, S);                                            \

@@ -45,15 +45,19 @@ struct CandidateOrder {
   }
   /// Contacts that are near already when the first one happens tie with it: their order is below
   /// what a search resolves. The lowest pair of them is then first: rounding does not decide.
-  template <class Candidates>
-  static int among_ties(const Candidates& candidates, int earliest) {
+  /// @param has_had  whether a pair was answered at this time already: it does not tie again, or
+  /// one that has nothing to answer yet would come before those that have
+  template <class Candidates, class HasHad>
+  static int among_ties(const Candidates& candidates, int earliest, const HasHad& has_had) {
     int chosen = earliest;
     if (!candidates[earliest].is_contact()) return chosen;
     const auto time = candidates[earliest].free_until();
     for (int i = 0; i < candidates.size(); ++i) {  // Bound: kMaxPairs
       const auto& candidate = candidates[i];
       const bool ties = candidate.is_contact() && !(time < candidate.near_from());
-      if (ties && precedes(candidate.pair, candidates[chosen].pair)) chosen = i;
+      if (ties && precedes(candidate.pair, candidates[chosen].pair) && !has_had(candidate.pair)) {
+        chosen = i;
+      }
     }
     return chosen;
   }
@@ -111,6 +115,12 @@ class RepeatBook {
     }
     repeats_.push({pair, 1, now});
     return 1;
+  }
+  bool was_answered(ProxyPair pair, Scalar at) const {
+    for (const Repeat& repeat : repeats_) {  // Bound: kMaxContacts
+      if (is_same(repeat.pair, pair)) return repeat.last == at;
+    }
+    return false;
   }
 
  private:

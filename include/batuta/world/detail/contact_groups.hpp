@@ -84,14 +84,14 @@ class ContactGroups {
   void order(const BodiesT& bodies);
   std::size_t root_of(std::size_t slot);
   void unite(const BodiesT& bodies, bool loaded_only);
-  void warm_up(int first, int last);
-  void sweep(int first, int last, Scalar time);
+  Scalar warm_up(int first, int last);
+  void sweep(int first, int last, Scalar time, Scalar energy);
   void give(BodiesT& bodies, const Contact& contact);
   void open(BodiesT& bodies);
   void carry_loads(BodiesT& bodies, bool dirty_only);
   bool is_worth(const BodiesT& bodies, const Contact& contact, Scalar share) const;
   void refresh(BodiesT& bodies, Contact& contact);
-  void relax_now(BodiesT& bodies, Contact& contact);
+  void relax_now(BodiesT& bodies, Contact& contact, Scalar& energy);
   template <class Blow>
   void pass_blow(BodiesT& bodies, Contact& contact, const Blow& blow);
   void mark(BodiesT& bodies, std::size_t slot);

@@ -81,11 +81,11 @@ bool ContactGroups<SceneT>::is_worth(const BodiesT& bodies, const Contact& conta
 }
 
 template <class SceneT>
-void ContactGroups<SceneT>::relax_now(BodiesT& bodies, Contact& contact) {
+void ContactGroups<SceneT>::relax_now(BodiesT& bodies, Contact& contact, Scalar& energy) {
   const std::size_t a = a_of(contact);
   const std::size_t b = b_of(contact);
   Contact before = contact;
-  relax(contact, solved_[a], solved_[b]);
+  relax(contact, solved_[a], solved_[b], energy);
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
     auto& old = before.points[static_cast<std::size_t>(i)];
     const auto& point = contact.points[static_cast<std::size_t>(i)];
@@ -128,7 +128,8 @@ void ContactGroups<SceneT>::pass_on(BodiesT& bodies, PairsT& pairs, ProxyPair pa
     return;
   }
   refresh(bodies, *struck);
-  relax_now(bodies, *struck);
+  Scalar energy = 0;
+  relax_now(bodies, *struck, energy);
   bool is_done = false;
   for (int s = 0; s < kEventSweeps && !is_done; ++s) {
     is_done = true;                            // Bound: kEventSweeps
@@ -146,7 +147,7 @@ void ContactGroups<SceneT>::pass_on(BodiesT& bodies, PairsT& pairs, ProxyPair pa
         mark(bodies, a_of(contact));
         mark(bodies, b_of(contact));
         if (&contact != struck) pass_blow(bodies, contact, blow);
-        relax_now(bodies, contact);
+        relax_now(bodies, contact, energy);
       }
     }
   }

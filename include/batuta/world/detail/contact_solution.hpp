@@ -134,9 +134,9 @@ void ContactGroups<SceneT>::order(const BodiesT& bodies) {
 }
 
 /// The impulses of the last step, as far as they take energy: along their ray the energy is a
-/// parabola, and its least is taken (world.md, "Warm start").
+/// parabola, and its least is taken (world.md, "Warm start"). @returns what that adds, J, <= 0
 template <class SceneT>
-void ContactGroups<SceneT>::warm_up(int first, int last) {
+Scalar_of<SceneT> ContactGroups<SceneT>::warm_up(int first, int last) {
   const auto work = [&] {
     Scalar sum = 0;
     for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
@@ -163,18 +163,20 @@ void ContactGroups<SceneT>::warm_up(int first, int last) {
   for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
     scale_impulses(contacts_[order_[static_cast<std::size_t>(k)]], share);
   }
+  return min_of(Scalar(0), share * slope + share * share * bend / 2);
 }
 
 /// Up and down, until nothing changes by enough to matter.
+/// @param energy  what was added to that of the group so far, J, <= 0
 template <class SceneT>
-void ContactGroups<SceneT>::sweep(int first, int last, Scalar time) {
+void ContactGroups<SceneT>::sweep(int first, int last, Scalar time, Scalar energy) {
   constexpr Scalar kEnough = Scalar(1) / 32;  // of D, in what is left of the step
   for (int s = 0; s < kMaxSweeps; ++s) {      // Bound: kMaxSweeps
     bool is_done = true;
     for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
       const int at = s % 2 == 0 ? k : last - 1 - (k - first);
       Contact& contact = contacts_[order_[static_cast<std::size_t>(at)]];
-      const Scalar change = relax(contact, solved_[a_of(contact)], solved_[b_of(contact)]);
+      const Scalar change = relax(contact, solved_[a_of(contact)], solved_[b_of(contact)], energy);
       is_done = is_done && !(change > kEnough * contact.rest_gap / time);
     }
     if (is_done) return;
@@ -196,8 +198,7 @@ void ContactGroups<SceneT>::solve(BodiesT& bodies) {
   for (int first = 0; first < solved_count_;) {  // Bound: kMaxContacts
     int last = first + 1;
     while (last < solved_count_ && group_at(last) == group_at(first)) ++last;
-    warm_up(first, last);
-    sweep(first, last, bodies.dt);
+    sweep(first, last, bodies.dt, warm_up(first, last));
     first = last;
   }
   for (int k = 0; k < solved_count_; ++k) {  // Bound: kMaxContacts

@@ -87,7 +87,7 @@ void GeneralWorld<SceneT>::answer(const CandidateType& candidate, bool is_own_ti
 template <class SceneT>
 bool GeneralWorld<SceneT>::uses_up_answers(ProxyPair pair) {
   if constexpr (kSolves) {
-    constexpr Scalar kSoon = Scalar(1) / 32;  // of the step
+    constexpr Scalar kSoon = Scalar(1) / 128;  // of the step
     answers_of_pair_ = this->repeat(pair, bodies_.now, kSoon * bodies_.dt);
     return answers_of_pair_ > SceneT::kMaxSeparations;
   } else {

@@ -91,7 +91,11 @@ void GeneralWorld<SceneT>::run_round() {
   const Scalar released = next_release();
   CandidateType candidate;
   Scalar time = 0;
-  if (pairs_.take_first(released, candidate, time)) {
+  const auto has_had = [this](ProxyPair pair, Scalar at) {
+    if constexpr (kSolves) return this->was_answered(pair, at);
+    return false;
+  };
+  if (pairs_.take_first(released, has_had, candidate, time)) {
     resolve(candidate, time);
   } else {
     release(released);

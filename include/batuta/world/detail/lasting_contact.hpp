@@ -99,10 +99,14 @@ void push_share(const LastingContact<Scalar>& contact, SolvedBody<Scalar>& A, So
 template <class Scalar>
 void scale_impulses(LastingContact<Scalar>& contact, Scalar share);
 
-/// One visit: each point's impulses are made those that fit the present velocities.
+/// One visit: each point's impulses are made those that fit the present velocities. A visit that
+/// would add more energy than all before it have taken is left out (world.md, "Contacts that
+/// last").
+/// @param[in,out] energy  what all visits so far have added to the energy at most, J, <= 0
 /// @returns the largest change of a velocity along a normal, m/s. Bound: two points.
 template <class Scalar>
-Scalar relax(LastingContact<Scalar>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B);
+Scalar relax(LastingContact<Scalar>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
+             Scalar& energy);
 
 /// One visit for the velocities that open gaps. @param A, B  these velocities
 template <class Scalar>

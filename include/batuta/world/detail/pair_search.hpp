@@ -226,12 +226,16 @@ SearchResult<Scalar_of<SceneT>> Pairs<SceneT>::search_thinner(const BodiesT& bod
 }
 
 template <class SceneT>
-bool Pairs<SceneT>::take_first(Scalar before, CandidateType& first, Scalar& time) {
+template <class HasHad>
+bool Pairs<SceneT>::take_first(Scalar before, const HasHad& has_had, CandidateType& first,
+                               Scalar& time) {
   const int earliest = CandidateOrder::earliest(candidates);
   if (earliest == CandidateOrder::kNone || before < candidates[earliest].free_until()) return false;
   time = min_of(candidates[earliest].free_until(), before);
-  const int chosen =
-      SceneT::kMaxPairs > 1 ? CandidateOrder::among_ties(candidates, earliest) : earliest;
+  const auto has_had_now = [&](ProxyPair pair) { return has_had(pair, time); };
+  const int chosen = SceneT::kMaxPairs > 1
+                         ? CandidateOrder::among_ties(candidates, earliest, has_had_now)
+                         : earliest;
   first = candidates[chosen];
   candidates.remove_swapping(chosen);
   return true;

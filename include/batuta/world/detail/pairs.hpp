@@ -42,7 +42,9 @@ class Pairs : private SeedsOf<SceneT> {
   void search_all(BodiesT& bodies, const Lasts& lasts);
 
   /// The candidate that ends the round, taken out; false: none does.
-  bool take_first(Scalar before, CandidateType& first, Scalar& time);
+  /// @param has_had  tells of a pair and a time whether it was answered at that time
+  template <class HasHad>
+  bool take_first(Scalar before, const HasHad& has_had, CandidateType& first, Scalar& time);
   /// What is known of the contact of a candidate at its time, or found out now.
   PairQuery& seen(const BodiesT& bodies, ProxyPair pair, bool is_own_time);
   /// The gap from which a search lets parting bodies go (src/world/detail/margin.md).
@@ -104,10 +106,10 @@ class Pairs : private SeedsOf<SceneT> {
                                              const MovingPair<Scalar>& moving_pair,
                                              const PairQuery& query, Scalar missing);
   bool stays_apart(const BodiesT& bodies, ProxyPair pair) const;
-  /// What the solution of a contact may leave, m/s, <= 0: no more in a step than what the search
-  /// cannot tell from contact; the opening of the gap makes up for it.
+  /// What the solution of a contact may leave, m/s, <= 0: no more in the rest of a step than what
+  /// the search cannot tell from contact; the opening of the gap makes up for it.
   static Scalar slowest_closing(const BodiesT& bodies, const PairQuery& query, bool is_solved) {
-    return is_solved ? -query.contact_gap / bodies.dt : Scalar(0);
+    return is_solved ? -query.contact_gap / (bodies.dt - bodies.now) : Scalar(0);
   }
   static Scalar rate_of_momenta(const BodiesT& bodies, ProxyPair pair, const PairQuery& query);
 

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+// Contacts that last, one at a time: whatever is visited in whatever order, no energy is added and
+// no momentum; what has converged is what a dense solution in long double says.
+#include "batuta/world/detail/lasting_contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+namespace batuta {
+namespace {
+
+using detail::ContactPoint;
+using detail::LastingContact;
+using detail::SolvedBody;
+
+/// Bodies with inertia, and contacts between them.
+struct Group {
+  std::vector<SolvedBody<double>> bodies;
+  std::vector<Vec3<double>> places;
+  std::vector<LastingContact<double>> contacts;
+  std::vector<std::pair<std::size_t, std::size_t>> sides;
+};
+
+class RandomGroup {
+ public:
+  explicit RandomGroup(unsigned seed) : random_(seed) {}
+
+  double draw(double low, double high) {
+    return low + (high - low) * static_cast<double>(random_()) / 4294967296.0;
+  }
+  Vec3<double> vector(double size) {
+    const double x = draw(-size, size);
+    const double y = draw(-size, size);
+    return {x, y, draw(-size, size)};
+  }
+  std::size_t below(std::size_t count) { return random_() % count; }
+
+  /// The last body cannot be pushed.
+  Group make(std::size_t bodies, std::size_t contacts, double friction, double rolling) {
+    Group group;
+    for (std::size_t i = 0; i < bodies; ++i) {
+      SolvedBody<double> body;
+      if (i + 1 < bodies) {
+        const Quat<double> q = Quat<double>(draw(-1, 1), draw(-1, 1), draw(-1, 1), 1).normalized();
+        const Mat3<double> R = q.toRotationMatrix();
+        const Vec3<double> inverse(draw(1, 40), draw(1, 40), draw(1, 40));
+        body.inverse_mass = std::pow(10.0, draw(-1, 1));
+        body.inverse_inertia_W =
+            R * (body.inverse_mass * inverse).eval().asDiagonal() * R.transpose();
+        body.v_W = vector(1);
+        body.w_W = vector(3);
+      }
+      group.bodies.push_back(body);
+      group.places.push_back(vector(0.3));
+    }
+    for (std::size_t i = 0; i < contacts; ++i) {
+      const std::size_t a = below(bodies - 1);
+      const std::size_t b = (a + 1 + below(bodies - 1)) % bodies;
+      LastingContact<double> contact;
+      contact.count = 1;
+      contact.friction = friction;
+      contact.rolling = rolling;
+      contact.rest_gap = 1e-4;
+      auto& point = contact.points[0];
+      point.normal_W = vector(1).normalized();
+      point.tangent_W = point.normal_W.unitOrthogonal();
+      point.point_W = (group.places[a] + group.places[b]) / 2 + vector(0.1);
+      point.gap = draw(0, 2e-4);
+      prepare(contact, group.bodies[a], group.bodies[b], group.places[a], group.places[b], 1e-3);
+      group.contacts.push_back(contact);
+      group.sides.emplace_back(a, b);
+    }
+    return group;
+  }
+  /// Impulses that are within the limits, and given to the bodies.
+  void press(Group& group) {
+    for (std::size_t i = 0; i < group.contacts.size(); ++i) {
+      auto& point = group.contacts[i].points[0];
+      point.normal = draw(0, 0.2);
+      const double angle = draw(0, 6.3);
+      const double grip = group.contacts[i].friction * point.normal * draw(0, 1);
+      point.along = grip * std::cos(angle);
+      point.across = grip * std::sin(angle);
+      auto& [a, b] = group.sides[i];
+      push_share(group.contacts[i], group.bodies[a], group.bodies[b], 1.0);
+      point.rolling_W = vector(1).normalized() * (group.contacts[i].rolling * point.normal);
+      group.bodies[a].w_W += group.bodies[a].inverse_inertia_W * point.rolling_W;
+      group.bodies[b].w_W -= group.bodies[b].inverse_inertia_W * point.rolling_W;
+    }
+  }
+
+ private:
+  std::mt19937 random_;
+};
+
+/// Kinetic, and what is left of the room: what a visit must not add to.
+long double energy_of(const Group& group) {
+  long double sum = 0;
+  for (const auto& body : group.bodies) {
+    if (!(body.inverse_mass > 0)) continue;
+    const Vec3<double> b = body.inverse_inertia_W.inverse() * body.w_W;
+    sum += static_cast<long double>(body.v_W.squaredNorm() / body.inverse_mass + b.dot(body.w_W));
+  }
+  sum /= 2;
+  for (const auto& contact : group.contacts) {
+    sum += static_cast<long double>(contact.points[0].normal * contact.points[0].room);
+  }
+  return sum;
+}
+Vec3<double> momentum_of(const Group& group) {
+  Vec3<double> sum = Vec3<double>::Zero();
+  for (const auto& body : group.bodies) {
+    if (body.inverse_mass > 0) sum += body.v_W / body.inverse_mass;
+  }
+  return sum;
+}
+/// About the origin.
+Vec3<double> spin_of(const Group& group) {
+  Vec3<double> sum = Vec3<double>::Zero();
+  for (std::size_t i = 0; i + 1 < group.bodies.size(); ++i) {
+    const auto& body = group.bodies[i];
+    sum += body.inverse_inertia_W.inverse() * body.w_W +
+           group.places[i].cross(body.v_W / body.inverse_mass);
+  }
+  return sum;
+}
+/// The same of what the one that cannot be pushed gave.
+Vec3<double> turn_of_ground(const Group& group) {
+  Vec3<double> sum = Vec3<double>::Zero();
+  for (std::size_t i = 0; i < group.contacts.size(); ++i) {
+    const auto& [a, b] = group.sides[i];
+    const auto& point = group.contacts[i].points[0];
+    const Vec3<double> turn = point.point_W.cross(impulse_of(point)) + point.rolling_W;
+    if (b + 1 == group.bodies.size()) sum += turn;
+    if (a + 1 == group.bodies.size()) sum -= turn;
+  }
+  return sum;
+}
+/// Summed impulse on all that can be pushed, by the one that cannot.
+Vec3<double> push_of_ground(const Group& group) {
+  Vec3<double> sum = Vec3<double>::Zero();
+  for (std::size_t i = 0; i < group.contacts.size(); ++i) {
+    const auto& [a, b] = group.sides[i];
+    const Vec3<double> J = impulse_of(group.contacts[i].points[0]);
+    if (b + 1 == group.bodies.size()) sum += J;
+    if (a + 1 == group.bodies.size()) sum -= J;
+  }
+  return sum;
+}
+
+TEST(LastingContact, AnyVisitsInAnyOrder_AddNoEnergyAndNoMomentum) {
+  int shrunk = 0;
+  for (unsigned seed = 1; seed <= 300; ++seed) {
+    RandomGroup draws(seed);
+    const double friction = draws.draw(0, 2);
+    const double rolling = seed % 2 == 0 ? 0.05 : 0;
+    Group group = draws.make(2 + seed % 6, 1 + seed % 9, friction, rolling);
+    draws.press(group);
+    const long double before = energy_of(group);
+    const Vec3<double> p = momentum_of(group) - push_of_ground(group);
+    const Vec3<double> L = spin_of(group) - turn_of_ground(group);
+    double energy = 0;
+    for (int visit = 0; visit < 60; ++visit) {
+      const std::size_t i = draws.below(group.contacts.size());
+      const auto& [a, b] = group.sides[i];
+      const double normal = group.contacts[i].points[0].normal;
+      relax(group.contacts[i], group.bodies[a], group.bodies[b], energy);
+      const auto& point = group.contacts[i].points[0];
+      shrunk += point.normal < normal ? 1 : 0;
+      ASSERT_GE(point.normal, 0);
+      ASSERT_LE(std::hypot(point.along, point.across), friction * point.normal + 1e-12);
+      ASSERT_LE(point.rolling_W.norm(), rolling * point.normal + 1e-12);
+      ASSERT_LE(energy, 0);
+      ASSERT_LE(energy_of(group), before + static_cast<long double>(energy) + 1e-11L)
+          << "seed " << seed << ", visit " << visit;
+    }
+    EXPECT_LE((momentum_of(group) - push_of_ground(group) - p).norm(), 1e-12);
+    EXPECT_LE((spin_of(group) - turn_of_ground(group) - L).norm(), 1e-11);
+  }
+  EXPECT_GT(shrunk, 1000) << "or the cone never shrinks";
+}
+
+/// The same without friction: projected Gauss-Seidel on the dense matrix, to the end.
+std::vector<long double> dense_solution(const Group& group) {
+  const std::size_t n = group.contacts.size();
+  std::vector<std::vector<long double>> K(n, std::vector<long double>(n, 0));
+  std::vector<long double> u(n);
+  std::vector<long double> lambda(n, 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto& own = group.contacts[i].points[0];
+    const auto& [a, b] = group.sides[i];
+    u[i] = static_cast<long double>(
+        own.normal_W.dot(velocity_across(own, group.bodies[a], group.bodies[b])) + own.room);
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto& other = group.contacts[k].points[0];
+      const auto& [c, d] = group.sides[k];
+      const auto share = [&](std::size_t body, const Vec3<double>& arm, double sign) {
+        double sum = 0;
+        for (const bool first : {true, false}) {
+          if ((first ? c : d) != body) continue;
+          const auto& B = group.bodies[body];
+          const Vec3<double>& from = first ? other.arm_A_W : other.arm_B_W;
+          const Vec3<double> spin = B.inverse_inertia_W * from.cross(other.normal_W);
+          sum += (first ? 1 : -1) *
+                 (B.inverse_mass * other.normal_W + spin.cross(arm)).dot(own.normal_W);
+        }
+        return static_cast<long double>(sign * sum);
+      };
+      K[i][k] = share(a, own.arm_A_W, 1) + share(b, own.arm_B_W, -1);
+    }
+  }
+  for (int sweep = 0; sweep < 20000; ++sweep) {
+    for (std::size_t i = 0; i < n; ++i) {
+      long double rate = u[i];
+      for (std::size_t k = 0; k < n; ++k) rate += K[i][k] * lambda[k];
+      lambda[i] = std::max(0.0L, lambda[i] - rate / K[i][i]);
+    }
+  }
+  return lambda;
+}
+
+TEST(LastingContact, ManyVisits_BecomeTheDenseSolution) {
+  int pressed = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    RandomGroup draws(seed);
+    Group group = draws.make(5, 5, 0, 0);
+    const auto want = dense_solution(group);
+    double energy = 0;
+    for (int visit = 0; visit < 20000; ++visit) {
+      for (std::size_t i = 0; i < group.contacts.size(); ++i) {
+        const auto& [a, b] = group.sides[i];
+        relax(group.contacts[i], group.bodies[a], group.bodies[b], energy);
+      }
+    }
+    for (std::size_t i = 0; i < want.size(); ++i) {
+      pressed += want[i] > 0 ? 1 : 0;
+      EXPECT_NEAR(group.contacts[i].points[0].normal, static_cast<double>(want[i]), 1e-9) << seed;
+    }
+  }
+  EXPECT_GT(pressed, 40);
+}
+
+/// Capsules along x that cross at a small angle: held at both points of their line, they are held
+/// where they are nearest to each other.
+TEST(LastingContact, LineOfAxesThatCrossALittle_GoesThroughTheNearestPoint) {
+  for (const double angle : {0.0, 0.01, 0.02}) {
+    for (const double tilt : {0.0, 1e-4}) {
+      const double gap = 3e-5;
+      const Capsule<double> A = {
+          {{-0.15, 0, 0.04 + gap - 0.15 * tilt}, {0.15, 0, 0.04 + gap + 0.15 * tilt}}, 0.02};
+      const Vec3<double> half = 0.2 * Vec3<double>(std::cos(angle), std::sin(angle), 0);
+      const Capsule<double> B = {{-half, half}, 0.02};
+      LastingContact<double> contact;
+      contact.rest_gap = 3e-4;
+      find_points(contact, A, B, closest_points(A.axis, B.axis), true);
+      ASSERT_EQ(contact.count, 2);
+      const auto& first = contact.points[0];
+      const auto& second = contact.points[1];
+      const auto nearest = closest_points(A.axis, B.axis);
+      const double least = nearest.distance - 0.04;
+      const Vec3<double> x = (nearest.p_A + nearest.p_B) / 2;
+      const Vec3<double> way = second.point_W - first.point_W;
+      EXPECT_GT(way.norm(), 0.29);
+      const double share = way.dot(x - first.point_W) / way.squaredNorm();
+      EXPECT_NEAR((first.point_W + share * way - x).norm(), 0, 1e-4) << angle << ' ' << tilt;
+      EXPECT_LE(first.gap + share * (second.gap - first.gap), least + 1e-12)
+          << angle << ' ' << tilt;
+      EXPECT_GE(min_of(first.gap, second.gap), least - 1e-12);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace batuta
