@@ -66,7 +66,7 @@ class ContactGroups {
   static constexpr std::size_t kSlots = BodiesT::kSlots;
   static constexpr int kMaxSweeps = 20;
   static constexpr int kEventSweeps = 32;
-  static constexpr int kOpeningSweeps = 4;
+  static constexpr int kOpeningSweeps = 8;
 
   static std::size_t a_of(const Contact& contact) { return BodiesT::body_of(contact.pair.first); }
   static std::size_t b_of(const Contact& contact) { return BodiesT::body_of(contact.pair.second); }
@@ -86,6 +86,8 @@ class ContactGroups {
   void sweep(int first, int last, Scalar time);
   void give(BodiesT& bodies, const Contact& contact);
   void open(BodiesT& bodies);
+  void find_below(const BodiesT& bodies);
+  Scalar visit_opening(BodiesT& bodies, Contact& contact, Scalar share);
   void carry_loads(BodiesT& bodies, bool dirty_only);
   bool is_worth(const BodiesT& bodies, const Contact& contact, Scalar share) const;
   void refresh(BodiesT& bodies, Contact& contact);
@@ -93,7 +95,6 @@ class ContactGroups {
   template <class Blow>
   void pass_blow(BodiesT& bodies, Contact& contact, const Blow& blow);
   void mark(BodiesT& bodies, std::size_t slot);
-  void end_opening(BodiesT& bodies, std::size_t slot);
   bool is_welded(const BodiesT& bodies, const Contact& contact) const {
     return bodies.states[a_of(contact)].group != BodiesT::kAlone ||
            bodies.states[b_of(contact)].group != BodiesT::kAlone;
@@ -110,8 +111,6 @@ class ContactGroups {
   std::array<Slot, static_cast<std::size_t>(SceneT::kMaxContacts)> order_{};
   std::array<Slot, kSlots> root_{};
   std::array<bool, kSlots> held_{};  ///< of a root: something in its group is led
-  /// The root of its group when gaps were opened; kSlots: in none, or in one that is held.
-  std::array<Slot, kSlots> afloat_{};
   FixedList<Slot, SceneT::kMaxBodies> dirty_;
   std::array<bool, kSlots> is_dirty_{};
   int solved_count_ = 0;

@@ -6,24 +6,6 @@
 
 namespace batuta::detail {
 
-/// An opening ends for a whole group that nothing holds: one that ended for some of it would move
-/// the common centre.
-template <class SceneT>
-void ContactGroups<SceneT>::end_opening(BodiesT& bodies, std::size_t slot) {
-  const auto end = [&bodies](std::size_t k) {
-    auto& state = bodies.states[k];
-    if (is_zero(state.opening.v_W) && is_zero(state.opening.w_W)) return;
-    bodies.bring(k);
-    state.opening = {};
-    state.changed = bodies.is_changed = true;
-  };
-  end(slot);
-  if (afloat_[slot] == kSlots) return;
-  for (std::size_t k = 0; k < kSlots; ++k) {  // Bound: kMaxBodies
-    if (afloat_[k] == afloat_[slot]) end(k);
-  }
-}
-
 template <class SceneT>
 void ContactGroups<SceneT>::mark(BodiesT& bodies, std::size_t slot) {
   if (is_dirty_[slot]) return;
@@ -32,7 +14,6 @@ void ContactGroups<SceneT>::mark(BodiesT& bodies, std::size_t slot) {
   dirty_.push(static_cast<Slot>(slot));
   bodies.bring(slot);
   bodies.states[slot].changed = bodies.is_changed = true;
-  end_opening(bodies, slot);
   load(bodies, slot);
 }
 
@@ -68,15 +49,19 @@ bool ContactGroups<SceneT>::is_worth(const BodiesT& bodies, const Contact& conta
   const Scalar left = bodies.dt - bodies.now;
   const Scalar most = share * contact.rest_gap;
   const Scalar least = kLeast * contact.rest_gap * (left / bodies.dt);
+  const std::size_t a = a_of(contact);
+  const std::size_t b = b_of(contact);
+  const Twist<Scalar>& A = bodies.states[a].opening;
+  const Twist<Scalar>& B = bodies.states[b].opening;
   bool is_worth = false;
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
     const auto& point = contact.points[static_cast<std::size_t>(i)];
-    const Scalar u =
-        point.normal_W.dot(velocity_across(point, solved_[a_of(contact)], solved_[b_of(contact)])) +
-        point.room;
+    const Scalar u = point.normal_W.dot(velocity_across(point, solved_[a], solved_[b])) + point.room;
+    const Scalar opening = point.normal_W.dot(
+        (A.v_W - B.v_W) + (A.w_W.cross(point.arm_A_W) - B.w_W.cross(point.arm_B_W)));
     const Scalar may_close = min_of(most, max_of(kOfGap * point.gap, least));
     const bool pulls = u * left > most && point.normal > Scalar(0);
-    is_worth = is_worth || u * left < -may_close || pulls;
+    is_worth = is_worth || (u + opening) * left < -may_close || pulls;
   }
   return is_worth;
 }
@@ -96,6 +81,7 @@ void ContactGroups<SceneT>::relax_now(BodiesT& bodies, Contact& contact) {
     old.rolling_W = point.rolling_W - old.rolling_W;
   }
   give(bodies, before);
+  visit_opening(bodies, contact, Scalar(0));
 }
 
 /// A neighbour that is approached much faster than rest is struck in turn.

@@ -44,6 +44,7 @@ void ContactGroups<SceneT>::choose(const BodiesT& bodies) {
     const std::size_t a = a_of(contact);
     const std::size_t b = b_of(contact);
     contact.is_solved = false;
+    contact.below = 0;
     if (!contact.is_kept || (bodies.is_led(a) && bodies.is_led(b))) continue;
     if (bodies.states[a].group != BodiesT::kAlone || bodies.states[b].group != BodiesT::kAlone)
       continue;
@@ -256,27 +257,59 @@ void ContactGroups<SceneT>::open(BodiesT& bodies) {
       is_needed = is_needed || (point.normal > Scalar(0) && point.gap < kNarrow * contact.rest_gap);
     }
   }
-  afloat_.fill(static_cast<Slot>(kSlots));
   if (!is_needed) return;
-  unite(bodies, false);
-  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    if (!held_[root_of(slot)]) afloat_[slot] = static_cast<Slot>(root_of(slot));
-  }
+  find_below(bodies);
+  constexpr Scalar kShare = Scalar(0.5);     // of what is missing, in a step
+  constexpr Scalar kEnough = Scalar(1) / 32;   // of D, in the step
   for (int s = 0; s < kOpeningSweeps; ++s) {   // Bound: kOpeningSweeps
+    bool is_done = true;
+    for (int k = 0; k < solved_count_; ++k) {  // Bound: kMaxContacts
+      const int at = s % 2 == 0 ? k : solved_count_ - 1 - k;
+      Contact& contact = contacts_[order_[static_cast<std::size_t>(at)]];
+      const Scalar change = visit_opening(bodies, contact, kShare);
+      is_done = is_done && !(change > kEnough * contact.rest_gap / bodies.dt);
+    }
+    if (is_done) return;
+  }
+}
+
+/// In a group that something holds, what lies below counts as held while gaps are opened: its
+/// opening lifts all that lies on it (world.md, "Opening").
+template <class SceneT>
+void ContactGroups<SceneT>::find_below(const BodiesT& bodies) {
+  if constexpr (SceneT::kGravity) {
+    unite(bodies, false);
     for (int k = 0; k < solved_count_; ++k) {  // Bound: kMaxContacts
       Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
-      std::array<SolvedBody<Scalar>, 2> sides;
-      for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2
-        const std::size_t slot = i == 0 ? a_of(contact) : b_of(contact);
-        sides[i] = solved_[slot];
-        sides[i].v_W = bodies.states[slot].opening.v_W;
-        sides[i].w_W = bodies.states[slot].opening.w_W;
-      }
-      relax_opening(contact, sides[0], sides[1], bodies.dt);
-      bodies.states[a_of(contact)].opening = {sides[0].v_W, sides[0].w_W};
-      bodies.states[b_of(contact)].opening = {sides[1].v_W, sides[1].w_W};
+      const std::size_t a = a_of(contact);
+      const std::size_t b = b_of(contact);
+      if (!held_[root_of(bodies.is_led(a) ? b : a)]) continue;
+      const Scalar lower = bodies.settings.gravity_W.dot(bodies.place_now(a) - bodies.place_now(b));
+      contact.below = lower > Scalar(0) ? 1 : 2;
     }
   }
+}
+
+/// One contact, with the velocities that open gaps. @param share  of what is missing, in a step
+template <class SceneT>
+Scalar_of<SceneT> ContactGroups<SceneT>::visit_opening(BodiesT& bodies, Contact& contact,
+                                                       Scalar share) {
+  std::array<SolvedBody<Scalar>, 2> sides;
+  for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2
+    const std::size_t slot = i == 0 ? a_of(contact) : b_of(contact);
+    sides[i] = solved_[slot];
+    sides[i].v_W = bodies.states[slot].opening.v_W;
+    sides[i].w_W = bodies.states[slot].opening.w_W;
+    if (contact.below == i + 1) {
+      sides[i].inverse_mass = 0;
+      sides[i].inverse_inertia_W.setZero();
+    }
+  }
+  const Scalar change = relax_opening(contact, sides[0], sides[1], bodies.dt, share);
+  if (!(change > Scalar(0))) return change;
+  bodies.states[a_of(contact)].opening = {sides[0].v_W, sides[0].w_W};
+  bodies.states[b_of(contact)].opening = {sides[1].v_W, sides[1].w_W};
+  return change;
 }
 
 }  // namespace batuta::detail

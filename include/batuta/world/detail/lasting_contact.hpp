@@ -58,6 +58,7 @@ struct LastingContact {
   bool is_new = true;      ///< was not solved in the last step
   bool is_kept = false;    ///< was found near in this step
   bool is_told = false;    ///< its begin was told
+  std::uint8_t below = 0;  ///< which one counts as held while gaps are opened: 1: A, 2: B
   Scalar since = 0;        ///< in the step, s: its points are those of this time
   Scalar rest_gap = 0;     ///< D of the pair, m
   Scalar friction = 0;
@@ -104,10 +105,13 @@ void scale_impulses(LastingContact<Scalar>& contact, Scalar share);
 template <class Scalar>
 Scalar relax(LastingContact<Scalar>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B);
 
-/// One visit for the velocities that open gaps. @param A, B  these velocities
+/// One visit for the velocities that open gaps.
+/// @param A, B   these velocities
+/// @param share  of what is missing, to be made up over `time`; 0: nothing is opened, nor closed
+/// @returns the largest change of a velocity along a normal, m/s. Bound: two points.
 template <class Scalar>
-void relax_opening(LastingContact<Scalar>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
-                   Scalar time);
+Scalar relax_opening(LastingContact<Scalar>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
+                     Scalar time, Scalar share);
 
 /// The impulse on A of what is being solved at a point, N s.
 template <class Scalar>
