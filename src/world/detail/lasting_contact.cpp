@@ -250,6 +250,11 @@ void find_points(LastingContact<Scalar>& contact, const Capsule<Scalar>& A_W,
     if (ends.found && span > min_of(A_W.radius, B_W.radius) / 16) {
       contact.count = 2;
       contact.points = ends.ends;
+      // Axes that cross at a small angle are nearest between the ends: there they must not meet.
+      const Scalar share = (nearest.place - ends.ends[0].place) / span;
+      const Scalar between = ends.ends[0].gap + share * (ends.ends[1].gap - ends.ends[0].gap);
+      const Scalar excess = max_of(Scalar(0), between - gap);
+      for (auto& point : contact.points) point.gap -= excess;  // Bound: 2
     }
   }
   carry_all(contact, old, old_count);

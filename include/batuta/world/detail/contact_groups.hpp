@@ -64,8 +64,10 @@ class ContactGroups {
 
  private:
   static constexpr std::size_t kSlots = BodiesT::kSlots;
-  static constexpr int kMaxSweeps = 20;
+  static constexpr int kMaxSweeps = 60;
   static constexpr int kEventSweeps = 32;
+  /// Added to what visits changed of a body where something else changed it, m/s.
+  static constexpr Scalar kNoticed = 1;
   static constexpr int kOpeningSweeps = 8;
 
   static std::size_t a_of(const Contact& contact) { return BodiesT::body_of(contact.pair.first); }
@@ -83,8 +85,11 @@ class ContactGroups {
   std::size_t root_of(std::size_t slot);
   void unite(const BodiesT& bodies, bool loaded_only);
   void warm_up(int first, int last);
+  Scalar visit(Contact& contact);
   void sweep(int first, int last, Scalar time);
   void give(BodiesT& bodies, const Contact& contact);
+  void give_at(BodiesT& bodies, const Contact& contact, const ContactPoint<Scalar>& point,
+               const PointImpulse<Scalar>& given);
   void open(BodiesT& bodies);
   void find_below(const BodiesT& bodies);
   Scalar visit_opening(BodiesT& bodies, Contact& contact, Scalar share);
@@ -110,7 +115,10 @@ class ContactGroups {
   std::array<std::array<Slot, 2>, static_cast<std::size_t>(SceneT::kMaxContacts)> next_{};
   std::array<Slot, static_cast<std::size_t>(SceneT::kMaxContacts)> order_{};
   std::array<Slot, kSlots> root_{};
-  std::array<bool, kSlots> held_{};  ///< of a root: something in its group is led
+  std::array<bool, kSlots> held_{};       ///< of a root: something in its group is led
+  std::array<Scalar, kSlots> changed_{};  ///< sum of what visits changed of a body, m/s
+  /// Of both bodies of a contact together, when it was visited last.
+  std::array<Scalar, static_cast<std::size_t>(SceneT::kMaxContacts)> seen_{};
   FixedList<Slot, SceneT::kMaxBodies> dirty_;
   std::array<bool, kSlots> is_dirty_{};
   int solved_count_ = 0;

@@ -11,6 +11,7 @@ void ContactGroups<SceneT>::mark(BodiesT& bodies, std::size_t slot) {
   if (is_dirty_[slot]) return;
   if (bodies.is_led(slot)) return load(bodies, slot);
   is_dirty_[slot] = true;
+  changed_[slot] += kNoticed;
   dirty_.push(static_cast<Slot>(slot));
   bodies.bring(slot);
   bodies.states[slot].changed = bodies.is_changed = true;
@@ -56,7 +57,8 @@ bool ContactGroups<SceneT>::is_worth(const BodiesT& bodies, const Contact& conta
   bool is_worth = false;
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
     const auto& point = contact.points[static_cast<std::size_t>(i)];
-    const Scalar u = point.normal_W.dot(velocity_across(point, solved_[a], solved_[b])) + point.room;
+    const Scalar u =
+        point.normal_W.dot(velocity_across(point, solved_[a], solved_[b])) + point.room;
     const Scalar opening = point.normal_W.dot(
         (A.v_W - B.v_W) + (A.w_W.cross(point.arm_A_W) - B.w_W.cross(point.arm_B_W)));
     const Scalar may_close = min_of(most, max_of(kOfGap * point.gap, least));
@@ -66,21 +68,21 @@ bool ContactGroups<SceneT>::is_worth(const BodiesT& bodies, const Contact& conta
   return is_worth;
 }
 
+/// One visit, and what it changes goes into the momenta.
 template <class SceneT>
 void ContactGroups<SceneT>::relax_now(BodiesT& bodies, Contact& contact) {
-  const std::size_t a = a_of(contact);
-  const std::size_t b = b_of(contact);
-  Contact before = contact;
-  relax(contact, solved_[a], solved_[b]);
+  std::array<PointImpulse<Scalar>, 2> before;
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
-    auto& old = before.points[static_cast<std::size_t>(i)];
-    const auto& point = contact.points[static_cast<std::size_t>(i)];
-    old.normal = point.normal - old.normal;
-    old.along = point.along - old.along;
-    old.across = point.across - old.across;
-    old.rolling_W = point.rolling_W - old.rolling_W;
+    const auto k = static_cast<std::size_t>(i);
+    before[k] = impulse_at(contact.points[k]);
   }
-  give(bodies, before);
+  visit(contact);
+  for (int i = 0; i < contact.count; ++i) {  // Bound: 2
+    const auto k = static_cast<std::size_t>(i);
+    const PointImpulse<Scalar> after = impulse_at(contact.points[k]);
+    give_at(bodies, contact, contact.points[k],
+            {after.J_W - before[k].J_W, after.rolling_W - before[k].rolling_W});
+  }
   visit_opening(bodies, contact, Scalar(0));
 }
 
@@ -97,6 +99,8 @@ void ContactGroups<SceneT>::pass_blow(BodiesT& bodies, Contact& contact, const B
     blow(contact.pair);
     load(bodies, a);
     load(bodies, b);
+    changed_[a] += kNoticed;
+    changed_[b] += kNoticed;
   }
 }
 
@@ -108,6 +112,8 @@ void ContactGroups<SceneT>::pass_on(BodiesT& bodies, PairsT& pairs, ProxyPair pa
   constexpr Scalar kLeastOfStruck = Scalar(1) / 64;
   dirty_.clear();
   is_dirty_.fill(false);
+  changed_.fill(0);
+  seen_.fill(0);
   Contact* struck = add(bodies, pair, pairs.rest_gap(bodies, pair));
   if (struck == nullptr) {
     ++bodies.report.contacts_dropped;
@@ -123,9 +129,12 @@ void ContactGroups<SceneT>::pass_on(BodiesT& bodies, PairsT& pairs, ProxyPair pa
       const std::size_t slot = dirty_[d];
       int next = first_of_[slot];
       while (next != 0) {  // Bound: the contacts of a body
+        const auto i = static_cast<std::size_t>(next - 1);
         Contact& contact = contacts_[next - 1];
-        next = next_[static_cast<std::size_t>(next - 1)][a_of(contact) == slot ? 0 : 1];
-        if (!contact.is_solved || is_welded(bodies, contact)) continue;
+        next = next_[i][a_of(contact) == slot ? 0 : 1];
+        const Scalar changed = changed_[a_of(contact)] + changed_[b_of(contact)];
+        if (!contact.is_solved || changed == seen_[i] || is_welded(bodies, contact)) continue;
+        seen_[i] = changed;
         const Scalar share = &contact == struck ? kLeastOfStruck : kLeast;
         if (!is_worth(bodies, contact, share)) continue;
         is_done = false;

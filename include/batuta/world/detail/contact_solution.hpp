@@ -159,24 +159,67 @@ void ContactGroups<SceneT>::warm_up(int first, int last) {
   const Scalar slope = work();
   give(Scalar(1));
   const Scalar bend = work() - slope;
-  const Scalar share = bend > Scalar(0) ? clamp(-slope / bend, Scalar(0), Scalar(1)) : Scalar(0);
+  Scalar share = bend > Scalar(0) ? clamp(-slope / bend, Scalar(0), Scalar(1)) : Scalar(0);
+  if (share + share > Scalar(1)) share = 1;  // beyond twice the least, energy is as at the start
   if (share < Scalar(1)) give(share - 1);
   for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
     scale_impulses(contacts_[order_[static_cast<std::size_t>(k)]], share);
   }
 }
 
-/// Up and down, until nothing changes by enough to matter.
+/// The change of a velocity that matters to a contact: so much of D in what is left of the step, or
+/// less where the gap is nearly closed, because the search would call what is left contact.
+template <class Scalar>
+Scalar least_change(const LastingContact<Scalar>& contact, Scalar time) {
+  constexpr Scalar kEnough = Scalar(1) / 32;   // of D
+  constexpr Scalar kOfGap = Scalar(1) / 8;     // of the gap
+  constexpr Scalar kLeast = Scalar(1) / 1024;  // of D
+  const Scalar gap = contact.count > 1 ? min_of(contact.points[0].gap, contact.points[1].gap)
+                                       : contact.points[0].gap;
+  const Scalar D = contact.rest_gap;
+  return min_of(kEnough * D, max_of(kOfGap * gap, kLeast * D)) / time;
+}
+
+/// One visit; adds what it changed to what is known of both bodies.
+/// @returns the largest change along a normal, m/s
+template <class SceneT>
+Scalar_of<SceneT> ContactGroups<SceneT>::visit(Contact& contact) {
+  const std::array<std::size_t, 2> slots = {a_of(contact), b_of(contact)};
+  std::array<Vec3<Scalar>, 4> before;
+  for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2
+    before[2 * i] = solved_[slots[i]].v_W;
+    before[2 * i + 1] = solved_[slots[i]].w_W;
+  }
+  const Scalar change = relax(contact, solved_[slots[0]], solved_[slots[1]]);
+  const auto& point = contact.points[0];
+  for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2
+    const Scalar reach = (i == 0 ? point.arm_A_W : point.arm_B_W).cwiseAbs().sum();
+    const auto& solved = solved_[slots[i]];
+    changed_[slots[i]] += (solved.v_W - before[2 * i]).cwiseAbs().sum() +
+                          reach * (solved.w_W - before[2 * i + 1]).cwiseAbs().sum();
+  }
+  return change;
+}
+
+/// Up and down, until nothing changes by enough to matter. A contact whose bodies have changed by
+/// much less than that since its last visit is passed over.
 template <class SceneT>
 void ContactGroups<SceneT>::sweep(int first, int last, Scalar time) {
-  constexpr Scalar kEnough = Scalar(1) / 32;  // of D, in what is left of the step
-  for (int s = 0; s < kMaxSweeps; ++s) {      // Bound: kMaxSweeps
+  constexpr Scalar kUnseen = Scalar(1) / 4;
+  constexpr Scalar kNever = -std::numeric_limits<Scalar>::max();
+  for (int k = first; k < last; ++k) seen_[order_[static_cast<std::size_t>(k)]] = kNever;
+  for (int s = 0; s < kMaxSweeps; ++s) {  // Bound: kMaxSweeps
     bool is_done = true;
     for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
       const int at = s % 2 == 0 ? k : last - 1 - (k - first);
-      Contact& contact = contacts_[order_[static_cast<std::size_t>(at)]];
-      const Scalar change = relax(contact, solved_[a_of(contact)], solved_[b_of(contact)]);
-      is_done = is_done && !(change > kEnough * contact.rest_gap / time);
+      const std::size_t i = order_[static_cast<std::size_t>(at)];
+      Contact& contact = contacts_[static_cast<int>(i)];
+      const Scalar enough = least_change(contact, time);
+      const Scalar changed = changed_[a_of(contact)] + changed_[b_of(contact)];
+      if (!(changed - seen_[i] > kUnseen * enough)) continue;
+      seen_[i] = changed;
+      const Scalar change = visit(contact);
+      is_done = is_done && !(change > enough);
     }
     if (is_done) return;
   }
@@ -189,6 +232,7 @@ void ContactGroups<SceneT>::solve(BodiesT& bodies) {
   }
   choose(bodies);
   if (solved_count_ == 0) return;
+  changed_.fill(0);
   order(bodies);
   const auto group_at = [&](int k) {
     const Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
@@ -208,24 +252,31 @@ void ContactGroups<SceneT>::solve(BodiesT& bodies) {
   open(bodies);
 }
 
-/// What was solved goes into the momenta: one impulse at one point, to both.
+/// What was solved goes into the momenta.
 template <class SceneT>
 void ContactGroups<SceneT>::give(BodiesT& bodies, const Contact& contact) {
-  const std::size_t a = a_of(contact);
-  const std::size_t b = b_of(contact);
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
     const auto& point = contact.points[static_cast<std::size_t>(i)];
-    const Vec3<Scalar> J = impulse_of(point);
-    if (!bodies.is_led(a)) {
-      auto& momentum = bodies.actor(a).body.momentum;
-      momentum.linear_W += J;
-      momentum.angular_W += point.arm_A_W.cross(J) + point.rolling_W;
-    }
-    if (!bodies.is_led(b)) {
-      auto& momentum = bodies.actor(b).body.momentum;
-      momentum.linear_W -= J;
-      momentum.angular_W -= point.arm_B_W.cross(J) + point.rolling_W;
-    }
+    give_at(bodies, contact, point, impulse_at(point));
+  }
+}
+
+/// One impulse at one point, to both.
+template <class SceneT>
+void ContactGroups<SceneT>::give_at(BodiesT& bodies, const Contact& contact,
+                                    const ContactPoint<Scalar>& point,
+                                    const PointImpulse<Scalar>& given) {
+  const std::size_t a = a_of(contact);
+  const std::size_t b = b_of(contact);
+  if (!bodies.is_led(a)) {
+    auto& momentum = bodies.actor(a).body.momentum;
+    momentum.linear_W += given.J_W;
+    momentum.angular_W += point.arm_A_W.cross(given.J_W) + given.rolling_W;
+  }
+  if (!bodies.is_led(b)) {
+    auto& momentum = bodies.actor(b).body.momentum;
+    momentum.linear_W -= given.J_W;
+    momentum.angular_W -= point.arm_B_W.cross(given.J_W) + given.rolling_W;
   }
 }
 
@@ -259,9 +310,9 @@ void ContactGroups<SceneT>::open(BodiesT& bodies) {
   }
   if (!is_needed) return;
   find_below(bodies);
-  constexpr Scalar kShare = Scalar(0.5);     // of what is missing, in a step
-  constexpr Scalar kEnough = Scalar(1) / 32;   // of D, in the step
-  for (int s = 0; s < kOpeningSweeps; ++s) {   // Bound: kOpeningSweeps
+  constexpr Scalar kShare = Scalar(0.5);      // of what is missing, in a step
+  constexpr Scalar kEnough = Scalar(1) / 32;  // of D, in the step
+  for (int s = 0; s < kOpeningSweeps; ++s) {  // Bound: kOpeningSweeps
     bool is_done = true;
     for (int k = 0; k < solved_count_; ++k) {  // Bound: kMaxContacts
       const int at = s % 2 == 0 ? k : solved_count_ - 1 - k;
@@ -278,14 +329,16 @@ void ContactGroups<SceneT>::open(BodiesT& bodies) {
 template <class SceneT>
 void ContactGroups<SceneT>::find_below(const BodiesT& bodies) {
   if constexpr (SceneT::kGravity) {
+    constexpr Scalar kUpright = Scalar(0.5);  // beside each other: neither is below
+    const Scalar gravity = length(bodies.settings.gravity_W);
     unite(bodies, false);
     for (int k = 0; k < solved_count_; ++k) {  // Bound: kMaxContacts
       Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
       const std::size_t a = a_of(contact);
       const std::size_t b = b_of(contact);
       if (!held_[root_of(bodies.is_led(a) ? b : a)]) continue;
-      const Scalar lower = bodies.settings.gravity_W.dot(bodies.place_now(a) - bodies.place_now(b));
-      contact.below = lower > Scalar(0) ? 1 : 2;
+      const Scalar down = bodies.settings.gravity_W.dot(contact.points[0].normal_W);
+      if (std::abs(down) > kUpright * gravity) contact.below = down > Scalar(0) ? 1 : 2;
     }
   }
 }

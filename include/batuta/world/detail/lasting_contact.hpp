@@ -117,6 +117,17 @@ Scalar relax_opening(LastingContact<Scalar>& contact, SolvedBody<Scalar>& A, Sol
 template <class Scalar>
 Vec3<Scalar> impulse_of(const ContactPoint<Scalar>& point);
 
+/// What a point gives: on A, and the opposite on B.
+template <class Scalar>
+struct PointImpulse {
+  Vec3<Scalar> J_W = Vec3<Scalar>::Zero();        ///< N s
+  Vec3<Scalar> rolling_W = Vec3<Scalar>::Zero();  ///< impulsive torque, N m s
+};
+template <class Scalar>
+PointImpulse<Scalar> impulse_at(const ContactPoint<Scalar>& point) {
+  return {impulse_of(point), point.rolling_W};
+}
+
 /// Of the impulses solved, the share that belongs to the time that has passed is spent.
 template <class Scalar>
 void spend(LastingContact<Scalar>& contact, Scalar share);

@@ -51,9 +51,7 @@ class BatutaEngine : public Engine {
   std::size_t bytes() const override { return sizeof(World<SceneT>); }
 
  private:
-  static Vec3<float> vec(const Triple& x) {
-    return Vec3<double>(x[0], x[1], x[2]).cast<float>();
-  }
+  static Vec3<float> vec(const Triple& x) { return Vec3<double>(x[0], x[1], x[2]).cast<float>(); }
   static Triple triple(const Vec3<float>& x) {
     return {double{x.x()}, double{x.y()}, double{x.z()}};
   }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Section "costs" of the report: what a step of many bodies costs beside Bullet's, with nobody
-// asleep. Crossed bars that stand, crossed bars that fall over, and sparse crowds. Both engines make
-// each step in turn, so that what slows the host down slows down both; the thread's own clock
-// counts, and of it the step alone. A row tells the mean step of a run and what it is over Bullet's.
+// asleep. Crossed bars that stand, crossed bars that fall over, and sparse crowds. Both engines
+// make each step in turn, so that what slows the host down slows down both; the thread's own clock
+// counts, and of it the step alone. A row tells the mean step of a run and what it is over
+// Bullet's.
 
 #include <cmath>
 #include <cstdio>
@@ -22,12 +23,14 @@ struct Case {
   int hz;
   double seconds;
 };
-constexpr Case kCases[] = {
-    {Kind::kStanding, 28, 60, 5},  {Kind::kStanding, 32, 60, 5},    {Kind::kStanding, 40, 60, 5},
-    {Kind::kStanding, 64, 1000, 1}, {Kind::kStanding, 128, 1000, 1}, {Kind::kCollapsing, 64, 60, 5},
-    {Kind::kCollapsing, 128, 60, 5}, {Kind::kSparse, 32, 60, 4},      {Kind::kSparse, 64, 60, 4},
-    {Kind::kSparse, 128, 60, 4},    {Kind::kSparse, 256, 60, 4},     {Kind::kSparse, 512, 60, 2},
-    {Kind::kSparse, 1024, 60, 1},   {Kind::kSparse, 2048, 60, 1},    {Kind::kSparse, 4096, 60, 1}};
+constexpr Case kCases[] = {{Kind::kStanding, 28, 60, 5},    {Kind::kStanding, 32, 60, 5},
+                           {Kind::kStanding, 40, 60, 5},    {Kind::kStanding, 64, 1000, 1},
+                           {Kind::kStanding, 128, 1000, 1}, {Kind::kCollapsing, 64, 60, 5},
+                           {Kind::kCollapsing, 128, 60, 5}, {Kind::kSparse, 32, 60, 4},
+                           {Kind::kSparse, 64, 60, 4},      {Kind::kSparse, 128, 60, 4},
+                           {Kind::kSparse, 256, 60, 4},     {Kind::kSparse, 512, 60, 2},
+                           {Kind::kSparse, 1024, 60, 1},    {Kind::kSparse, 2048, 60, 1},
+                           {Kind::kSparse, 4096, 60, 1}};
 
 const char* name(Kind kind) {
   constexpr const char* kNames[] = {"standing", "collapsing", "sparse"};
@@ -85,8 +88,7 @@ EnginePtr bullet(const Case& asked) {
 
 void run(const Case& asked, double seconds, std::uint64_t number, Row& row) {
   const bool is_sparse = asked.kind == Kind::kSparse;
-  const Plan plan =
-      is_sparse ? draw_crowd(asked.bodies, number) : draw_bars(asked.bodies, number);
+  const Plan plan = is_sparse ? draw_crowd(asked.bodies, number) : draw_bars(asked.bodies, number);
   std::array<EnginePtr, 2> engines = {ours(asked), bullet(asked)};
   std::array<double, 2> sums{};
   for (const EnginePtr& engine : engines) {
@@ -142,6 +144,6 @@ int measure(const report::Options& options) {
 
 int main(int argc, char** argv) {
   using namespace batuta::report;
-  return batuta::worlds::measure(
-      parse(argc, argv, {"costs", "What a step of many bodies costs beside Bullet's.", "3 minutes"}));
+  return batuta::worlds::measure(parse(
+      argc, argv, {"costs", "What a step of many bodies costs beside Bullet's.", "3 minutes"}));
 }
