@@ -387,21 +387,39 @@ Scalar relax(LastingContact<Scalar>& contact, SolvedBody<Scalar>& A, SolvedBody<
 }
 
 template <class Scalar>
-void relax_opening(LastingContact<Scalar>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
-                   Scalar time) {
-  constexpr Scalar kShare = Scalar(0.5);     // of what is missing, in a step
-  constexpr Scalar kWanted = Scalar(0.5);    // of D
+Scalar relax_opening(LastingContact<Scalar>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
+                     Scalar time, Scalar share) {
+  constexpr Scalar kWanted = Scalar(0.5);  // of D
+  Scalar most = 0;
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
     auto& point = contact.points[static_cast<std::size_t>(i)];
     const Scalar wanted = point.normal > Scalar(0) ? kWanted * contact.rest_gap : Scalar(0);
     const Scalar missing = wanted - point.gap;
-    const Scalar most = min_of(Scalar(0), kWanted * contact.rest_gap - point.gap) / time;
-    const Scalar goal = missing > Scalar(0) ? kShare * missing / time : most;
+    Scalar goal = 0;
+    if (missing > Scalar(0)) {
+      goal = share * missing / time;
+    } else if (share > Scalar(0)) {
+      goal = min_of(Scalar(0), (kWanted * contact.rest_gap - point.gap) / time + point.room);
+    }
     const Scalar u = point.normal_W.dot(velocity_across(point, A, B));
-    const Scalar opening = max_of(Scalar(0), point.opening + point.stiffness * (goal - u));
-    push(point, A, B, opening - point.opening, Scalar(0), Scalar(0));
+    const Vec3<Scalar> moment_A = point.arm_A_W.cross(point.normal_W);
+    const Vec3<Scalar> moment_B = point.arm_B_W.cross(point.normal_W);
+    const Vec3<Scalar> turn_A = A.inverse_inertia_W * moment_A;
+    const Vec3<Scalar> turn_B = B.inverse_inertia_W * moment_B;
+    const Scalar mass = A.inverse_mass + B.inverse_mass;
+    const Scalar softness = mass + moment_A.dot(turn_A) + moment_B.dot(turn_B);
+    if (!(softness > Scalar(0))) continue;
+    const Scalar opening = max_of(Scalar(0), point.opening + (goal - u) / softness);
+    const Scalar change = opening - point.opening;
+    if (change == Scalar(0)) continue;
+    most = max_of(most, std::abs(change) * mass);
+    A.v_W += (A.inverse_mass * change) * point.normal_W;
+    B.v_W -= (B.inverse_mass * change) * point.normal_W;
+    A.w_W += change * turn_A;
+    B.w_W -= change * turn_B;
     point.opening = opening;
   }
+  return most;
 }
 
 template <class Scalar>
@@ -445,7 +463,7 @@ void take_together(LastingContact<Scalar>& contact) {
   template void push_share(const LastingContact<S>&, SolvedBody<S>&, SolvedBody<S>&, S); \
   template void scale_impulses(LastingContact<S>&, S);                                   \
   template S relax(LastingContact<S>&, SolvedBody<S>&, SolvedBody<S>&, S&);              \
-  template void relax_opening(LastingContact<S>&, SolvedBody<S>&, SolvedBody<S>&, S);    \
+  template S relax_opening(LastingContact<S>&, SolvedBody<S>&, SolvedBody<S>&, S, S);    \
   template Vec3<S> impulse_of(const ContactPoint<S>&);                                   \
   template void spend(LastingContact<S>&, S);                                            \
   template void take_together(LastingContact<S>&);

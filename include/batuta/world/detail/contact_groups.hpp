@@ -66,9 +66,11 @@ class ContactGroups {
 
  private:
   static constexpr std::size_t kSlots = BodiesT::kSlots;
-  static constexpr int kMaxSweeps = 20;
+  static constexpr int kMaxSweeps = 60;
   static constexpr int kEventSweeps = 32;
-  static constexpr int kOpeningSweeps = 4;
+  /// Added to what visits changed of a body where something else changed it, m/s.
+  static constexpr Scalar kNoticed = 1;
+  static constexpr int kOpeningSweeps = 8;
 
   static std::size_t a_of(const Contact& contact) { return BodiesT::body_of(contact.pair.first); }
   static std::size_t b_of(const Contact& contact) { return BodiesT::body_of(contact.pair.second); }
@@ -85,9 +87,14 @@ class ContactGroups {
   std::size_t root_of(std::size_t slot);
   void unite(const BodiesT& bodies, bool loaded_only);
   Scalar warm_up(int first, int last);
+  Scalar visit(Contact& contact, Scalar& energy);
   void sweep(int first, int last, Scalar time, Scalar energy);
   void give(BodiesT& bodies, const Contact& contact);
+  void give_at(BodiesT& bodies, const Contact& contact, const ContactPoint<Scalar>& point,
+               const PointImpulse<Scalar>& given);
   void open(BodiesT& bodies);
+  void find_below(const BodiesT& bodies);
+  Scalar visit_opening(BodiesT& bodies, Contact& contact, Scalar share);
   void carry_loads(BodiesT& bodies, bool dirty_only);
   bool is_worth(const BodiesT& bodies, const Contact& contact, Scalar share) const;
   void refresh(BodiesT& bodies, Contact& contact);
@@ -110,9 +117,10 @@ class ContactGroups {
   std::array<std::array<Slot, 2>, static_cast<std::size_t>(SceneT::kMaxContacts)> next_{};
   std::array<Slot, static_cast<std::size_t>(SceneT::kMaxContacts)> order_{};
   std::array<Slot, kSlots> root_{};
-  std::array<bool, kSlots> held_{};  ///< of a root: something in its group is led
-  /// The root of its group when gaps were opened; kSlots: in none, or in one that is held.
-  std::array<Slot, kSlots> afloat_{};
+  std::array<bool, kSlots> held_{};       ///< of a root: something in its group is led
+  std::array<Scalar, kSlots> changed_{};  ///< sum of what visits changed of a body, m/s
+  /// Of both bodies of a contact together, when it was visited last.
+  std::array<Scalar, static_cast<std::size_t>(SceneT::kMaxContacts)> seen_{};
   FixedList<Slot, SceneT::kMaxBodies> dirty_;
   std::array<bool, kSlots> is_dirty_{};
   int solved_count_ = 0;

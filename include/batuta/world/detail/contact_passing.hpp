@@ -6,29 +6,12 @@
 
 namespace batuta::detail {
 
-/// An opening ends for a whole group that nothing holds: one that ended for some of it would move
-/// the common centre.
-template <class SceneT>
-void ContactGroups<SceneT>::end_opening(BodiesT& bodies, std::size_t slot) {
-  const auto end = [&bodies](std::size_t k) {
-    auto& state = bodies.states[k];
-    if (is_zero(state.opening.v_W) && is_zero(state.opening.w_W)) return;
-    bodies.bring(k);
-    state.opening = {};
-    state.changed = bodies.is_changed = true;
-  };
-  end(slot);
-  if (afloat_[slot] == kSlots) return;
-  for (std::size_t k = 0; k < kSlots; ++k) {  // Bound: kMaxBodies
-    if (afloat_[k] == afloat_[slot]) end(k);
-  }
-}
-
 template <class SceneT>
 void ContactGroups<SceneT>::mark(BodiesT& bodies, std::size_t slot) {
   if (is_dirty_[slot]) return;
   if (bodies.is_led(slot)) return load(bodies, slot);
   is_dirty_[slot] = true;
+  changed_[slot] += kNoticed;
   dirty_.push(static_cast<Slot>(slot));
   bodies.bring(slot);
   bodies.states[slot].changed = bodies.is_changed = true;
@@ -67,34 +50,40 @@ bool ContactGroups<SceneT>::is_worth(const BodiesT& bodies, const Contact& conta
   const Scalar left = bodies.dt - bodies.now;
   const Scalar most = share * contact.rest_gap;
   const Scalar least = kLeast * contact.rest_gap * (left / bodies.dt);
+  const std::size_t a = a_of(contact);
+  const std::size_t b = b_of(contact);
+  const Twist<Scalar>& A = bodies.states[a].opening;
+  const Twist<Scalar>& B = bodies.states[b].opening;
   bool is_worth = false;
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
     const auto& point = contact.points[static_cast<std::size_t>(i)];
     const Scalar u =
-        point.normal_W.dot(velocity_across(point, solved_[a_of(contact)], solved_[b_of(contact)])) +
-        point.room;
+        point.normal_W.dot(velocity_across(point, solved_[a], solved_[b])) + point.room;
+    const Scalar opening = point.normal_W.dot(
+        (A.v_W - B.v_W) + (A.w_W.cross(point.arm_A_W) - B.w_W.cross(point.arm_B_W)));
     const Scalar may_close = min_of(most, max_of(kOfGap * point.gap, least));
     const bool pulls = u * left > most && point.normal > Scalar(0);
-    is_worth = is_worth || u * left < -may_close || pulls;
+    is_worth = is_worth || (u + opening) * left < -may_close || pulls;
   }
   return is_worth;
 }
 
+/// One visit, and what it changes goes into the momenta.
 template <class SceneT>
 void ContactGroups<SceneT>::relax_now(BodiesT& bodies, Contact& contact, Scalar& energy) {
-  const std::size_t a = a_of(contact);
-  const std::size_t b = b_of(contact);
-  Contact before = contact;
-  relax(contact, solved_[a], solved_[b], energy);
+  std::array<PointImpulse<Scalar>, 2> before;
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
-    auto& old = before.points[static_cast<std::size_t>(i)];
-    const auto& point = contact.points[static_cast<std::size_t>(i)];
-    old.normal = point.normal - old.normal;
-    old.along = point.along - old.along;
-    old.across = point.across - old.across;
-    old.rolling_W = point.rolling_W - old.rolling_W;
+    const auto k = static_cast<std::size_t>(i);
+    before[k] = impulse_at(contact.points[k]);
   }
-  give(bodies, before);
+  visit(contact, energy);
+  for (int i = 0; i < contact.count; ++i) {  // Bound: 2
+    const auto k = static_cast<std::size_t>(i);
+    const PointImpulse<Scalar> after = impulse_at(contact.points[k]);
+    give_at(bodies, contact, contact.points[k],
+            {after.J_W - before[k].J_W, after.rolling_W - before[k].rolling_W});
+  }
+  visit_opening(bodies, contact, Scalar(0));
 }
 
 /// A neighbour that is approached much faster than rest is struck in turn.
@@ -110,6 +99,8 @@ void ContactGroups<SceneT>::pass_blow(BodiesT& bodies, Contact& contact, const B
     blow(contact.pair);
     load(bodies, a);
     load(bodies, b);
+    changed_[a] += kNoticed;
+    changed_[b] += kNoticed;
   }
 }
 
@@ -121,6 +112,8 @@ void ContactGroups<SceneT>::pass_on(BodiesT& bodies, PairsT& pairs, ProxyPair pa
   constexpr Scalar kLeastOfStruck = Scalar(1) / 64;
   dirty_.clear();
   is_dirty_.fill(false);
+  changed_.fill(0);
+  seen_.fill(0);
   Contact* struck = add(bodies, pair, pairs.rest_gap(bodies, pair));
   if (struck == nullptr) {
     ++bodies.report.contacts_dropped;
@@ -137,9 +130,12 @@ void ContactGroups<SceneT>::pass_on(BodiesT& bodies, PairsT& pairs, ProxyPair pa
       const std::size_t slot = dirty_[d];
       int next = first_of_[slot];
       while (next != 0) {  // Bound: the contacts of a body
+        const auto i = static_cast<std::size_t>(next - 1);
         Contact& contact = contacts_[next - 1];
-        next = next_[static_cast<std::size_t>(next - 1)][a_of(contact) == slot ? 0 : 1];
-        if (!contact.is_solved || is_welded(bodies, contact)) continue;
+        next = next_[i][a_of(contact) == slot ? 0 : 1];
+        const Scalar changed = changed_[a_of(contact)] + changed_[b_of(contact)];
+        if (!contact.is_solved || changed == seen_[i] || is_welded(bodies, contact)) continue;
+        seen_[i] = changed;
         const Scalar share = &contact == struck ? kLeastOfStruck : kLeast;
         if (!is_worth(bodies, contact, share)) continue;
         is_done = false;

@@ -44,6 +44,7 @@ void ContactGroups<SceneT>::choose(const BodiesT& bodies) {
     const std::size_t a = a_of(contact);
     const std::size_t b = b_of(contact);
     contact.is_solved = false;
+    contact.below = 0;
     if (!contact.is_kept || (bodies.is_led(a) && bodies.is_led(b))) continue;
     if (bodies.states[a].group != BodiesT::kAlone || bodies.states[b].group != BodiesT::kAlone)
       continue;
@@ -158,7 +159,8 @@ Scalar_of<SceneT> ContactGroups<SceneT>::warm_up(int first, int last) {
   const Scalar slope = work();
   give(Scalar(1));
   const Scalar bend = work() - slope;
-  const Scalar share = bend > Scalar(0) ? clamp(-slope / bend, Scalar(0), Scalar(1)) : Scalar(0);
+  Scalar share = bend > Scalar(0) ? clamp(-slope / bend, Scalar(0), Scalar(1)) : Scalar(0);
+  if (share + share > Scalar(1)) share = 1;  // beyond twice the least, energy is as at the start
   if (share < Scalar(1)) give(share - 1);
   for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
     scale_impulses(contacts_[order_[static_cast<std::size_t>(k)]], share);
@@ -166,18 +168,61 @@ Scalar_of<SceneT> ContactGroups<SceneT>::warm_up(int first, int last) {
   return min_of(Scalar(0), share * slope + share * share * bend / 2);
 }
 
-/// Up and down, until nothing changes by enough to matter.
+/// The change of a velocity that matters to a contact: so much of D in what is left of the step, or
+/// less where the gap is nearly closed, because the search would call what is left contact.
+template <class Scalar>
+Scalar least_change(const LastingContact<Scalar>& contact, Scalar time) {
+  constexpr Scalar kEnough = Scalar(1) / 32;   // of D
+  constexpr Scalar kOfGap = Scalar(1) / 8;     // of the gap
+  constexpr Scalar kLeast = Scalar(1) / 1024;  // of D
+  const Scalar gap = contact.count > 1 ? min_of(contact.points[0].gap, contact.points[1].gap)
+                                       : contact.points[0].gap;
+  const Scalar D = contact.rest_gap;
+  return min_of(kEnough * D, max_of(kOfGap * gap, kLeast * D)) / time;
+}
+
+/// One visit; adds what it changed to what is known of both bodies.
+/// @param energy  what was added to that of the group so far, J, <= 0: the visit adds its part
+/// @returns the largest change along a normal, m/s
+template <class SceneT>
+Scalar_of<SceneT> ContactGroups<SceneT>::visit(Contact& contact, Scalar& energy) {
+  const std::array<std::size_t, 2> slots = {a_of(contact), b_of(contact)};
+  std::array<Vec3<Scalar>, 4> before;
+  for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2
+    before[2 * i] = solved_[slots[i]].v_W;
+    before[2 * i + 1] = solved_[slots[i]].w_W;
+  }
+  const Scalar change = relax(contact, solved_[slots[0]], solved_[slots[1]], energy);
+  const auto& point = contact.points[0];
+  for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2
+    const Scalar reach = (i == 0 ? point.arm_A_W : point.arm_B_W).cwiseAbs().sum();
+    const auto& solved = solved_[slots[i]];
+    changed_[slots[i]] += (solved.v_W - before[2 * i]).cwiseAbs().sum() +
+                          reach * (solved.w_W - before[2 * i + 1]).cwiseAbs().sum();
+  }
+  return change;
+}
+
+/// Up and down, until nothing changes by enough to matter. A contact whose bodies have changed by
+/// much less than that since its last visit is passed over.
 /// @param energy  what was added to that of the group so far, J, <= 0
 template <class SceneT>
 void ContactGroups<SceneT>::sweep(int first, int last, Scalar time, Scalar energy) {
-  constexpr Scalar kEnough = Scalar(1) / 32;  // of D, in what is left of the step
-  for (int s = 0; s < kMaxSweeps; ++s) {      // Bound: kMaxSweeps
+  constexpr Scalar kUnseen = Scalar(1) / 4;
+  constexpr Scalar kNever = -std::numeric_limits<Scalar>::max();
+  for (int k = first; k < last; ++k) seen_[order_[static_cast<std::size_t>(k)]] = kNever;
+  for (int s = 0; s < kMaxSweeps; ++s) {  // Bound: kMaxSweeps
     bool is_done = true;
     for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
       const int at = s % 2 == 0 ? k : last - 1 - (k - first);
-      Contact& contact = contacts_[order_[static_cast<std::size_t>(at)]];
-      const Scalar change = relax(contact, solved_[a_of(contact)], solved_[b_of(contact)], energy);
-      is_done = is_done && !(change > kEnough * contact.rest_gap / time);
+      const std::size_t i = order_[static_cast<std::size_t>(at)];
+      Contact& contact = contacts_[static_cast<int>(i)];
+      const Scalar enough = least_change(contact, time);
+      const Scalar changed = changed_[a_of(contact)] + changed_[b_of(contact)];
+      if (!(changed - seen_[i] > kUnseen * enough)) continue;
+      seen_[i] = changed;
+      const Scalar change = visit(contact, energy);
+      is_done = is_done && !(change > enough);
     }
     if (is_done) return;
   }
@@ -190,6 +235,7 @@ void ContactGroups<SceneT>::solve(BodiesT& bodies) {
   }
   choose(bodies);
   if (solved_count_ == 0) return;
+  changed_.fill(0);
   order(bodies);
   const auto group_at = [&](int k) {
     const Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
@@ -208,24 +254,31 @@ void ContactGroups<SceneT>::solve(BodiesT& bodies) {
   open(bodies);
 }
 
-/// What was solved goes into the momenta: one impulse at one point, to both.
+/// What was solved goes into the momenta.
 template <class SceneT>
 void ContactGroups<SceneT>::give(BodiesT& bodies, const Contact& contact) {
-  const std::size_t a = a_of(contact);
-  const std::size_t b = b_of(contact);
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
     const auto& point = contact.points[static_cast<std::size_t>(i)];
-    const Vec3<Scalar> J = impulse_of(point);
-    if (!bodies.is_led(a)) {
-      auto& momentum = bodies.actor(a).body.momentum;
-      momentum.linear_W += J;
-      momentum.angular_W += point.arm_A_W.cross(J) + point.rolling_W;
-    }
-    if (!bodies.is_led(b)) {
-      auto& momentum = bodies.actor(b).body.momentum;
-      momentum.linear_W -= J;
-      momentum.angular_W -= point.arm_B_W.cross(J) + point.rolling_W;
-    }
+    give_at(bodies, contact, point, impulse_at(point));
+  }
+}
+
+/// One impulse at one point, to both.
+template <class SceneT>
+void ContactGroups<SceneT>::give_at(BodiesT& bodies, const Contact& contact,
+                                    const ContactPoint<Scalar>& point,
+                                    const PointImpulse<Scalar>& given) {
+  const std::size_t a = a_of(contact);
+  const std::size_t b = b_of(contact);
+  if (!bodies.is_led(a)) {
+    auto& momentum = bodies.actor(a).body.momentum;
+    momentum.linear_W += given.J_W;
+    momentum.angular_W += point.arm_A_W.cross(given.J_W) + given.rolling_W;
+  }
+  if (!bodies.is_led(b)) {
+    auto& momentum = bodies.actor(b).body.momentum;
+    momentum.linear_W -= given.J_W;
+    momentum.angular_W -= point.arm_B_W.cross(given.J_W) + given.rolling_W;
   }
 }
 
@@ -258,27 +311,61 @@ void ContactGroups<SceneT>::open(BodiesT& bodies) {
       is_needed = is_needed || point.gap < limit;
     }
   }
-  afloat_.fill(static_cast<Slot>(kSlots));
   if (!is_needed) return;
-  unite(bodies, false);
-  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    if (!held_[root_of(slot)]) afloat_[slot] = static_cast<Slot>(root_of(slot));
+  find_below(bodies);
+  constexpr Scalar kShare = Scalar(0.5);      // of what is missing, in a step
+  constexpr Scalar kEnough = Scalar(1) / 32;  // of D, in the step
+  for (int s = 0; s < kOpeningSweeps; ++s) {  // Bound: kOpeningSweeps
+    bool is_done = true;
+    for (int k = 0; k < solved_count_; ++k) {  // Bound: kMaxContacts
+      const int at = s % 2 == 0 ? k : solved_count_ - 1 - k;
+      Contact& contact = contacts_[order_[static_cast<std::size_t>(at)]];
+      const Scalar change = visit_opening(bodies, contact, kShare);
+      is_done = is_done && !(change > kEnough * contact.rest_gap / bodies.dt);
+    }
+    if (is_done) return;
   }
-  for (int s = 0; s < kOpeningSweeps; ++s) {   // Bound: kOpeningSweeps
+}
+
+/// In a group that something holds, what lies below counts as held while gaps are opened: its
+/// opening lifts all that lies on it (world.md, "Opening").
+template <class SceneT>
+void ContactGroups<SceneT>::find_below(const BodiesT& bodies) {
+  if constexpr (SceneT::kGravity) {
+    constexpr Scalar kUpright = Scalar(0.5);  // beside each other: neither is below
+    const Scalar gravity = length(bodies.settings.gravity_W);
+    unite(bodies, false);
     for (int k = 0; k < solved_count_; ++k) {  // Bound: kMaxContacts
       Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
-      std::array<SolvedBody<Scalar>, 2> sides;
-      for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2
-        const std::size_t slot = i == 0 ? a_of(contact) : b_of(contact);
-        sides[i] = solved_[slot];
-        sides[i].v_W = bodies.states[slot].opening.v_W;
-        sides[i].w_W = bodies.states[slot].opening.w_W;
-      }
-      relax_opening(contact, sides[0], sides[1], bodies.dt);
-      bodies.states[a_of(contact)].opening = {sides[0].v_W, sides[0].w_W};
-      bodies.states[b_of(contact)].opening = {sides[1].v_W, sides[1].w_W};
+      const std::size_t a = a_of(contact);
+      const std::size_t b = b_of(contact);
+      if (!held_[root_of(bodies.is_led(a) ? b : a)]) continue;
+      const Scalar down = bodies.settings.gravity_W.dot(contact.points[0].normal_W);
+      if (std::abs(down) > kUpright * gravity) contact.below = down > Scalar(0) ? 1 : 2;
     }
   }
+}
+
+/// One contact, with the velocities that open gaps. @param share  of what is missing, in a step
+template <class SceneT>
+Scalar_of<SceneT> ContactGroups<SceneT>::visit_opening(BodiesT& bodies, Contact& contact,
+                                                       Scalar share) {
+  std::array<SolvedBody<Scalar>, 2> sides;
+  for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2
+    const std::size_t slot = i == 0 ? a_of(contact) : b_of(contact);
+    sides[i] = solved_[slot];
+    sides[i].v_W = bodies.states[slot].opening.v_W;
+    sides[i].w_W = bodies.states[slot].opening.w_W;
+    if (contact.below == i + 1) {
+      sides[i].inverse_mass = 0;
+      sides[i].inverse_inertia_W.setZero();
+    }
+  }
+  const Scalar change = relax_opening(contact, sides[0], sides[1], bodies.dt, share);
+  if (!(change > Scalar(0))) return change;
+  bodies.states[a_of(contact)].opening = {sides[0].v_W, sides[0].w_W};
+  bodies.states[b_of(contact)].opening = {sides[1].v_W, sides[1].w_W};
+  return change;
 }
 
 }  // namespace batuta::detail

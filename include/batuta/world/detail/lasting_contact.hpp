@@ -58,6 +58,7 @@ struct LastingContact {
   bool is_new = true;      ///< was not solved in the last step
   bool is_kept = false;    ///< was found near in this step
   bool is_told = false;    ///< its begin was told
+  std::uint8_t below = 0;  ///< which one counts as held while gaps are opened: 1: A, 2: B
   Scalar since = 0;        ///< in the step, s: its points are those of this time
   Scalar rest_gap = 0;     ///< D of the pair, m
   Scalar friction = 0;
@@ -108,14 +109,28 @@ template <class Scalar>
 Scalar relax(LastingContact<Scalar>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
              Scalar& energy);
 
-/// One visit for the velocities that open gaps. @param A, B  these velocities
+/// One visit for the velocities that open gaps.
+/// @param A, B   these velocities
+/// @param share  of what is missing, to be made up over `time`; 0: nothing is opened, nor closed
+/// @returns the largest change of a velocity along a normal, m/s. Bound: two points.
 template <class Scalar>
-void relax_opening(LastingContact<Scalar>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
-                   Scalar time);
+Scalar relax_opening(LastingContact<Scalar>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
+                     Scalar time, Scalar share);
 
 /// The impulse on A of what is being solved at a point, N s.
 template <class Scalar>
 Vec3<Scalar> impulse_of(const ContactPoint<Scalar>& point);
+
+/// What a point gives: on A, and the opposite on B.
+template <class Scalar>
+struct PointImpulse {
+  Vec3<Scalar> J_W = Vec3<Scalar>::Zero();        ///< N s
+  Vec3<Scalar> rolling_W = Vec3<Scalar>::Zero();  ///< impulsive torque, N m s
+};
+template <class Scalar>
+PointImpulse<Scalar> impulse_at(const ContactPoint<Scalar>& point) {
+  return {impulse_of(point), point.rolling_W};
+}
 
 /// Of the impulses solved, the share that belongs to the time that has passed is spent.
 template <class Scalar>

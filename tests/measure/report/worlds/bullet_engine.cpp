@@ -51,6 +51,7 @@ class Stage {
 
   void step(double dt) { world_.stepSimulation(dt, 0); }
   const btRigidBody& body(int i) const { return *bodies_[static_cast<std::size_t>(i)]; }
+  btRigidBody& body(int i) { return *bodies_[static_cast<std::size_t>(i)]; }
 
  private:
   void add(const Plan& plan, const BodyPlan& given, const Pace& pace) {
@@ -107,6 +108,12 @@ class BulletEngine : public Engine {
             triple(body.getLinearVelocity()),
             triple(body.getAngularVelocity())};
   }
+  void mirror(int i, int axis) override {
+    btRigidBody& body = stage_->body(i);
+    btVector3 v = body.getLinearVelocity();
+    v[axis] = -v[axis];
+    body.setLinearVelocity(v);
+  }
 
  private:
   Pace pace_;
@@ -127,6 +134,10 @@ std::vector<EnginePtr> bullet_engines() {
     engines.push_back(std::make_unique<BulletEngine>(pace));
   }
   return engines;
+}
+
+EnginePtr bullet_engine(int hz) {
+  return std::make_unique<BulletEngine>(Pace{"Bullet", hz, Way::kDefault});
 }
 
 }  // namespace batuta::worlds

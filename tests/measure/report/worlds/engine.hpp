@@ -47,6 +47,10 @@ class Engine {
   virtual void step() = 0;
   virtual int steps_per_second() const = 0;
   virtual BodyState state(int body) const = 0;
+  /// Turns a body's velocity along an axis of the world round.
+  virtual void mirror(int body, int axis) = 0;
+  /// Of memory, where it is known.
+  virtual std::size_t bytes() const { return 0; }
   /// Steps so far in which the engine says that something did not fit.
   virtual int incomplete() const { return 0; }
 };
@@ -57,5 +61,12 @@ inline constexpr int kMostBodies = 160;
 
 std::vector<EnginePtr> batuta_engines();
 std::vector<EnginePtr> bullet_engines();
+
+/// Bars that rub, in a world with room for no more than so many (a power of two, 32 to 128).
+EnginePtr batuta_bars(int bodies, int hz);
+/// A sparse crowd, in a world with room for no more than so many (a power of two, 32 to 4,096).
+EnginePtr batuta_crowd(int bodies, int hz);
+/// With its defaults.
+EnginePtr bullet_engine(int hz);
 
 }  // namespace batuta::worlds

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "plans.hpp"
 
+#include <cmath>
+
 #include "batuta/mechanics/body.hpp"
 #include "draws.hpp"
 
@@ -21,9 +23,9 @@ Quaternion quaternion(const Quat<double>& q) {
   return {q.w(), q.x(), q.y(), q.z()};
 }
 
-BodyPlan solid(double half_length, double radius) {
+BodyPlan solid(double half_length, double radius, double density = kDensity) {
   const Capsule<double> shape{{{0, 0, -half_length}, {0, 0, half_length}}, radius};
-  const auto mass = solid_capsule(shape, kDensity).value;
+  const auto mass = solid_capsule(shape, density).value;
   BodyPlan body;
   body.half_length = half_length;
   body.radius = radius;
@@ -57,10 +59,11 @@ Capsule<double> shape_of(const BodyPlan& body) {
                           {{{0, 0, -body.half_length}, {0, 0, body.half_length}}, body.radius});
 }
 
-/// Movers at random in a box, free of each other.
-void add_movers(Plan& plan, test::Draws& draws, const Vec3<double>& half, double speed) {
-  while (static_cast<int>(plan.bodies.size()) < kMovers) {
-    BodyPlan body = solid(0.1, 0.03);
+/// Movers of a shape at random in a box, free of each other.
+void add_movers(Plan& plan, test::Draws& draws, int count, const BodyPlan& shape,
+                const Vec3<double>& half, double speed) {
+  while (static_cast<int>(plan.bodies.size()) < count) {
+    BodyPlan body = shape;
     const double x = draws.signed_unit();
     const double y = draws.signed_unit();
     const double z = draws.signed_unit();
@@ -80,7 +83,7 @@ void add_movers(Plan& plan, test::Draws& draws, const Vec3<double>& half, double
 Plan cage(test::Draws& draws) {
   Plan plan;
   plan.restitution = 1;
-  add_movers(plan, draws, {0.7, 0.7, 0.7}, 2);
+  add_movers(plan, draws, kMovers, solid(0.1, 0.03), {0.7, 0.7, 0.7}, 2);
   for (int axis = 0; axis < 3; ++axis) {
     add_wall(plan, axis, -kHalfCage);
     add_wall(plan, axis, kHalfCage);
@@ -93,7 +96,7 @@ Plan pile(test::Draws& draws) {
   plan.gravity = {0, 0, -9.81};
   plan.friction = 0.5;
   plan.may_sleep = true;
-  add_movers(plan, draws, {0.5, 0.5, 0.7}, 0.2);
+  add_movers(plan, draws, kMovers, solid(0.1, 0.03), {0.5, 0.5, 0.7}, 0.2);
   add_wall(plan, 2, -kHalfCage);
   for (int axis = 0; axis < 2; ++axis) {
     add_wall(plan, axis, -kHalfCage);
@@ -135,6 +138,52 @@ Plan draw(Play play, std::uint64_t number) {
   test::Draws draws(2006, static_cast<std::uint64_t>(play), number);
   if (play == Play::kCage) return cage(draws);
   return play == Play::kPile ? pile(draws) : volley(draws);
+}
+
+Plan draw_bars(int bodies, std::uint64_t number) {
+  constexpr int kLogs = 8;
+  constexpr int kInLayer = 4;
+  constexpr double kWood = 700;  // kg/m^3
+  test::Draws draws(2007, static_cast<std::uint64_t>(bodies), number);
+  Plan plan;
+  plan.gravity = {0, 0, -9.81};
+  plan.restitution = 0.2;
+  plan.friction = 0.5;
+  for (int i = 0; i < kLogs; ++i) {
+    BodyPlan log;
+    log.half_length = 1.5;
+    log.radius = 0.06;
+    log.start.place = {0.12 * (i - 3.5), 0, -0.06};
+    log.start.turn = kFromZ[1];
+    plan.bodies.push_back(log);
+  }
+  for (int i = 0; i < bodies - kLogs; ++i) {
+    const int layer = i / kInLayer;
+    const bool is_odd = layer % 2 == 1;
+    const double aside = 0.08 * (i % kInLayer - 1.5);
+    const double along = draws.between(-0.01, 0.01);
+    const double half_yaw = draws.between(-0.05, 0.05);
+    BodyPlan bar = solid(0.15, 0.03, kWood);
+    bar.start.place = {is_odd ? aside : along, is_odd ? along : aside, 0.04 + 0.065 * layer};
+    const auto& q = kFromZ[is_odd ? 1 : 0];
+    const Quat<double> yaw(std::cos(half_yaw), 0, 0, std::sin(half_yaw));
+    bar.start.turn = quaternion(yaw * Quat<double>(q[0], q[1], q[2], q[3]));
+    plan.bodies.push_back(bar);
+  }
+  return plan;
+}
+
+double half_cube(int bodies) {
+  return 0.25 * std::cbrt(bodies);
+}
+
+Plan draw_crowd(int bodies, std::uint64_t number) {
+  test::Draws draws(2008, static_cast<std::uint64_t>(bodies), number);
+  Plan plan;
+  plan.restitution = 1;
+  const double half = half_cube(bodies);
+  add_movers(plan, draws, bodies, solid(0.1, 0.02), {half, half, half}, 1);
+  return plan;
 }
 
 }  // namespace batuta::worlds

@@ -17,6 +17,15 @@ const char* name(Play play);
 double duration(Play play);  ///< s
 Plan draw(Play play, std::uint64_t number);
 
+/// Crossed bars, four to a layer, on eight fixed logs that come first: the lower layers are too
+/// narrow for many. @param bodies  logs included
+Plan draw_bars(int bodies, std::uint64_t number);
+
+/// Capsules in flight in a cube, half a metre to the next one, elastic, no weight.
+Plan draw_crowd(int bodies, std::uint64_t number);
+/// Half the edge of that cube, m.
+double half_cube(int bodies);
+
 inline constexpr int kMovers = 32;      ///< in the volley, half of them are shot; movers come first
 inline constexpr double kHalfCage = 1;  ///< m, from the middle to the axes of the walls
 
