@@ -141,6 +141,9 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   bool uses_up_answers(ProxyPair pair);
   Scalar rest_speed() const;
   Scalar restitution_of(ProxyPair pair) const;
+  // Kept apart: some calls, and no copies.
+  [[gnu::noinline]] Collider<Scalar> collider(int proxy) const;
+  [[gnu::noinline]] void push(int proxy, const Momentum<Scalar>& change);
   Result<Impulse<Scalar>> strike(ProxyPair pair, const Contact<Scalar>& contact,
                                  Scalar restitution);
   void strike_neighbour(ProxyPair pair);

@@ -120,13 +120,11 @@ void Pairs<SceneT>::search_pair(const BodiesT& bodies, ProxyPair pair, Scalar un
     query.contact_gap = Search::contact_gap(moving_pair.value, bodies.settings.search);
     const bool is_solved = kLasts<SceneT> && lasts > Scalar(0);
     if (is_solved) make_thinner(moving_pair.value, query.contact_gap);
-    query.search = search_with_seed(pair, moving_pair.value, bodies.settings.search);
+    search_with_seed(bodies, pair, moving_pair.value, query.search);
     const bool may_part = query.outcome() == Outcome::kTouching &&
                           (!(query.search.gap_rate < slowest_closing(bodies, query, is_solved)) ||
                            parts_now(bodies, pair, query));
-    if (SceneT::kResponse && may_part) {
-      query.search = search_thinner(bodies, moving_pair.value, query, pair);
-    }
+    if (SceneT::kResponse && may_part) search_thinner(bodies, pair, moving_pair.value, query);
   }
 }
 
@@ -155,32 +153,28 @@ bool Pairs<SceneT>::parts_now(const BodiesT& bodies, ProxyPair pair, const PairQ
 
 /// The seed is a direction in W, and as good a guess in the next round or step.
 template <class SceneT>
-SearchResult<Scalar_of<SceneT>> Pairs<SceneT>::search_with_seed(
-    ProxyPair pair, const MovingPair<Scalar>& moving_pair,
-    const typename Search::Options& options) {
+void Pairs<SceneT>::search_with_seed(const BodiesT& bodies, ProxyPair pair,
+                                     const MovingPair<Scalar>& moving_pair,
+                                     SearchResult<Scalar>& result) {
+  Vec3<Scalar> seed = Vec3<Scalar>::Zero();
+  if constexpr (Search::kUsesSeed) seed = this->recall(pair);
+  result = Search::search(moving_pair, bodies.settings.search, seed);
   if constexpr (Search::kUsesSeed) {
-    auto result = Search::search(moving_pair, options, this->recall(pair));
     if (result.outcome != Outcome::kInvalid) this->remember(pair, result.witness.axes.normal_AB);
-    return result;
-  } else {
-    return Search::search(moving_pair, options, Vec3<Scalar>::Zero());
   }
 }
 
 /// What touches and parts is searched as if it were thinner by what is missing to be clear of
 /// contact (world.md, "Touching and parting").
 template <class SceneT>
-SearchResult<Scalar_of<SceneT>> Pairs<SceneT>::search_thinner(const BodiesT& bodies,
-                                                              const MovingPair<Scalar>& moving_pair,
-                                                              const PairQuery& query,
-                                                              ProxyPair pair) const {
+void Pairs<SceneT>::search_thinner(const BodiesT& bodies, ProxyPair pair,
+                                   MovingPair<Scalar>& moving_pair, PairQuery& query) const {
   const Scalar missing = margin_of(bodies, query, pair) - query.search.witness.gap;
-  MovingPair<Scalar> thinner = moving_pair;
-  if (!make_thinner(thinner, missing)) return query.search;
-  SearchResult<Scalar> result =
-      Search::search(thinner, bodies.settings.search, query.search.witness.axes.normal_AB);
-  result.evaluations += query.search.evaluations;
-  return result;
+  if (!make_thinner(moving_pair, missing)) return;
+  const std::uint32_t evaluations = query.search.evaluations;
+  const Vec3<Scalar> seed = query.search.witness.axes.normal_AB;
+  query.search = Search::search(moving_pair, bodies.settings.search, seed);
+  query.search.evaluations += evaluations;
 }
 
 template <class SceneT>
