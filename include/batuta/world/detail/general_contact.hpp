@@ -117,12 +117,16 @@ typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::restitution_of(Proxy
   }
 }
 
-/// A body as a blow sees it: where it is, and how its matter moves now.
+/// Two bodies as a blow sees them: where they are, and how their matter moves now.
 template <class SceneT>
-Collider<typename GeneralWorld<SceneT>::Scalar> GeneralWorld<SceneT>::collider(int proxy) const {
-  const std::size_t slot = BodiesT::body_of(proxy);
-  const auto& body = bodies_.actor(slot).body;
-  return {body.X_WB, bodies_.twist_now(slot), body.inverse_mass, body.inverse_moments};
+typename GeneralWorld<SceneT>::Sides GeneralWorld<SceneT>::sides_of(ProxyPair pair) const {
+  const auto side = [this](int proxy) {
+    const std::size_t slot = BodiesT::body_of(proxy);
+    const auto& body = bodies_.actor(slot).body;
+    return Collider<Scalar>{body.X_WB, bodies_.twist_now(slot), body.inverse_mass,
+                            body.inverse_moments};
+  };
+  return {side(pair.first), side(pair.second)};
 }
 
 /// Adds an impulse. One that its controller moves first gets the momentum that goes with that, so
@@ -144,18 +148,16 @@ void GeneralWorld<SceneT>::push(int proxy, const Momentum<Scalar>& change) {
 /// The impulse of a blow, given to both momenta.
 template <class SceneT>
 Result<Impulse<typename GeneralWorld<SceneT>::Scalar>> GeneralWorld<SceneT>::strike(
-    ProxyPair pair, const Contact<Scalar>& contact, Scalar restitution) {
-  const Collider<Scalar> A = collider(pair.first);
-  const Collider<Scalar> B = collider(pair.second);
+    ProxyPair pair, const Sides& sides, const Contact<Scalar>& contact, Scalar restitution) {
   Result<Impulse<Scalar>> hit;
   if constexpr (SceneT::kFriction) {
     FrictionLaw<Scalar> law;
     law.restitution = restitution;
     law.friction = pair_friction(bodies_.actor(BodiesT::body_of(pair.first)).friction,
                                  bodies_.actor(BodiesT::body_of(pair.second)).friction);
-    hit = friction_impulse(A, B, contact, law);
+    hit = friction_impulse(sides.A, sides.B, contact, law);
   } else {
-    hit = collision_impulse(A, B, contact, restitution);
+    hit = collision_impulse(sides.A, sides.B, contact, restitution);
   }
   if (!hit.ok()) return hit;
   push(pair.first, hit.value.on_A);
@@ -168,9 +170,7 @@ template <class SceneT>
 typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::velocity_between(
     ProxyPair pair, const Contact<Scalar>& contact) const {
   if constexpr (SceneT::kRotation) {
-    const Collider<Scalar> A = collider(pair.first);
-    const Collider<Scalar> B = collider(pair.second);
-    return relative_velocity(contact, A.X_WB, A.twist, B.X_WB, B.twist);
+    return velocity_between(sides_of(pair), contact);
   } else {
     const std::size_t a = BodiesT::body_of(pair.first);
     const std::size_t b = BodiesT::body_of(pair.second);
@@ -210,20 +210,21 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
       return block(candidate, query, at);
     }
   }
+  const Sides sides = sides_of(pair);
   if constexpr (SceneT::kLineContact) {
-    at.contact = pressure_contact(collider(pair.first), collider(pair.second),
-                                  bodies_.shape_W(pair.first), bodies_.shape_W(pair.second),
-                                  at.contact, PairsT::margin_of(bodies_, query, pair));
+    at.contact = pressure_contact(sides.A, sides.B, bodies_.shape_W(pair.first),
+                                  bodies_.shape_W(pair.second), at.contact,
+                                  PairsT::margin_of(bodies_, query, pair));
   }
   Answer<Scalar> answer;
-  answer.v_rel = velocity_between(pair, at.contact);
+  answer.v_rel = velocity_between(sides, at.contact);
   answer.kind = classify(answer.v_rel, rest_speed());
   answer.is_overlap = candidate.outcome == Outcome::kTouching && !(at.contact.gap > Scalar(0));
   const bool collides = answer.kind == ContactKind::kColliding;
   if (collides || kSolves) {
     // A pair that comes again and again in a step is between others, and settles.
     const bool bounces = collides && answers_of_pair_ <= max_of(SceneT::kMaxSeparations / 2, 1);
-    const auto hit = strike(pair, at.contact, bounces ? restitution_of(pair) : Scalar(0));
+    const auto hit = strike(pair, sides, at.contact, bounces ? restitution_of(pair) : Scalar(0));
     if (!hit.ok()) {
       ++bodies_.report.resolutions_invalid;
       bodies_.weld(a, b, bodies_.dt);
@@ -232,7 +233,7 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
     answer.impulse = hit.value.magnitude;
   }
   if (!kSolves && takes_load(pair, at.contact)) {
-    const auto press = strike(pair, at.contact, Scalar(0));
+    const auto press = strike(pair, sides_of(pair), at.contact, Scalar(0));
     if (press.ok()) answer.impulse += press.value.magnitude;
   }
   touches_.record(bodies_, pair, at, answer);
@@ -254,7 +255,7 @@ void GeneralWorld<SceneT>::strike_neighbour(ProxyPair pair) {
       capsule_gap(bodies_.shape_W(pair.first), bodies_.shape_W(pair.second));
   const Nearest<Scalar> at = {contact_from(gap, Vec3<Scalar>::Zero().eval()), gap.axes.s,
                               gap.axes.u};
-  const auto hit = strike(pair, at.contact, restitution_of(pair));
+  const auto hit = strike(pair, sides_of(pair), at.contact, restitution_of(pair));
   if (!hit.ok()) return;
   Answer<Scalar> answer;
   answer.kind = ContactKind::kColliding;
