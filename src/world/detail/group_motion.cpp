@@ -59,6 +59,7 @@ BATUTA_RARE Vec3<Scalar> spin_of(const RigidGroup<Scalar>& group, const Vec3<Sca
     }
     add(w_W, Scalar(1), solved(stiffer_W, left_W));
   }
+  if (!is_finite(w_W)) w_W.setZero();  // beyond the numbers
   return w_W;
 }
 
@@ -82,6 +83,7 @@ BATUTA_RARE void add_to_group(RigidGroup<Scalar>& group, const Body<Scalar>& bod
   add(all.angular_W, Scalar(1), own.angular_W);
   add(all.angular_W, Scalar(1), crossed(r_W, relative_W));
   add(all.linear_W, Scalar(1), own.linear_W);
+  group.turns = group.turns && is_finite(all.angular_W);
   group.mass = sum;
   add(group.center_W, share, r_W);
   for (std::size_t k = 0; k < 3; ++k) {  // Bound: 3: the angular momentum of a turn about each axis

@@ -157,7 +157,7 @@ class Bodies {
 
  private:
   const Vec3<Scalar>& place_of(std::size_t slot) const { return position_of(actor(slot)); }
-  void plan_anyhow(std::size_t slot);
+  void tell_unknown(std::size_t slot);
   void go_straight(std::size_t slot, Scalar duration);
   void set_course(std::size_t slot);
   // Groups: weld.hpp.
@@ -226,20 +226,20 @@ void Bodies<SceneT>::plan(std::size_t slot) {
     return;
   }
   Kinematics::ask(actor, now, rest, state.plan);
-  if (!is_valid(state.plan.motion)) plan_anyhow(slot);
+  const bool is_known = is_valid(state.plan.motion);
+  if (!is_known) go_straight(slot, rest);
   set_course(slot);
+  if (!is_known || (SceneT::kGravity && !is_valid(state.plan.motion))) tell_unknown(slot);
 }
 
 /// Where it turns is not known: it goes on without a turn; where not even that is known, it stands.
 template <class SceneT>
-[[gnu::cold]] void Bodies<SceneT>::plan_anyhow(std::size_t slot) {
-  State& state = states[slot];
-  const Scalar rest = dt - now;
+[[gnu::cold]] void Bodies<SceneT>::tell_unknown(std::size_t slot) {
+  auto& motion = states[slot].plan.motion;
   ++report.plans_invalid;
-  go_straight(slot, rest);
-  if (is_valid(state.plan.motion)) return;
-  Kinematics::velocity(state.plan.motion).setZero();
-  report.time_held = max_of(report.time_held, rest);
+  if (is_valid(motion)) return;
+  motion = Kinematics::standing(actor(slot).body, dt - now);
+  report.time_held = max_of(report.time_held, dt - now);
 }
 
 /// By its momentum, without a turn.

@@ -19,7 +19,9 @@ struct RigidGroup {
   /// About the centre: columns.
   std::array<Vec3<Scalar>, 3> inertia_W = {Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero(),
                                            Vec3<Scalar>::Zero()};
-  bool turns = true;  ///< false: one of them cannot be turned about each axis, so they all cannot
+  /// False: one of them cannot be turned about each axis, so they all cannot; or the angular
+  /// momentum is beyond the numbers.
+  bool turns = true;
 };
 /// Several bodies that do not turn.
 template <class Scalar>

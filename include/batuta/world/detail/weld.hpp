@@ -13,9 +13,15 @@ struct FallSums {
   Vec3<Scalar> off_W = Vec3<Scalar>::Zero();  ///< mass times FallState::off_W
   bool falls = true;                          ///< nothing in it is carried
 };
+/// Of a group of which somebody's gaps are opened.
+template <class Scalar>
+struct OpeningSums {
+  Vec3<Scalar> opening_W = Vec3<Scalar>::Zero();  ///< mass times OpeningState::opening
+};
 /// Sums over the bodies of a group.
 template <class SceneT>
-struct GroupSums : FeatureIf<SceneT::kGravity, FallSums<Scalar_of<SceneT>>, 4> {
+struct GroupSums : FeatureIf<SceneT::kGravity, FallSums<Scalar_of<SceneT>>, 4>,
+                   FeatureIf<kLasts<SceneT>, OpeningSums<Scalar_of<SceneT>>, 5> {
   typename KinematicsOf<SceneT>::GroupType group;
   std::size_t heaviest = 0;
   Scalar_of<SceneT> least = std::numeric_limits<Scalar_of<SceneT>>::max();  ///< inverse mass, 1/kg
@@ -77,6 +83,9 @@ template <class SceneT>
       sums.off_W += states[slot].off_W / body.inverse_mass;
       sums.falls = sums.falls && falls(slot);
     }
+    if constexpr (kLasts<SceneT>) {
+      sums.opening_W += states[slot].opening.v_W / body.inverse_mass;
+    }
     add_to_group(sums.group, body);
     if (body.inverse_mass < sums.least) {
       sums.least = body.inverse_mass;
@@ -102,6 +111,9 @@ template <class SceneT>
     const Scalar left = dt - now;
     if (sums.falls) v_W -= (left / 2) * settings.gravity_W;
     if (left > Scalar(0)) v_W += sums.off_W / (sums.group.mass * left);
+  }
+  if constexpr (kLasts<SceneT>) {  // or the common centre of these and of who makes room for them moves
+    Kinematics::velocity(motion) += sums.opening_W / sums.group.mass;
   }
   return motion;
 }
@@ -131,7 +143,10 @@ template <class SceneT>
       if (!is_led) state.off_W = sums.off_W / sums.group.mass;
       state.loaded = !sums.falls || is_led;
     }
-    if constexpr (kLasts<SceneT>) state.opening = {};
+    if constexpr (kLasts<SceneT>) {
+      state.opening = {};
+      if (!is_led) state.opening.v_W = sums.opening_W / sums.group.mass;
+    }
     state.changed = true;
   }
   is_changed = true;
@@ -176,8 +191,9 @@ template <class SceneT>
   const Pose<Scalar> X_WG = pose_at(whole.plan.motion, now - whole.start);
   Momentum<Scalar> left = sums.group.momentum;
   Twist<Scalar> twist = whole.plan.motion.twist;
+  const bool moves = whole.start < now && !Kinematics::is_still(whole.plan.motion);
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    if (states[slot].group != whole.group || Kinematics::is_still(whole.plan.motion)) continue;
+    if (!moves || states[slot].group != whole.group) continue;
     take_along(actor(slot).body, whole.plan.motion.X_WB.p_W, X_WG);
   }
   if (!whole.is_led_group) twist = group_twist(sums_of(whole.group).group, left.angular_W);
