@@ -23,9 +23,11 @@ TYPED_TEST_SUITE(FoundAtRandom, Scalars);
 // torque that resists rolling.
 TYPED_TEST(FoundAtRandom, GroupOfGrains_TurnsByItsInertia) {
   const Vec3<TypeParam> moments = Vector(1e-14, 2e-14, 3e-14).template cast<TypeParam>();
-  const Mat3<TypeParam> inertia = moments.asDiagonal();
+  detail::RigidGroup<TypeParam> group;
+  group.mass = TypeParam(1e-9);
+  for (int i = 0; i < 3; ++i) group.inertia_W[static_cast<std::size_t>(i)][i] = moments[i];
   const Vec3<TypeParam> L = Vector(1e-12, -4e-12, 3e-12).template cast<TypeParam>();
-  const Vec3<TypeParam> w = detail::spin_for(inertia, L);
+  const Vec3<TypeParam> w = detail::group_twist(group, L).w_W;
   const double rounding = 64 * static_cast<double>(kRoundOff<TypeParam>);
   EXPECT_NEAR(static_cast<double>(w.x()), 100, 100 * rounding);
   EXPECT_NEAR(static_cast<double>(w.y()), -200, 200 * rounding);

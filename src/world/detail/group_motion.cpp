@@ -3,64 +3,167 @@
 
 #include "batuta/geometry/direction.hpp"
 
+// What happens only where bodies go on together is compiled for size.
+#define BATUTA_RARE [[gnu::cold, gnu::noinline]]
+
 namespace batuta::detail {
 namespace {
 
-/// x with A x = y of a symmetric A, by its cofactors; zero where A has none.
+// By component and by calls, where expressions would double the code.
+
 template <class Scalar>
-Vec3<Scalar> solved(const Mat3<Scalar>& A, const Vec3<Scalar>& y) {
-  const Vec3<Scalar> a = A.col(0);
-  const Vec3<Scalar> b = A.col(1);
-  const Vec3<Scalar> c = A.col(2);
-  const Vec3<Scalar> first = b.cross(c);
-  const Scalar volume = a.dot(first);
-  if (!(volume > Scalar(0))) return Vec3<Scalar>::Zero();
-  const Vec3<Scalar> x(y.dot(first), y.dot(c.cross(a)), y.dot(a.cross(b)));
-  return x / volume;
+BATUTA_RARE Vec3<Scalar> crossed(const Vec3<Scalar>& a, const Vec3<Scalar>& b) {
+  return a.cross(b);
+}
+
+template <class Scalar>
+BATUTA_RARE void add(Vec3<Scalar>& sum, Scalar factor, const Vec3<Scalar>& x) {
+  for (int i = 0; i < 3; ++i) sum[i] += factor * x[i];  // Bound: 3
+}
+
+template <class Scalar>
+BATUTA_RARE Scalar dot(const Vec3<Scalar>& a, const Vec3<Scalar>& b) {
+  return a.dot(b);
+}
+
+/// x with A x = y of a symmetric A of these columns, by its cofactors; zero where A has none.
+template <class Scalar>
+BATUTA_RARE Vec3<Scalar> solved(const std::array<Vec3<Scalar>, 3>& A, const Vec3<Scalar>& y) {
+  Vec3<Scalar> x;
+  Scalar volume = 0;
+  for (std::size_t i = 0; i < 3; ++i) {  // Bound: 3
+    const Vec3<Scalar> cofactors = crossed(A[(i + 1) % 3], A[(i + 2) % 3]);
+    x[static_cast<int>(i)] = dot(y, cofactors);
+    volume = dot(A[i], cofactors);
+  }
+  const Scalar scale = volume > Scalar(0) ? 1 / volume : Scalar(0);
+  for (int i = 0; i < 3; ++i) x[i] *= scale;  // Bound: 3
+  return x;
+}
+
+/// w with I w = L, to the rounding of L: solved twice, the second time for what the first left. An
+/// inertia that is thinner than rounding about an axis counts as that.
+template <class Scalar>
+BATUTA_RARE Vec3<Scalar> spin_of(const RigidGroup<Scalar>& group, const Vec3<Scalar>& L_W) {
+  constexpr int kTimes = 2;
+  Vec3<Scalar> w_W = Vec3<Scalar>::Zero();
+  if (!group.turns) return w_W;
+  const std::array<Vec3<Scalar>, 3>& I_W = group.inertia_W;
+  const Scalar least = 4 * kRoundOff<Scalar> * (I_W[0].x() + I_W[1].y() + I_W[2].z());
+  std::array<Vec3<Scalar>, 3> stiffer_W = I_W;
+  for (std::size_t i = 0; i < 3; ++i) stiffer_W[i][static_cast<int>(i)] += least;  // Bound: 3
+  for (int time = 0; time < kTimes; ++time) {                                      // Bound: kTimes
+    Vec3<Scalar> left_W = L_W;
+    for (std::size_t i = 0; i < 3; ++i) {  // Bound: 3
+      add(left_W, -w_W[static_cast<int>(i)], I_W[i]);
+    }
+    add(w_W, Scalar(1), solved(stiffer_W, left_W));
+  }
+  if (!is_finite(w_W)) w_W.setZero();  // beyond the numbers
+  return w_W;
 }
 
 }  // namespace
 
+/// By the reduced mass of what is there and what comes: nothing cancels, and two bodies are the
+/// problem of two bodies.
 template <class Scalar>
-void add_inertia(Mat3<Scalar>& inertia_W, const Body<Scalar>& body, const Vec3<Scalar>& r_W) {
+BATUTA_RARE void add_to_group(RigidGroup<Scalar>& group, const Body<Scalar>& body) {
   const Scalar mass = 1 / body.inverse_mass;
-  for (int k = 0; k < 3; ++k) {  // Bound: 3 columns: the angular momentum of a turn about each axis
-    const Vec3<Scalar> w_W = Vec3<Scalar>::Unit(k);
-    const Momentum<Scalar> own = momentum_of(body, Twist<Scalar>{Vec3<Scalar>::Zero(), w_W});
-    inertia_W.col(k) += own.angular_W + mass * r_W.cross(w_W.cross(r_W));
+  const Scalar sum = group.mass + mass;
+  const Scalar share = mass / sum;
+  const Scalar reduced = share * group.mass;
+  Momentum<Scalar>& all = group.momentum;
+  const Momentum<Scalar>& own = body.momentum;
+  Vec3<Scalar> r_W = body.X_WB.p_W;
+  add(r_W, Scalar(-1), group.center_W);
+  Vec3<Scalar> relative_W = Vec3<Scalar>::Zero();
+  add(relative_W, group.mass / sum, own.linear_W);
+  add(relative_W, -share, all.linear_W);
+  add(all.angular_W, Scalar(1), own.angular_W);
+  add(all.angular_W, Scalar(1), crossed(r_W, relative_W));
+  add(all.linear_W, Scalar(1), own.linear_W);
+  group.turns = group.turns && is_finite(all.angular_W);
+  group.mass = sum;
+  add(group.center_W, share, r_W);
+  for (std::size_t k = 0; k < 3; ++k) {  // Bound: 3: the angular momentum of a turn about each axis
+    Twist<Scalar> turn;
+    turn.w_W[static_cast<int>(k)] = 1;
+    add(group.inertia_W[k], Scalar(1), momentum_of(body, turn).angular_W);
+    add(group.inertia_W[k], reduced, crossed(r_W, crossed(turn.w_W, r_W)));
+    group.turns = group.turns && body.inverse_moments[static_cast<int>(k)] > Scalar(0);
   }
 }
 
 template <class Scalar>
-Vec3<Scalar> group_spin(const Mat3<Scalar>& inertia_W, const Vec3<Scalar>& L_W, Scalar duration) {
-  constexpr Scalar kHalfTurn = Scalar(3.14159265358979323846);
-  const Vec3<Scalar> start_W = spin_for(inertia_W, L_W);
-  const Vec3<Scalar> half_W = (duration / 2) * start_W;
-  if (!(2 * length(half_W) < kHalfTurn)) return Vec3<Scalar>::Zero();
-  const Quat<Scalar> turn = exp_map(half_W);
-  return turn * spin_for<Scalar>(inertia_W, turn.conjugate() * L_W);
+void add_to_group(StraightGroup<Scalar>& group, const StraightBody<Scalar>& body) {
+  group.mass += 1 / body.inverse_mass;
+  group.momentum_W += body.momentum_W;
 }
 
 /// In units in which the trace is one: the cube of a small moment would vanish.
 template <class Scalar>
-Vec3<Scalar> spin_for(const Mat3<Scalar>& inertia_W, const Vec3<Scalar>& L_W) {
-  const Scalar size = inertia_W.trace();
-  if (!(size > Scalar(0))) return Vec3<Scalar>::Zero();
-  const Mat3<Scalar> unit = inertia_W / size;
-  const Vec3<Scalar> wanted_W = L_W / size;
-  Mat3<Scalar> stiffer = unit;
-  constexpr Scalar kLeast = 4 * kRoundOff<Scalar>;
-  for (int i = 0; i < 3; ++i) stiffer(i, i) += kLeast;  // Bound: 3
-  const Vec3<Scalar> w_W = solved(stiffer, wanted_W);
-  const Vec3<Scalar> left_W = wanted_W - unit * w_W;
-  return w_W + solved<Scalar>(stiffer, left_W);
+BATUTA_RARE Twist<Scalar> group_twist(const RigidGroup<Scalar>& group, const Vec3<Scalar>& L_W) {
+  Twist<Scalar> twist;
+  add(twist.v_W, 1 / group.mass, group.momentum.linear_W);
+  twist.w_W = spin_of(group, L_W);
+  return twist;
 }
 
-#define BATUTA_INSTANTIATE(S)                                          \
-  template void add_inertia(Mat3<S>&, const Body<S>&, const Vec3<S>&); \
-  template Vec3<S> group_spin(const Mat3<S>&, const Vec3<S>&, S);      \
-  template Vec3<S> spin_for(const Mat3<S>&, const Vec3<S>&);
+/// R^-1 L of the turn R of the first half is L - (half the turn) x L, to first order.
+template <class Scalar>
+BATUTA_RARE Motion<Scalar> group_motion(const RigidGroup<Scalar>& group, Scalar duration) {
+  constexpr Scalar kHalfTurn = Scalar(3.14159265358979323846);
+  Motion<Scalar> motion;
+  motion.X_WB.p_W = group.center_W;
+  motion.duration = duration;
+  Vec3<Scalar> L_W = group.momentum.angular_W;
+  for (int i = 0; i < 2; ++i) {  // Bound: 2: at the start of the time, then in its middle
+    motion.twist = group_twist(group, L_W);
+    if (!(duration * length(motion.twist.w_W) < kHalfTurn)) {
+      motion.twist.w_W.setZero();
+      break;
+    }
+    add(L_W, -duration / 2, crossed(motion.twist.w_W, group.momentum.angular_W));
+  }
+  return motion;
+}
+
+template <class Scalar>
+StraightMotion<Scalar> group_motion(const StraightGroup<Scalar>& group, Scalar duration) {
+  return {Vec3<Scalar>::Zero(), group.momentum_W / group.mass, duration};
+}
+
+template <class Scalar>
+BATUTA_RARE void take_along(Body<Scalar>& body, const Vec3<Scalar>& from_W,
+                            const Pose<Scalar>& X_WG) {
+  add(body.X_WB.p_W, Scalar(-1), from_W);
+  body.X_WB = {to_world(X_WG, body.X_WB.p_W), composed(X_WG.q_WB, body.X_WB.q_WB)};
+}
+
+template <class Scalar>
+BATUTA_RARE void give_momentum(Body<Scalar>& body, const Vec3<Scalar>& center_W,
+                               const Twist<Scalar>& twist, Momentum<Scalar>& left) {
+  Vec3<Scalar> r_W = body.X_WB.p_W;
+  add(r_W, Scalar(-1), center_W);
+  Twist<Scalar> own = {crossed(twist.w_W, r_W), twist.w_W};
+  add(left.angular_W, -1 / body.inverse_mass, crossed(r_W, own.v_W));
+  add(own.v_W, Scalar(1), twist.v_W);
+  body.momentum = momentum_of(body, own);
+  add(left.linear_W, Scalar(-1), body.momentum.linear_W);
+  add(left.angular_W, Scalar(-1), body.momentum.angular_W);
+}
+
+#define BATUTA_INSTANTIATE(S)                                                              \
+  template void add_to_group(RigidGroup<S>&, const Body<S>&);                              \
+  template void add_to_group(StraightGroup<S>&, const StraightBody<S>&);                   \
+  template Motion<S> group_motion(const RigidGroup<S>&, S);                                \
+  template StraightMotion<S> group_motion(const StraightGroup<S>&, S);                     \
+  template void take_along(Body<S>&, const Vec3<S>&, const Pose<S>&);                      \
+  template Twist<S> group_twist(const RigidGroup<S>&, const Vec3<S>&);                     \
+  template void give_momentum(Body<S>&, const Vec3<S>&, const Twist<S>&, Momentum<S>&);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
+#undef BATUTA_RARE
 
 }  // namespace batuta::detail

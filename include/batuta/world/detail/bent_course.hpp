@@ -14,7 +14,8 @@ Twist<Scalar_of<SceneT>> chord_after(const Bodies<SceneT>& bodies, std::size_t s
                                      Scalar_of<SceneT> duration) {
   Twist<Scalar_of<SceneT>> twist = bodies.twist_now(slot);
   if (bodies.is_led(slot)) return twist;
-  const auto plan = Bodies<SceneT>::Kinematics::ask(bodies.actor(slot), bodies.now, duration);
+  typename Bodies<SceneT>::Kinematics::PlanType plan;
+  Bodies<SceneT>::Kinematics::ask(bodies.actor(slot), bodies.now, duration, plan);
   if (plan.by_momentum && is_valid(plan.motion)) twist.w_W = plan.motion.twist.w_W;
   return twist;
 }

@@ -45,7 +45,7 @@ struct OpeningState {
   Twist<Scalar> opening;  ///< for this step, to open gaps; no part of its momentum
 };
 
-template <class Scalar>
+template <class SceneT>
 struct GroupSums;
 
 /// The bodies of a world, and the time.
@@ -61,11 +61,15 @@ class Bodies {
   static constexpr int kProxies = SceneT::kMaxBodies * kParts;
   /// In no group.
   static constexpr Slot kAlone = 0xFFFF;
+  /// Nobody has a controller that leads, or is to be told anything.
+  static constexpr bool kIsFree =
+      !SceneT::kRotation || std::is_same_v<typename SceneT::Controller, FreeFlight<Scalar>>;
 
   /// What the step knows of a body besides the actor.
   struct State : FeatureIf<SceneT::kGravity, FallState<Scalar>, 2>,
                  FeatureIf<kLasts<SceneT>, OpeningState<Scalar>, 3>,
                  FeatureIf<kBends<SceneT>, BentState<Scalar>, 4> {
+    [[gnu::noinline]] State() {}  // kept apart: some calls, and no copies
     typename Kinematics::PlanType plan;
     Scalar start = 0;           ///< in the step, s: the body's own pose is the one of this time
     Scalar held_until = 0;      ///< in the step, s: until then it goes with its group
@@ -77,8 +81,6 @@ class Bodies {
     bool boxed = false;         ///< its boxes are those of its planned motion
     bool asleep = false;        ///< it sleeps (sleep.hpp)
     bool is_led_group = false;  ///< its group goes where a controller leads, or stands
-    bool comes = false;         ///< marks those that are to be a group
-    bool joins = false;         ///< marks those of a group that is made, or parts
   };
 
   explicit Bodies(std::uint16_t number) : actors(number) {}
@@ -104,8 +106,6 @@ class Bodies {
   }
   /// The end of the step.
   void finish(std::size_t slot);
-  /// It was shifted: its motion starts from there.
-  void reseat(std::size_t slot);
   /// Within a step, what slept is at rest, and carried for the rest of it.
   void wake_now(std::size_t slot);
   /// The two, which are where they are now, are off their parabolas by the same from now on: what
@@ -123,15 +123,16 @@ class Bodies {
   bool falls(std::size_t slot) const {
     if constexpr (SceneT::kGravity) {
       const State& state = states[slot];
-      return state.plan.by_momentum && !state.loaded && !state.asleep &&
+      return state.plan.by_momentum && !state.loaded && !is_asleep(slot) &&
              actor(slot).body.inverse_mass > Scalar(0);
     } else {
       return false;
     }
   }
+  bool is_asleep(std::size_t slot) const { return SceneT::kSleep && states[slot].asleep; }
   /// Nothing that happens to it changes how it moves.
   bool is_led(std::size_t slot) const {
-    return !states[slot].plan.by_momentum || states[slot].asleep ||
+    return !states[slot].plan.by_momentum || is_asleep(slot) ||
            Kinematics::is_immovable(actor(slot).body);
   }
   /// In the step, s: until then its planned motion goes.
@@ -144,9 +145,9 @@ class Bodies {
     if constexpr (kBends<SceneT>) states[slot].course_end = time;
   }
   /// Stands where it is, whatever happens to it.
-  bool is_wall(std::size_t slot) const {
+  [[gnu::noinline]] bool is_wall(std::size_t slot) const {
     return Kinematics::is_still(states[slot].plan.motion) &&
-           (states[slot].group != kAlone || states[slot].asleep ||
+           (states[slot].group != kAlone || is_asleep(slot) ||
             Kinematics::is_immovable(actor(slot).body));
   }
 
@@ -178,24 +179,24 @@ class Bodies {
   bool is_changed = false;  ///< somebody has to be planned anew
 
  private:
-  static constexpr bool kIsFree =
-      !SceneT::kRotation || std::is_same_v<typename SceneT::Controller, FreeFlight<Scalar>>;
-
   const Vec3<Scalar>& place_of(std::size_t slot) const { return position_of(actor(slot)); }
+  void tell_unknown(std::size_t slot);
+  void go_straight(std::size_t slot, Scalar duration);
   void set_course(std::size_t slot);
   void move(std::size_t slot, Scalar elapsed);
-  bool stands_together(std::size_t slot) const;
-  void join(std::size_t slot);
-  void add_to(GroupSums<Scalar>& sums, std::size_t slot, const Vec3<Scalar>& from_W);
-  void add_turning(GroupSums<Scalar>& sums, const Vec3<Scalar>& center_W,
-                   const Vec3<Scalar>& v_W) const;
-  void start_group(GroupSums<Scalar>& sums, std::size_t first, Scalar until);
-  void part_turning(GroupSums<Scalar>& sums, const State& whole, Scalar elapsed,
-                    std::size_t heaviest);
-  void give_place(std::size_t slot, const Vec3<Scalar>& center_W, const Twist<Scalar>& twist,
-                  Momentum<Scalar>& left);
-  void part_straight(GroupSums<Scalar>& sums, const State& whole, Scalar elapsed,
-                     std::size_t heaviest);
+  // Groups: weld.hpp.
+  Slot name_of(std::size_t slot) const {
+    return states[slot].group == kAlone ? static_cast<Slot>(slot) : states[slot].group;
+  }
+  bool take_in(std::size_t slot, Slot name);
+  GroupSums<SceneT> sums_of(Slot name) const;
+  typename Kinematics::MotionType course_of(const GroupSums<SceneT>& sums, Scalar duration) const;
+  void start_group(const GroupSums<SceneT>& sums, Slot name, Scalar until);
+  void settle(Slot group);
+  void settle_turning(const State& whole);
+  void settle_straight(const State& whole);
+  bool is_pushed_in(Slot group, std::size_t slot) const;
+  void end_fall(std::size_t slot);
 };
 
 template <class SceneT>
@@ -218,18 +219,16 @@ bool Bodies<SceneT>::begin(std::size_t slot) {
   }
   state.present = true;
   const bool stayed = stood && Kinematics::is_at_start(actor.body, state.plan.motion);
-  if (state.asleep) {
+  if (is_asleep(slot)) {
     state.plan.motion = Kinematics::standing(actor.body, dt);
   } else if constexpr (kIsFree && kLasts<SceneT>) {
     state.plan.by_momentum = true;
     state.plan.motion = Kinematics::free_motion(actor.body, dt);
   } else if constexpr (kLasts<SceneT> || SceneT::kGravity) {
-    state.plan = Kinematics::ask(actor, Scalar(0), dt);
+    Kinematics::ask(actor, Scalar(0), dt, state.plan);
   }
   if constexpr (kLasts<SceneT>) {
-    if (!is_valid(state.plan.motion)) {
-      state.plan.motion = Kinematics::without_turn(actor.body, dt);
-    }
+    if (!is_valid(state.plan.motion)) go_straight(slot, dt);
   }
   if constexpr (SceneT::kGravity) {
     if (falls(slot)) {
@@ -247,20 +246,33 @@ void Bodies<SceneT>::plan(std::size_t slot) {
   if (state.group != kAlone) return;
   const ActorType& actor = this->actor(slot);
   const Scalar rest = dt - now;
-  if (state.asleep) {
+  if (is_asleep(slot)) {
     state.plan.motion = Kinematics::standing(actor.body, rest);
     return;
   }
-  state.plan = Kinematics::ask(actor, now, course_end(slot) - now);
-  if (!is_valid(state.plan.motion)) {  // where it turns is not known: it goes on without a turn
-    ++report.plans_invalid;
-    state.plan.motion = Kinematics::without_turn(actor.body, rest);
-    if (!is_valid(state.plan.motion)) {
-      state.plan.motion = Kinematics::standing(actor.body, rest);
-      report.time_held = max_of(report.time_held, rest);
-    }
-  }
+  Kinematics::ask(actor, now, course_end(slot) - now, state.plan);
+  const bool is_known = is_valid(state.plan.motion);
+  if (!is_known) go_straight(slot, rest);
   set_course(slot);
+  if (!is_known || (SceneT::kGravity && !is_valid(state.plan.motion))) tell_unknown(slot);
+}
+
+/// Where it turns is not known: it goes on without a turn; where not even that is known, it stands.
+template <class SceneT>
+[[gnu::cold]] void Bodies<SceneT>::tell_unknown(std::size_t slot) {
+  auto& motion = states[slot].plan.motion;
+  ++report.plans_invalid;
+  if (is_valid(motion)) return;
+  motion = Kinematics::standing(actor(slot).body, dt - now);
+  report.time_held = max_of(report.time_held, dt - now);
+}
+
+/// By its momentum, without a turn.
+template <class SceneT>
+[[gnu::cold]] void Bodies<SceneT>::go_straight(std::size_t slot, Scalar duration) {
+  auto& motion = states[slot].plan.motion;
+  motion = Kinematics::standing(actor(slot).body, duration);
+  Kinematics::velocity(motion) = Kinematics::momentum_velocity(actor(slot).body);
 }
 
 /// The chord of the parabola, and what the last one lacked (world.md, "The fall").
@@ -313,7 +325,7 @@ void Bodies<SceneT>::advance(std::size_t slot, Scalar elapsed) {
     if (falls(slot)) state.off_W -= (elapsed * (whole - elapsed) / 2) * settings.gravity_W;
   }
   move(slot, elapsed);
-  state.plan.motion = Kinematics::from_here(actor(slot).body, state.plan.motion, dt - now);
+  Kinematics::restart(state.plan.motion, actor(slot).body, dt - now);
   state.start = now;
   state.changed = true;
   is_changed = true;
@@ -327,13 +339,7 @@ void Bodies<SceneT>::finish(std::size_t slot) {
   if (!state.stands && state.start < dt) {
     move(slot, dt - state.start);
   }
-  if constexpr (SceneT::kRotation) actor.controller.on_step_end(actor.body, dt);
-}
-
-template <class SceneT>
-void Bodies<SceneT>::reseat(std::size_t slot) {
-  State& state = states[slot];
-  state.plan.motion = Kinematics::from_here(actor(slot).body, state.plan.motion, dt - now);
+  if constexpr (!kIsFree) actor.controller.on_step_end(actor.body, dt);
 }
 
 template <class SceneT>
@@ -391,10 +397,13 @@ auto Bodies<SceneT>::twist_now(std::size_t slot) const {
 template <class SceneT>
 typename KinematicsOf<SceneT>::Mover Bodies<SceneT>::mover(int proxy, Scalar until) const {
   const State& state = states[body_of(proxy)];
-  const auto motion = Kinematics::rest_of(state.plan.motion, now - state.start, until - now);
   const ActorType& actor = this->actor(body_of(proxy));
-  if (state.group == kAlone) return Kinematics::mover(actor, part_at(proxy), motion);
-  return Kinematics::mover_in_group(actor, part_at(proxy), motion, state.plan.motion);
+  auto mover = Kinematics::mover(actor, part_at(proxy), state.plan.motion);
+  Kinematics::skip(mover.motion, now - state.start, until - now);
+  if constexpr (SceneT::kMaxBodies > 2) {  // of two bodies nobody else meets a group
+    if (state.group != kAlone) Kinematics::put_in_group(mover, actor, state.plan.motion);
+  }
+  return mover;
 }
 
 template <class SceneT>

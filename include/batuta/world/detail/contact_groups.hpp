@@ -30,8 +30,6 @@ class ContactGroups {
   /// Bound: kEventSweeps sweeps.
   template <class Blow>
   void pass_on(BodiesT& bodies, PairsT& pairs, ProxyPair pair, const Blow& blow);
-  /// What opens gaps of a body, and of those that float with it, ends.
-  void end_opening(BodiesT& bodies, std::size_t slot);
   /// Contacts of a body that wakes within a step are solved from now on.
   void wake(std::size_t slot);
   /// Groups of bodies that press on each other, for group_of() and is_held().

@@ -30,7 +30,7 @@ void GeneralWorld<SceneT>::resolve(const CandidateType& candidate, Scalar time) 
 
 /// What cannot be answered in this step: the two go on together.
 template <class SceneT>
-void GeneralWorld<SceneT>::cut(const CandidateType& candidate) {
+[[gnu::cold]] void GeneralWorld<SceneT>::cut(const CandidateType& candidate) {
   if (candidate.is_contact()) {
     ++bodies_.report.contacts_dropped;
   } else if (candidate.outcome == Outcome::kBudget) {
@@ -119,41 +119,51 @@ typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::restitution_of(Proxy
   }
 }
 
-/// The impulse of a blow, given to both momenta. One that its controller moves first gets the
-/// momentum that goes with that, so that the impulse is added to what the body really has.
+/// Two bodies as a blow sees them: where they are, and how their matter moves now.
 template <class SceneT>
-Result<Impulse<typename GeneralWorld<SceneT>::Scalar>> GeneralWorld<SceneT>::strike(
-    ProxyPair pair, const Contact<Scalar>& contact, Scalar restitution) {
-  std::array<Collider<Scalar>, 2> sides;
-  std::array<Momentum<Scalar>, 2> before;
-  for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2
-    const std::size_t slot = BodiesT::body_of(i == 0 ? pair.first : pair.second);
-    auto& body = bodies_.actor(slot).body;
-    before[i] = body.momentum;
+typename GeneralWorld<SceneT>::Sides GeneralWorld<SceneT>::sides_of(ProxyPair pair) const {
+  const auto side = [this](int proxy) {
+    const std::size_t slot = BodiesT::body_of(proxy);
+    const auto& body = bodies_.actor(slot).body;
+    return Collider<Scalar>{body.X_WB, bodies_.twist_now(slot), body.inverse_mass,
+                            body.inverse_moments};
+  };
+  return {side(pair.first), side(pair.second)};
+}
+
+/// Adds an impulse. One that its controller moves first gets the momentum that goes with that, so
+/// that the impulse is added to what the body really has.
+template <class SceneT>
+void GeneralWorld<SceneT>::push(int proxy, const Momentum<Scalar>& change) {
+  const std::size_t slot = BodiesT::body_of(proxy);
+  auto& body = bodies_.actor(slot).body;
+  if constexpr (!BodiesT::kIsFree) {
     const auto& plan = bodies_.states[slot].plan;
     if (!plan.by_momentum) body.momentum = momentum_of(body, plan.motion.twist);
-    sides[i] = {body.X_WB, bodies_.twist_now(slot), body.inverse_mass, body.inverse_moments};
   }
+  for (int i = 0; i < 3; ++i) {  // Bound: 3; by component: expressions double the code
+    if (body.inverse_mass > Scalar(0)) body.momentum.linear_W[i] += change.linear_W[i];
+    if (!is_zero(body.inverse_moments)) body.momentum.angular_W[i] += change.angular_W[i];
+  }
+}
+
+/// The impulse of a blow, given to both momenta.
+template <class SceneT>
+Result<Impulse<typename GeneralWorld<SceneT>::Scalar>> GeneralWorld<SceneT>::strike(
+    ProxyPair pair, const Sides& sides, const Contact<Scalar>& contact, Scalar restitution) {
   Result<Impulse<Scalar>> hit;
   if constexpr (SceneT::kFriction) {
     FrictionLaw<Scalar> law;
     law.restitution = restitution;
     law.friction = pair_friction(bodies_.actor(BodiesT::body_of(pair.first)).friction,
                                  bodies_.actor(BodiesT::body_of(pair.second)).friction);
-    hit = friction_impulse(sides[0], sides[1], contact, law);
+    hit = friction_impulse(sides.A, sides.B, contact, law);
   } else {
-    hit = collision_impulse(sides[0], sides[1], contact, restitution);
+    hit = collision_impulse(sides.A, sides.B, contact, restitution);
   }
-  for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2
-    auto& body = bodies_.actor(BodiesT::body_of(i == 0 ? pair.first : pair.second)).body;
-    const Momentum<Scalar>& change = i == 0 ? hit.value.on_A : hit.value.on_B;
-    if (!hit.ok()) {
-      body.momentum = before[i];
-    } else {
-      if (body.inverse_mass > Scalar(0)) body.momentum.linear_W += change.linear_W;
-      if (!is_zero(body.inverse_moments)) body.momentum.angular_W += change.angular_W;
-    }
-  }
+  if (!hit.ok()) return hit;
+  push(pair.first, hit.value.on_A);
+  push(pair.second, hit.value.on_B);
   return hit;
 }
 
@@ -161,12 +171,11 @@ Result<Impulse<typename GeneralWorld<SceneT>::Scalar>> GeneralWorld<SceneT>::str
 template <class SceneT>
 typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::velocity_between(
     ProxyPair pair, const Contact<Scalar>& contact) const {
-  const std::size_t a = BodiesT::body_of(pair.first);
-  const std::size_t b = BodiesT::body_of(pair.second);
   if constexpr (SceneT::kRotation) {
-    return relative_velocity(contact, bodies_.actor(a).body.X_WB, bodies_.twist_now(a),
-                             bodies_.actor(b).body.X_WB, bodies_.twist_now(b));
+    return velocity_between(sides_of(pair), contact);
   } else {
+    const std::size_t a = BodiesT::body_of(pair.first);
+    const std::size_t b = BodiesT::body_of(pair.second);
     return contact.normal_BA_W.dot(bodies_.twist_now(a) - bodies_.twist_now(b));
   }
 }
@@ -198,21 +207,19 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
   const std::size_t b = BodiesT::body_of(pair.second);
   const CapsuleGap<Scalar>& witness = query.search.witness;
   Nearest<Scalar> at = {contact_from(witness, query.origin_W), witness.axes.s, witness.axes.u};
-  if (is_fixed(bodies_.actor(a).body) && is_fixed(bodies_.actor(b).body)) {
-    return block(candidate, query, at);
+  if constexpr (!BodiesT::kIsFree) {
+    if (is_fixed(bodies_.actor(a).body) && is_fixed(bodies_.actor(b).body)) {
+      return block(candidate, query, at);
+    }
   }
+  const Sides sides = sides_of(pair);
   if constexpr (SceneT::kLineContact) {
-    const auto collider = [this](std::size_t slot) {
-      const auto& body = bodies_.actor(slot).body;
-      return Collider<Scalar>{body.X_WB, bodies_.twist_now(slot), body.inverse_mass,
-                              body.inverse_moments};
-    };
-    at.contact = pressure_contact(collider(a), collider(b), bodies_.shape_W(pair.first),
+    at.contact = pressure_contact(sides.A, sides.B, bodies_.shape_W(pair.first),
                                   bodies_.shape_W(pair.second), at.contact,
                                   PairsT::margin_of(bodies_, query, pair));
   }
   Answer<Scalar> answer;
-  answer.v_rel = velocity_between(pair, at.contact);
+  answer.v_rel = velocity_between(sides, at.contact);
   answer.kind = classify(answer.v_rel, rest_speed());
   const bool is_deep = at.contact.gap < -query.contact_gap;
   answer.is_overlap =
@@ -221,7 +228,7 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
   if (collides || kSolves) {
     // A pair that comes again and again in a step is between others, and settles.
     const bool bounces = collides && answers_of_pair_ <= max_of(SceneT::kMaxSeparations / 2, 1);
-    const auto hit = strike(pair, at.contact, bounces ? restitution_of(pair) : Scalar(0));
+    const auto hit = strike(pair, sides, at.contact, bounces ? restitution_of(pair) : Scalar(0));
     if (!hit.ok()) {
       ++bodies_.report.resolutions_invalid;
       bodies_.weld(a, b, bodies_.dt);
@@ -230,17 +237,14 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
     answer.impulse = hit.value.magnitude;
   }
   if (!kSolves && takes_load(pair, at.contact)) {
-    const auto press = strike(pair, at.contact, Scalar(0));
+    const auto press = strike(pair, sides_of(pair), at.contact, Scalar(0));
     if (press.ok()) answer.impulse += press.value.magnitude;
   }
   touches_.record(bodies_, pair, at, answer);
   const bool is_resting = kSeparates && answer.kind == ContactKind::kResting;
   if constexpr (kSolves) {
     tell_controllers(pair, answer.impulse, Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero());
-    if (answers_of_pair_ > 1 || !(answer.impulse > Scalar(0))) {
-      for (const std::size_t slot : {a, b}) groups_.end_opening(bodies_, slot);  // Bound: 2
-      bodies_.share_off(a, b);
-    }
+    if (answers_of_pair_ > 1 || !(answer.impulse > Scalar(0))) bodies_.share_off(a, b);
     // It came back once too often, and what opens gaps comes with the next step.
     if (is_deep) separate_pair(pair, query, at.contact, answer, false);
     groups_.pass_on(bodies_, pairs_, pair, [this](ProxyPair next) { strike_neighbour(next); });
@@ -259,7 +263,7 @@ void GeneralWorld<SceneT>::strike_neighbour(ProxyPair pair) {
       capsule_gap(bodies_.shape_W(pair.first), bodies_.shape_W(pair.second));
   const Nearest<Scalar> at = {contact_from(gap, Vec3<Scalar>::Zero().eval()), gap.axes.s,
                               gap.axes.u};
-  const auto hit = strike(pair, at.contact, restitution_of(pair));
+  const auto hit = strike(pair, sides_of(pair), at.contact, restitution_of(pair));
   if (!hit.ok()) return;
   Answer<Scalar> answer;
   answer.kind = ContactKind::kColliding;
@@ -271,8 +275,9 @@ void GeneralWorld<SceneT>::strike_neighbour(ProxyPair pair) {
 
 /// Neither body can be pushed: where one is moved into the other, both stop.
 template <class SceneT>
-void GeneralWorld<SceneT>::block(const CandidateType& candidate, const PairQuery& query,
-                                 const Nearest<Scalar>& nearest) {
+[[gnu::cold]] void GeneralWorld<SceneT>::block(const CandidateType& candidate,
+                                               const PairQuery& query,
+                                               const Nearest<Scalar>& nearest) {
   Answer<Scalar> answer;
   answer.v_rel = query.search.gap_rate;
   answer.kind = classify(answer.v_rel, rest_speed());
@@ -286,9 +291,10 @@ void GeneralWorld<SceneT>::block(const CandidateType& candidate, const PairQuery
 /// The paper's separation to D, for which the two go on together for f(D); or, where the pair is in
 /// each other by less than can be told from touching, just clear of it.
 template <class SceneT>
-void GeneralWorld<SceneT>::separate_pair(ProxyPair pair, const PairQuery& query,
-                                         const Contact<Scalar>& contact,
-                                         const Answer<Scalar>& answer, bool is_resting) {
+[[gnu::cold]] void GeneralWorld<SceneT>::separate_pair(ProxyPair pair, const PairQuery& query,
+                                                       const Contact<Scalar>& contact,
+                                                       const Answer<Scalar>& answer,
+                                                       bool is_resting) {
   const std::size_t a = BodiesT::body_of(pair.first);
   const std::size_t b = BodiesT::body_of(pair.second);
   const Scalar margin = PairsT::margin_of(bodies_, query, pair);
@@ -314,8 +320,6 @@ void GeneralWorld<SceneT>::separate_pair(ProxyPair pair, const PairQuery& query,
   }
   bodies_.actor(a).body.X_WB.p_W += made.value.shift_A_W;
   bodies_.actor(b).body.X_WB.p_W += made.value.shift_B_W;
-  bodies_.reseat(a);
-  bodies_.reseat(b);
   tell_controllers(pair, answer.impulse, made.value.shift_A_W, made.value.shift_B_W);
   if (!is_charged) return;
   ++bodies_.report.separations;
@@ -357,10 +361,12 @@ template <class SceneT>
 void GeneralWorld<SceneT>::tell_controllers(ProxyPair pair, Scalar impulse,
                                             const Vec3<Scalar>& shift_A_W,
                                             const Vec3<Scalar>& shift_B_W) {
-  for (int i = 0; i < 2; ++i) {  // Bound: 2
-    ActorType& actor = bodies_.actor(BodiesT::body_of(i == 0 ? pair.first : pair.second));
-    actor.controller.on_contact(
-        actor.body, Feedback<Scalar>{bodies_.now, impulse, i == 0 ? shift_A_W : shift_B_W});
+  if constexpr (!BodiesT::kIsFree) {
+    for (int i = 0; i < 2; ++i) {  // Bound: 2
+      ActorType& actor = bodies_.actor(BodiesT::body_of(i == 0 ? pair.first : pair.second));
+      actor.controller.on_contact(
+          actor.body, Feedback<Scalar>{bodies_.now, impulse, i == 0 ? shift_A_W : shift_B_W});
+    }
   }
 }
 

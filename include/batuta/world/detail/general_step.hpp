@@ -38,14 +38,11 @@ void GeneralWorld<SceneT>::begin_bodies() {
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
     auto& state = bodies_.states[slot];
     const bool was_present = state.present;
-    if (bodies_.actors.at_index(slot) == nullptr) {
-      state.present = state.changed = false;
-      if (was_present) pairs_.remove_boxes(slot);
-      continue;
-    }
-    state.stands = bodies_.begin(slot);
+    const bool is_there = bodies_.actors.at_index(slot) != nullptr;
+    state.present = false;
+    if (is_there) state.stands = bodies_.begin(slot);
     state.changed = state.present;
-    if (!state.present) pairs_.remove_boxes(slot);
+    if (!state.present && (is_there || was_present)) pairs_.remove_boxes(slot);
   }
 }
 
@@ -188,9 +185,9 @@ Result<typename GeneralWorld<SceneT>::BodyId> GeneralWorld<SceneT>::add(const Ac
   Kinematics::prepare(added);
   const auto id = bodies_.actors.make(added);
   if (!id.ok()) return id;
-  const auto slot = static_cast<std::size_t>(bodies_.actors.index_of(id.value));
-  bodies_.states[slot] = {};
-  if constexpr (SceneT::kSleep) sleep_.start_over(bodies_, slot);
+  if constexpr (SceneT::kSleep) {
+    sleep_.start_over(bodies_, static_cast<std::size_t>(bodies_.actors.index_of(id.value)));
+  }
   return id;
 }
 

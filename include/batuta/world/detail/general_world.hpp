@@ -118,6 +118,12 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   static constexpr bool kSolves = kLasts<SceneT>;
   static constexpr bool kSeparates = SceneT::kResting == RestingContact::kSeparation;
 
+  /// What a blow sees of two bodies.
+  struct Sides {
+    Collider<Scalar> A;
+    Collider<Scalar> B;
+  };
+
   // The step: general_step.hpp.
   void begin_step(Scalar dt);
   void begin_bodies();
@@ -142,9 +148,15 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   bool uses_up_answers(ProxyPair pair);
   Scalar rest_speed() const;
   Scalar restitution_of(ProxyPair pair) const;
-  Result<Impulse<Scalar>> strike(ProxyPair pair, const Contact<Scalar>& contact,
+  // Kept apart: some calls, and no copies.
+  [[gnu::noinline]] Sides sides_of(ProxyPair pair) const;
+  [[gnu::noinline]] void push(int proxy, const Momentum<Scalar>& change);
+  Result<Impulse<Scalar>> strike(ProxyPair pair, const Sides& sides, const Contact<Scalar>& contact,
                                  Scalar restitution);
   void strike_neighbour(ProxyPair pair);
+  static Scalar velocity_between(const Sides& sides, const Contact<Scalar>& contact) {
+    return relative_velocity(contact, sides.A.X_WB, sides.A.twist, sides.B.X_WB, sides.B.twist);
+  }
   Scalar velocity_between(ProxyPair pair, const Contact<Scalar>& contact) const;
   bool takes_load(ProxyPair pair, const Contact<Scalar>& contact);
   void separate_pair(ProxyPair pair, const PairQuery& query, const Contact<Scalar>& contact,

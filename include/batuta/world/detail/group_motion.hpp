@@ -1,26 +1,63 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How bodies that go on together turn about their common centre (src/world/world.md, "Together").
-// Frame W, SI units.
+// Bodies that go on together, as one rigid body with their summed momenta (src/world/world.md,
+// "Together"). Frame W, SI units. Called where an answer was not to be had: compiled for size.
+
+#include <array>
 
 #include "batuta/mechanics/motion.hpp"
+#include "batuta/mechanics/straight.hpp"
 
 namespace batuta::detail {
 
-/// Adds the inertia of a body about a point that its centre is at r_W from, axes of W.
-/// @pre inverse mass > 0
+/// Several bodies as one rigid body, at one time.
 template <class Scalar>
-void add_inertia(Mat3<Scalar>& inertia_W, const Body<Scalar>& body, const Vec3<Scalar>& r_W);
+struct RigidGroup {
+  Scalar mass = 0;
+  Vec3<Scalar> center_W = Vec3<Scalar>::Zero();  ///< of mass
+  Momentum<Scalar> momentum;                     ///< summed; angular: about the centre
+  /// About the centre: columns.
+  std::array<Vec3<Scalar>, 3> inertia_W = {Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero(),
+                                           Vec3<Scalar>::Zero()};
+  /// False: one of them cannot be turned about each axis, so they all cannot; or the angular
+  /// momentum is beyond the numbers.
+  bool turns = true;
+};
+/// Several bodies that do not turn.
+template <class Scalar>
+struct StraightGroup {
+  Scalar mass = 0;
+  Vec3<Scalar> momentum_W = Vec3<Scalar>::Zero();
+};
 
-/// The constant angular velocity with which what has this inertia and angular momentum goes on for
-/// `duration`: that of the middle of it, where the turn of the first half is taken to be steady. Of
-/// second order in the turn; zero where that is half a turn or more.
+/// Adds a body. @pre inverse mass > 0
 template <class Scalar>
-Vec3<Scalar> group_spin(const Mat3<Scalar>& inertia_W, const Vec3<Scalar>& L_W, Scalar duration);
+void add_to_group(RigidGroup<Scalar>& group, const Body<Scalar>& body);
+template <class Scalar>
+void add_to_group(StraightGroup<Scalar>& group, const StraightBody<Scalar>& body);
 
-/// w with I w = L, to the rounding of L: solved by cofactors, and once more for what is left. An
-/// inertia that is thinner than rounding about an axis counts as that.
+/// How the group goes on for `duration`, in a frame at its centre with the axes of W: with the
+/// angular velocity of the middle of the time, to first order. So of second order in the turn; none
+/// where that is half a turn or more. @pre mass > 0
 template <class Scalar>
-Vec3<Scalar> spin_for(const Mat3<Scalar>& inertia_W, const Vec3<Scalar>& L_W);
+Motion<Scalar> group_motion(const RigidGroup<Scalar>& group, Scalar duration);
+template <class Scalar>
+StraightMotion<Scalar> group_motion(const StraightGroup<Scalar>& group, Scalar duration);
+
+/// Takes a body of a group from its place to that at the end.
+/// @param from_W  the origin of the group's frame at first, when this had the axes of W
+/// @param X_WG    its frame at the end
+template <class Scalar>
+void take_along(Body<Scalar>& body, const Vec3<Scalar>& from_W, const Pose<Scalar>& X_WG);
+
+/// How the group moves about its centre, if its angular momentum is L. @pre mass > 0
+template <class Scalar>
+Twist<Scalar> group_twist(const RigidGroup<Scalar>& group, const Vec3<Scalar>& L_W);
+
+/// Gives a body at its place in a group the momenta of this place, and takes them off what is left
+/// of the group's. @param twist  of the group, at center_W  @pre inverse mass > 0
+template <class Scalar>
+void give_momentum(Body<Scalar>& body, const Vec3<Scalar>& center_W, const Twist<Scalar>& twist,
+                   Momentum<Scalar>& left);
 
 }  // namespace batuta::detail

@@ -140,7 +140,7 @@ void Pairs<SceneT>::search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, S
     // Half of what the search calls contact: as much again is left for what closes slowly.
     const Scalar so_far = is_solved ? query.contact_gap / 2 : Scalar(0);
     if (is_solved) make_thinner(moving_pair.value, so_far);
-    query.search = search_with_seed(pair, moving_pair.value, bodies.settings.search);
+    search_with_seed(bodies, pair, moving_pair.value, query.search);
     if (SceneT::kResponse && query.outcome() == Outcome::kTouching) {
       let_part(bodies, pair, moving_pair.value, so_far, query);
     }
@@ -152,7 +152,7 @@ void Pairs<SceneT>::search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, S
 /// What touches and parts is searched as thinner, and told where it is in each other.
 /// @param so_far  by how much it is thinner already: above zero where its contact was solved
 template <class SceneT>
-void Pairs<SceneT>::let_part(BodiesT& bodies, ProxyPair pair, const MovingPair<Scalar>& moving_pair,
+void Pairs<SceneT>::let_part(BodiesT& bodies, ProxyPair pair, MovingPair<Scalar>& moving_pair,
                              Scalar so_far, PairQuery& query) {
   // Where nothing is moved apart within a step, a pair may come back more than once.
   constexpr Scalar kShare = kLasts<SceneT> ? Scalar(0.5) : Scalar(1);
@@ -165,7 +165,7 @@ void Pairs<SceneT>::let_part(BodiesT& bodies, ProxyPair pair, const MovingPair<S
     bodies.report.deepest_overlap = max_of(bodies.report.deepest_overlap, -gap);
   }
   const Scalar thinner = thinner_by(margin, query.contact_gap, gap, kShare, !(rate < Scalar(0)));
-  query.search = search_thinner(bodies, moving_pair, query, thinner - so_far);
+  search_thinner(bodies, moving_pair, query, thinner - so_far);
 }
 
 /// How fast the gap of what touches opens, m/s, by the momenta of the two where their planned turn
@@ -198,31 +198,27 @@ Scalar_of<SceneT> Pairs<SceneT>::rate_of_momenta([[maybe_unused]] const BodiesT&
 
 /// The seed is a direction in W, and as good a guess in the next round or step.
 template <class SceneT>
-SearchResult<Scalar_of<SceneT>> Pairs<SceneT>::search_with_seed(
-    ProxyPair pair, const MovingPair<Scalar>& moving_pair,
-    const typename Search::Options& options) {
+void Pairs<SceneT>::search_with_seed(const BodiesT& bodies, ProxyPair pair,
+                                     const MovingPair<Scalar>& moving_pair,
+                                     SearchResult<Scalar>& result) {
+  Vec3<Scalar> seed = Vec3<Scalar>::Zero();
+  if constexpr (Search::kUsesSeed) seed = this->recall(pair);
+  result = Search::search(moving_pair, bodies.settings.search, seed);
   if constexpr (Search::kUsesSeed) {
-    auto result = Search::search(moving_pair, options, this->recall(pair));
     if (result.outcome != Outcome::kInvalid) this->remember(pair, result.witness.axes.normal_AB);
-    return result;
-  } else {
-    return Search::search(moving_pair, options, Vec3<Scalar>::Zero());
   }
 }
 
 /// What touches and parts is searched as if it were thinner by what is missing to be clear of
 /// contact (world.md, "Touching and parting").
 template <class SceneT>
-SearchResult<Scalar_of<SceneT>> Pairs<SceneT>::search_thinner(const BodiesT& bodies,
-                                                              const MovingPair<Scalar>& moving_pair,
-                                                              const PairQuery& query,
-                                                              Scalar missing) {
-  MovingPair<Scalar> thinner = moving_pair;
-  if (!make_thinner(thinner, missing)) return query.search;
-  SearchResult<Scalar> result =
-      Search::search(thinner, bodies.settings.search, query.search.witness.axes.normal_AB);
-  result.evaluations += query.search.evaluations;
-  return result;
+void Pairs<SceneT>::search_thinner(const BodiesT& bodies, MovingPair<Scalar>& moving_pair,
+                                   PairQuery& query, Scalar missing) {
+  if (!make_thinner(moving_pair, missing)) return;
+  const std::uint32_t evaluations = query.search.evaluations;
+  const Vec3<Scalar> seed = query.search.witness.axes.normal_AB;
+  query.search = Search::search(moving_pair, bodies.settings.search, seed);
+  query.search.evaluations += evaluations;
 }
 
 template <class SceneT>

@@ -3,6 +3,7 @@
 // Pairs: which may meet in the rest of a step, when, and which is first (src/world/world.md,
 // "Pairs"). One of the five that make a step (general_world.hpp).
 
+#include "batuta/geometry/direction.hpp"
 #include "batuta/world/detail/bodies.hpp"
 #include "batuta/world/detail/seed_memory.hpp"
 #include "batuta/world/detail/sweep.hpp"
@@ -97,14 +98,13 @@ class Pairs : private SeedsOf<SceneT> {
   void collect(BodiesT& bodies, ProxyPair pair);
   template <class Lasts>
   void search(BodiesT& bodies, CandidateType& candidate, const Lasts& lasts);
-  void let_part(BodiesT& bodies, ProxyPair pair, const MovingPair<Scalar>& moving_pair,
-                Scalar so_far, PairQuery& query);
+  void let_part(BodiesT& bodies, ProxyPair pair, MovingPair<Scalar>& moving_pair, Scalar so_far,
+                PairQuery& query);
   void search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, Scalar lasts, PairQuery& query);
-  SearchResult<Scalar> search_with_seed(ProxyPair pair, const MovingPair<Scalar>& moving_pair,
-                                        const typename Search::Options& options);
-  static SearchResult<Scalar> search_thinner(const BodiesT& bodies,
-                                             const MovingPair<Scalar>& moving_pair,
-                                             const PairQuery& query, Scalar missing);
+  void search_with_seed(const BodiesT& bodies, ProxyPair pair,
+                        const MovingPair<Scalar>& moving_pair, SearchResult<Scalar>& result);
+  static void search_thinner(const BodiesT& bodies, MovingPair<Scalar>& moving_pair,
+                             PairQuery& query, Scalar missing);
   bool stays_apart(const BodiesT& bodies, ProxyPair pair) const;
   /// What the solution of a contact may leave, m/s, <= 0: no more in the rest of a step than what
   /// the search cannot tell from contact; the opening of the gap makes up for it.
@@ -219,7 +219,8 @@ void Pairs<SceneT>::refresh(BodiesT& bodies, bool is_begin) {
       if (idle && state.boxed && sweep_.is_idle(BodiesT::proxy_of(slot, 0))) continue;
       put_boxes(bodies, slot, idle);
     }
-    if (is_begin && pass == 0) {
+    // Of two bodies, nothing is known any more that is not found now.
+    if (SceneT::kMaxBodies == 2 || (is_begin && pass == 0)) {
       collect_all(bodies);
     } else {
       sweep_.sort();

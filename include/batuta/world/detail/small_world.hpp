@@ -24,8 +24,8 @@ class SmallWorld {
   using ActorType = Actor<SceneT>;
   using BodyId = Handle<ActorType>;
 
-  /// Rounds of one step: each ends with a contact (kMaxContacts), with a body held for good
-  /// (kMaxBodies), or with the step (1).
+  /// Rounds of one step: each ends with a contact (kMaxContacts), with two groups that become one
+  /// or that stand (kMaxBodies), or with the step (1).
   static constexpr int kMaxRounds = SceneT::kMaxContacts + SceneT::kMaxBodies + 1;
   /// Most pairs searched in one round: all.
   static constexpr int kPairsPerRound = SceneT::kMaxBodies * (SceneT::kMaxBodies - 1) / 2;
@@ -93,6 +93,16 @@ class SmallWorld {
     std::array<bool, kSlots> loaded{};
   };
 
+  /// Of a group that falls: lag times mass.
+  struct FallSums {
+    Scalar lag = 0;
+    bool loaded = false;
+  };
+
+  /// A set of bodies: a bit of each slot. There are eight at most (SceneRule::kSmallBodies).
+  using Slots = std::uint8_t;
+  static constexpr Slots alone(std::size_t slot) { return static_cast<Slots>(1U << slot); }
+
   /// Equals nothing, and no sum with it is above zero.
   static constexpr Scalar kAbsent = std::numeric_limits<Scalar>::quiet_NaN();
 
@@ -108,6 +118,7 @@ class SmallWorld {
   bool may_pair(std::size_t a, std::size_t b) const;
   PairQuery search(std::size_t a, std::size_t b) const;
   void resolve(const Meeting& meeting);
+  void weld(std::size_t a, std::size_t b);
   void hit(std::size_t a, std::size_t b, Outcome outcome);
   Scalar speed(std::size_t slot, int i) const;
   Vec3<Scalar> velocity(std::size_t slot) const {
@@ -127,8 +138,9 @@ class SmallWorld {
   int contacts_resolved_ = 0;
   StepReport<Scalar> report_;
   WorldSettings<SceneT> settings_;
-  /// 1/kg, as the step uses it: 0 for what is fixed or held, kAbsent for what takes no part.
+  /// 1/kg, as the step uses it: 0 for what is fixed or stands, kAbsent for what takes no part.
   std::array<Scalar, kSlots> inverse_mass_{};
+  std::array<Slots, kSlots> group_{};  ///< who goes on together: each has the whole set
   Pool<ActorType, SceneT::kMaxBodies> actors_;
   FeatureIf<SceneT::kGravity, Falls, 6> falls_;
 };
@@ -170,6 +182,7 @@ typename SmallWorld<SceneT>::Scalar SmallWorld<SceneT>::step_mass(const ActorTyp
 template <class SceneT>
 void SmallWorld<SceneT>::begin_body(std::size_t slot) {
   inverse_mass_[slot] = kAbsent;
+  group_[slot] = alone(slot);
   if constexpr (SceneT::kGravity) {
     falls_.lag[slot] = 0;
     falls_.loaded[slot] = false;
@@ -298,10 +311,11 @@ typename SmallWorld<SceneT>::Meeting SmallWorld<SceneT>::first_meeting() {
   return first;
 }
 
-/// Two that stand still stay as they are, apart or not; and no sum with kAbsent is above zero.
+/// Two that stand still, or go on together, stay as they are, apart or not; and no sum with kAbsent
+/// is above zero.
 template <class SceneT>
 bool SmallWorld<SceneT>::may_pair(std::size_t a, std::size_t b) const {
-  return a < b && inverse_mass_[a] + inverse_mass_[b] > Scalar(0) &&
+  return a < b && inverse_mass_[a] + inverse_mass_[b] > Scalar(0) && (group_[a] & alone(b)) == 0 &&
          may_meet(actors_.at(a), actors_.at(b));
 }
 
@@ -331,15 +345,50 @@ void SmallWorld<SceneT>::resolve(const Meeting& meeting) {
   const std::size_t a = meeting.pair / kSlots;
   const std::size_t b = meeting.pair % kSlots;
   const bool is_contact = is_of_contact(meeting.outcome);
-  if (is_contact && contacts_resolved_ < SceneT::kMaxContacts) {
-    ++contacts_resolved_;
-    return hit(a, b, meeting.outcome);
+  const bool are_alone = group_[a] == alone(a) && group_[b] == alone(b);
+  if (!is_contact || contacts_resolved_ == SceneT::kMaxContacts) {
+    const bool is_cut = meeting.outcome == Outcome::kBudget;
+    ++(is_contact ? report_.contacts_dropped
+       : is_cut   ? report_.searches_cut
+                  : report_.searches_invalid);
+    return weld(a, b);
   }
-  const bool is_cut = meeting.outcome == Outcome::kBudget;
-  ++(is_contact ? report_.contacts_dropped
-     : is_cut   ? report_.searches_cut
-                : report_.searches_invalid);
-  inverse_mass_[a] = inverse_mass_[b] = 0;
+  ++contacts_resolved_;
+  return are_alone ? hit(a, b, meeting.outcome) : weld(a, b);
+}
+
+/// The two, and who goes with one of them already, go on together, with their common velocity;
+/// where one of them does not move, they stand (world.md, "Together").
+template <class SceneT>
+void SmallWorld<SceneT>::weld(std::size_t a, std::size_t b) {
+  const auto both = static_cast<Slots>(group_[a] | group_[b]);
+  const bool goes = inverse_mass_[a] > Scalar(0) && inverse_mass_[b] > Scalar(0);
+  const auto is_in = [this, both](std::size_t slot) {
+    return (both & alone(slot)) != 0 && inverse_mass_[slot] > Scalar(0);
+  };
+  Scalar mass = 0;
+  Vec3<Scalar> sum_W = Vec3<Scalar>::Zero();
+  FallSums fall;
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    if (!is_in(slot)) continue;
+    mass += 1 / inverse_mass_[slot];
+    for (int i = 0; i < 3; ++i) sum_W[i] += actors_.at(slot).body.momentum_W[i];  // Bound: 3
+    if constexpr (SceneT::kGravity) {
+      fall.lag += falls_.lag[slot] / inverse_mass_[slot];
+      fall.loaded = fall.loaded || falls_.loaded[slot];
+    }
+  }
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    if (!is_in(slot)) continue;
+    const Scalar share = goes ? 1 / (mass * inverse_mass_[slot]) : Scalar(0);
+    for (int i = 0; i < 3; ++i) actors_.at(slot).body.momentum_W[i] = share * sum_W[i];  // Bound: 3
+    if constexpr (SceneT::kGravity) {
+      falls_.lag[slot] = fall.lag / mass;
+      falls_.loaded[slot] = fall.loaded;
+    }
+    group_[slot] = both;
+    if (!goes) inverse_mass_[slot] = 0;
+  }
   report_.time_held = max_of(report_.time_held, left_);
 }
 

@@ -16,6 +16,7 @@ struct StraightKinematics {
   using BodyType = StraightBody<Scalar>;
   using MotionType = StraightMotion<Scalar>;
   using ActorType = Actor<SceneT>;
+  using GroupType = StraightGroup<Scalar>;
   static constexpr bool kBalls = Search::kForSpheres;
 
   struct PlanType {
@@ -50,8 +51,8 @@ struct StraightKinematics {
     return zero == Scalar(0) && body.inverse_mass >= Scalar(0);  // NaN where one is not finite
   }
   static void prepare(ActorType& /*actor*/) {}
-  static PlanType ask(const ActorType& actor, Scalar /*t*/, Scalar duration) {
-    return {{actor.body.p_W, velocity_of(actor.body), duration}};
+  static void ask(const ActorType& actor, Scalar /*t*/, Scalar duration, PlanType& plan) {
+    plan.motion = {actor.body.p_W, velocity_of(actor.body), duration};
   }
   static MotionType standing(const BodyType& body, Scalar duration) {
     return {body.p_W, Vec3<Scalar>::Zero(), duration};
@@ -64,25 +65,20 @@ struct StraightKinematics {
   static void move(BodyType& body, const MotionType& motion, Scalar t) {
     body.p_W = position_at(motion, t);
   }
-  static MotionType rest_of(const MotionType& motion, Scalar t, Scalar duration) {
-    return {position_at(motion, t), motion.v_W, duration};
+  static void skip(MotionType& motion, Scalar t, Scalar duration) {
+    motion.p_W = position_at(motion, t);
+    motion.duration = duration;
   }
-  static MotionType from_here(const BodyType& body, const MotionType& motion, Scalar duration) {
-    return {body.p_W, motion.v_W, duration};
-  }
-  static MotionType without_turn(const BodyType& body, Scalar duration) {
-    return {body.p_W, velocity_of(body), duration};
-  }
-  template <class Sums>
-  static MotionType group_motion(const Vec3<Scalar>& center_W, const Sums& /*sums*/,
-                                 const Vec3<Scalar>& v_W, Scalar duration) {
-    return {center_W, v_W, duration};
+  static void restart(MotionType& motion, const BodyType& body, Scalar duration) {
+    motion.p_W = body.p_W;
+    motion.duration = duration;
   }
   static MotionType standing_at(const Vec3<Scalar>& center_W, Scalar duration) {
     return {center_W, Vec3<Scalar>::Zero(), duration};
   }
-  static MotionType turned_about(const MotionType& leader, Scalar duration) {
-    return {leader.p_W, leader.v_W, duration};
+  static MotionType turned_about(const BodyType& leader, const MotionType& motion,
+                                 Scalar duration) {
+    return {leader.p_W, motion.v_W, duration};
   }
   static MotionType seat(const MotionType& group, const BodyType& body) {
     return {body.p_W, group.v_W, group.duration};
@@ -98,10 +94,9 @@ struct StraightKinematics {
   static Mover mover(const ActorType& actor, int part, const MotionType& motion) {
     return {&actor, part, motion};
   }
-  static Mover mover_in_group(const ActorType& actor, int part, const MotionType& motion,
-                              const MotionType& /*whole*/) {
-    return {&actor, part, motion};  // each has its own place, and all the same velocity
-  }
+  /// Each has its own place, and all the same velocity.
+  static void put_in_group(Mover& /*mover*/, const ActorType& /*actor*/,
+                           const MotionType& /*whole*/) {}
   static Aabb<Scalar> bound(const Mover& mover) {
     if constexpr (kBalls) {
       return sphere_aabb(mover.motion, mover.actor->radius);

@@ -25,6 +25,7 @@ struct TurningKinematics {
   using MotionType = Motion<Scalar>;
   using PlanType = PlannedMotion<Scalar>;
   using ActorType = Actor<SceneT>;
+  using GroupType = RigidGroup<Scalar>;
 
   /// What a search saw of a pair.
   struct TurningQuery {
@@ -66,22 +67,22 @@ struct TurningKinematics {
   }
   /// No valid one where the caller, or bytes that were restored, spoiled the orientation: a
   /// controller may take it for one.
-  static PlanType ask(const ActorType& actor, Scalar t, Scalar duration) {
+  static void ask(const ActorType& actor, Scalar t, Scalar duration, PlanType& plan) {
     constexpr Scalar kUnitWithin = Scalar(1) / 512;  // of the squared length, as in archive.cpp
     const Quat<Scalar>& q = actor.body.X_WB.q_WB;
     const Scalar square = (q.x() * q.x() + q.y() * q.y()) + (q.z() * q.z() + q.w() * q.w());
     if (std::abs(square - Scalar(1)) <= kUnitWithin) {
-      return actor.controller.plan(actor.body, t, duration);
+      plan = actor.controller.plan(actor.body, t, duration);
+    } else {
+      plan.by_momentum = false;
+      plan.motion.duration = std::numeric_limits<Scalar>::quiet_NaN();
     }
-    PlanType none;
-    none.motion = still(actor.body.X_WB, std::numeric_limits<Scalar>::quiet_NaN());
-    return none;
   }
   static MotionType standing(const BodyType& body, Scalar duration) {
     return still(body.X_WB, duration);
   }
   static bool is_immovable(const BodyType& body) { return is_fixed(body); }
-  static bool is_still(const MotionType& motion) {
+  [[gnu::noinline]] static bool is_still(const MotionType& motion) {
     return is_zero(motion.twist.v_W) && is_zero(motion.twist.w_W);
   }
   /// Whether the body is where the motion begins.
@@ -92,23 +93,18 @@ struct TurningKinematics {
     move_along(body, motion, t);
   }
   /// What is left of a motion after t of it. @pre t <= duration
-  static MotionType rest_of(const MotionType& motion, Scalar t, Scalar duration) {
-    MotionType rest = motion;
-    if (t > Scalar(0)) rest.X_WB = pose_at(motion, t);
-    rest.duration = duration;
-    return rest;
+  static void skip(MotionType& motion, Scalar t, Scalar duration) {
+    if (t > Scalar(0)) motion.X_WB = pose_at(motion, t);
+    motion.duration = duration;
   }
-  /// The motion from where the body is now.
-  static MotionType from_here(const BodyType& body, const MotionType& motion, Scalar duration) {
-    return {body.X_WB, motion.twist, duration};
+  /// The motion goes on from where the body is now.
+  static void restart(MotionType& motion, const BodyType& body, Scalar duration) {
+    motion.X_WB = body.X_WB;
+    motion.duration = duration;
   }
   /// How a body that its momenta move would go if nothing touched it, to first order.
   static MotionType free_motion(const BodyType& body, Scalar duration) {
     return {body.X_WB, twist_of(body), duration};
-  }
-  /// By its momentum, without a turn.
-  static MotionType without_turn(const BodyType& body, Scalar duration) {
-    return batuta::linear<Scalar>(body.X_WB, momentum_velocity(body), duration);
   }
   static Vec3<Scalar>& velocity(MotionType& motion) { return motion.twist.v_W; }
   static Vec3<Scalar>& linear(Twist<Scalar>& twist) { return twist.v_W; }
@@ -116,19 +112,13 @@ struct TurningKinematics {
   static Vec3<Scalar> momentum_velocity(const BodyType& body) {
     return body.inverse_mass * body.momentum.linear_W;
   }
-  /// The motion of a group: about its centre, in a frame with the axes of W.
-  template <class Sums>
-  static MotionType group_motion(const Vec3<Scalar>& center_W, const Sums& sums,
-                                 const Vec3<Scalar>& v_W, Scalar duration) {
-    const Vec3<Scalar> w_W = group_spin(sums.inertia_W, sums.spin_W, duration);
-    return {{center_W, Quat<Scalar>::Identity()}, {v_W, w_W}, duration};
-  }
   static MotionType standing_at(const Vec3<Scalar>& center_W, Scalar duration) {
     return still<Scalar>({center_W, Quat<Scalar>::Identity()}, duration);
   }
   /// The motion of what a body takes along.
-  static MotionType turned_about(const MotionType& leader, Scalar duration) {
-    return {{leader.X_WB.p_W, Quat<Scalar>::Identity()}, leader.twist, duration};
+  static MotionType turned_about(const BodyType& leader, const MotionType& motion,
+                                 Scalar duration) {
+    return {{leader.X_WB.p_W, Quat<Scalar>::Identity()}, motion.twist, duration};
   }
   /// The motion of a group for one of its bodies.
   static const MotionType& seat(const MotionType& group, const BodyType& /*body*/) { return group; }
@@ -142,11 +132,10 @@ struct TurningKinematics {
   }
   /// Of a body in a group, whose frame is at the group's centre with axes of W when it was made.
   /// @param whole  the motion of the group from then on; the body is where it was then
-  static Mover mover_in_group(const ActorType& actor, int part, const MotionType& motion,
-                              const MotionType& whole) {
+  static void put_in_group(Mover& mover, const ActorType& actor, const MotionType& whole) {
     const Pose<Scalar>& X_WB = actor.body.X_WB;
     const Pose<Scalar> X_GB = {X_WB.p_W - whole.X_WB.p_W, X_WB.q_WB};
-    return {to_world(X_GB, part_of(actor, part)), motion};
+    mover.capsule_B = to_world(X_GB, mover.capsule_B);
   }
   static Aabb<Scalar> bound(const Mover& mover) { return SceneT::Bound::of(mover); }
 

@@ -1,160 +1,154 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Bodies that go on together, as one rigid body with their summed momenta (src/world/world.md,
-// "Together"). Included by bodies.hpp.
+// Bodies that go on together: who is in a group, and when it parts (src/world/world.md,
+// "Together"). Included by bodies.hpp. Rare, so compiled for size.
 
-#include "batuta/geometry/direction.hpp"
 #include "batuta/world/detail/bodies.hpp"
-#include "batuta/world/detail/group_motion.hpp"
 
 namespace batuta::detail {
 
-/// Sums over the bodies of a group.
+/// Of a group of which somebody falls.
 template <class Scalar>
-struct GroupSums {
-  Scalar mass = 0;
-  Vec3<Scalar> momentum_W = Vec3<Scalar>::Zero();  ///< of the step's end where they fall
-  Vec3<Scalar> moment_W = Vec3<Scalar>::Zero();    ///< mass times place from the first one
-  Vec3<Scalar> off_W = Vec3<Scalar>::Zero();       ///< mass times FallState::off_W
-  Vec3<Scalar> opening_W = Vec3<Scalar>::Zero();   ///< mass times OpeningState::opening
-  Vec3<Scalar> spin_W = Vec3<Scalar>::Zero();      ///< angular momentum about the centre
-  Mat3<Scalar> inertia_W = Mat3<Scalar>::Zero();   ///< about the centre
-  int led = 0;                                     ///< bodies that a controller moves
-  std::size_t leader = 0;                          ///< one of these
-  bool stands = false;                             ///< something in it cannot be moved
-  bool falls = true;                               ///< nothing in it is carried
+struct FallSums {
+  Vec3<Scalar> off_W = Vec3<Scalar>::Zero();  ///< mass times FallState::off_W
+  bool falls = true;                          ///< nothing in it is carried
+};
+/// Of a group of which somebody's gaps are opened.
+template <class Scalar>
+struct OpeningSums {
+  Vec3<Scalar> opening_W = Vec3<Scalar>::Zero();  ///< mass times OpeningState::opening
+};
+/// Sums over the bodies of a group.
+template <class SceneT>
+struct GroupSums : FeatureIf<SceneT::kGravity, FallSums<Scalar_of<SceneT>>, 4>,
+                   FeatureIf<kLasts<SceneT>, OpeningSums<Scalar_of<SceneT>>, 5> {
+  typename KinematicsOf<SceneT>::GroupType group;
+  std::size_t heaviest = 0;
+  Scalar_of<SceneT> least = std::numeric_limits<Scalar_of<SceneT>>::max();  ///< inverse mass, 1/kg
+  int led = 0;             ///< bodies that a controller moves
+  std::size_t leader = 0;  ///< one of these
+  bool stands = false;     ///< something in it cannot be moved
 };
 
 /// A wall is no member: what else comes to it is not to stop there. Who was a member stays one:
 /// where its group stood, it looks like a wall once that has parted.
 template <class SceneT>
-void Bodies<SceneT>::weld(std::size_t a, std::size_t b, Scalar until) {
-  GroupSums<Scalar> sums;
-  sums.stands = stands_together(a) || stands_together(b);
-  const auto is_lone_wall = [this](std::size_t slot) {
-    return states[slot].group == kAlone && !states[slot].changed && is_wall(slot);
-  };
-  const bool is_wall_a = is_lone_wall(a);
-  const bool is_wall_b = is_lone_wall(b);
-  join(a);
-  join(b);
-  std::size_t first = kSlots;
-  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    states[slot].joins = states[slot].comes;
-    states[slot].comes = false;
-    if (!states[slot].joins) continue;
-    if ((slot == a && is_wall_a) || (slot == b && is_wall_b)) {
-      sums.stands = true;
-      states[slot].joins = false;
-      continue;
-    }
-    if (first == kSlots) first = slot;
-    bring(slot);
-    add_to(sums, slot, place_of(first));
-  }
-  if (first == kSlots) return;
-  sums.stands = sums.stands || sums.led > 1;
-  start_group(sums, first, until);
+[[gnu::cold]] void Bodies<SceneT>::weld(std::size_t a, std::size_t b, Scalar until) {
+  const Slot name = min_of(name_of(a), name_of(b));
+  const bool stands_a = take_in(a, name);
+  const bool stands_b = take_in(b, name);
+  GroupSums<SceneT> sums = sums_of(name);
+  sums.stands = sums.stands || stands_a || stands_b || sums.led > 1;
+  start_group(sums, name, until);
   report.time_held = max_of(report.time_held, until - now);
 }
 
-/// A group that a wall is part of.
+/// A body, and who goes with it already, go by another name. @returns whether something in it
+/// cannot be moved
 template <class SceneT>
-bool Bodies<SceneT>::stands_together(std::size_t slot) const {
+[[gnu::cold]] bool Bodies<SceneT>::take_in(std::size_t slot, Slot name) {
   const State& state = states[slot];
-  return state.group != kAlone && state.is_led_group && Kinematics::is_still(state.plan.motion);
-}
-
-/// The group of a body parts; those that were in it are named after the body instead.
-template <class SceneT>
-void Bodies<SceneT>::join(std::size_t slot) {
-  const Slot group = states[slot].group;
-  for (State& state : states) {  // Bound: kMaxBodies
-    state.comes = state.comes || (group != kAlone && state.group == group);
+  const Slot group = state.group;
+  if (group == kAlone) {
+    if (is_wall(slot)) return true;
+    bring(slot);
+    states[slot].group = name;
+    return false;
   }
-  states[slot].comes = true;
-  if (group != kAlone) part_group(slot);
-}
-
-template <class SceneT>
-void Bodies<SceneT>::add_to(GroupSums<Scalar>& sums, std::size_t slot, const Vec3<Scalar>& from_W) {
-  const State& state = states[slot];
-  auto& body = actor(slot).body;
-  if (is_led(slot)) {
-    ++sums.led;
-    sums.leader = slot;
-  }
-  if (!(body.inverse_mass > Scalar(0))) return;
-  const Scalar mass = 1 / body.inverse_mass;
-  sums.mass += mass;
-  sums.momentum_W += Kinematics::linear_momentum(body);
-  sums.moment_W += mass * (place_of(slot) - from_W);
-  if constexpr (kLasts<SceneT>) sums.opening_W += mass * state.opening.v_W;
-  if constexpr (SceneT::kGravity) {
-    sums.off_W += mass * state.off_W;
-    sums.falls = sums.falls && falls(slot);
-  }
-}
-
-/// Angular momentum and inertia about a centre of all that are marked, from the poses stored.
-template <class SceneT>
-void Bodies<SceneT>::add_turning(GroupSums<Scalar>& sums, const Vec3<Scalar>& center_W,
-                                 const Vec3<Scalar>& v_W) const {
-  sums.spin_W.setZero();
-  sums.inertia_W.setZero();
-  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    if (!states[slot].joins || !(actor(slot).body.inverse_mass > Scalar(0))) continue;
-    const Body<Scalar>& body = actor(slot).body;
-    const Vec3<Scalar> r_W = body.X_WB.p_W - center_W;
-    const Vec3<Scalar> own_W = body.momentum.linear_W - v_W / body.inverse_mass;
-    sums.spin_W += body.momentum.angular_W + r_W.cross(own_W);
-    add_inertia(sums.inertia_W, body, r_W);
-  }
-}
-
-/// Gives all that join one motion. @param first  the lowest of them
-template <class SceneT>
-void Bodies<SceneT>::start_group(GroupSums<Scalar>& sums, std::size_t first, Scalar until) {
-  const Scalar rest = until - now;
-  const Vec3<Scalar> from_W = place_of(first);
-  typename Kinematics::MotionType motion;
-  const bool is_led = sums.stands || sums.led > 0;
-  if (sums.stands) {
-    motion = Kinematics::standing_at(from_W, rest);
-  } else if (is_led) {
-    motion = Kinematics::turned_about(states[sums.leader].plan.motion, rest);
-  } else {
-    Vec3<Scalar> v_W = sums.momentum_W / sums.mass;
-    const Vec3<Scalar> center_W = from_W + sums.moment_W / sums.mass;
-    if constexpr (SceneT::kRotation) add_turning(sums, center_W, v_W);
-    if constexpr (SceneT::kGravity) {
-      const Scalar left = dt - now;
-      if (sums.falls) v_W -= (left / 2) * settings.gravity_W;
-      if (left > Scalar(0)) v_W += sums.off_W / (sums.mass * left);
+  const bool stands = state.is_led_group && Kinematics::is_still(state.plan.motion);
+  if constexpr (SceneT::kMaxBodies > 2) {
+    settle(group);
+    for (State& other : states) {  // Bound: kMaxBodies
+      if (other.group == group) other.group = name;
     }
-    // Who is opened goes on with its share: without it the centre of those opened together would
-    // move.
-    if constexpr (kLasts<SceneT>) v_W += sums.opening_W / sums.mass;
-    motion = Kinematics::group_motion(center_W, sums, v_W, rest);
   }
-  for (std::size_t slot = first; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+  return stands;
+}
+
+template <class SceneT>
+[[gnu::cold]] GroupSums<SceneT> Bodies<SceneT>::sums_of(Slot name) const {
+  GroupSums<SceneT> sums;
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    if (states[slot].group != name) continue;
+    const auto& body = actor(slot).body;
+    const bool is_led = !kIsFree && this->is_led(slot);
+    if (is_led) {
+      ++sums.led;
+      sums.leader = slot;
+    }
+    if (!(body.inverse_mass > Scalar(0))) {
+      sums.stands = sums.stands || !is_led;
+      continue;
+    }
+    if constexpr (SceneT::kGravity) {
+      sums.off_W += states[slot].off_W / body.inverse_mass;
+      sums.falls = sums.falls && falls(slot);
+    }
+    if constexpr (kLasts<SceneT>) {
+      sums.opening_W += states[slot].opening.v_W / body.inverse_mass;
+    }
+    add_to_group(sums.group, body);
+    if (body.inverse_mass < sums.least) {
+      sums.least = body.inverse_mass;
+      sums.heaviest = slot;
+    }
+  }
+  return sums;
+}
+
+/// Where a group goes that nothing stops.
+template <class SceneT>
+[[gnu::cold]] typename KinematicsOf<SceneT>::MotionType Bodies<SceneT>::course_of(
+    const GroupSums<SceneT>& sums, Scalar duration) const {
+  if constexpr (!kIsFree) {
+    if (sums.led > 0) {
+      return Kinematics::turned_about(actor(sums.leader).body, states[sums.leader].plan.motion,
+                                      duration);
+    }
+  }
+  auto motion = group_motion(sums.group, duration);
+  if constexpr (SceneT::kGravity) {
+    Vec3<Scalar>& v_W = Kinematics::velocity(motion);
+    const Scalar left = dt - now;
+    if (sums.falls) v_W -= (left / 2) * settings.gravity_W;
+    if (left > Scalar(0)) v_W += sums.off_W / (sums.group.mass * left);
+  }
+  if constexpr (kLasts<SceneT>) {  // or the common centre of these and of who makes room for them
+                                   // moves
+    Kinematics::velocity(motion) += sums.opening_W / sums.group.mass;
+  }
+  return motion;
+}
+
+/// Gives all of a group one motion.
+template <class SceneT>
+[[gnu::cold]] void Bodies<SceneT>::start_group(const GroupSums<SceneT>& sums, Slot name,
+                                               Scalar until) {
+  const Scalar rest = until - now;
+  auto motion = Kinematics::standing_at(place_of(name), rest);
+  bool stands = sums.stands;
+  if (!stands) {
+    const auto course = course_of(sums, rest);
+    stands = !is_valid(course);
+    if (!stands) motion = course;
+  }
+  const bool is_led = stands || sums.led > 0;
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
     State& state = states[slot];
-    if (!state.joins) continue;
-    state.joins = false;
-    state.group = static_cast<Slot>(first);
+    if (state.group != name) continue;
     state.is_led_group = is_led;
     state.held_until = until;
     end_course(slot, dt);
     state.start = now;
     state.plan.motion = Kinematics::seat(motion, actor(slot).body);
     if constexpr (SceneT::kGravity) {
-      state.off_W = sums.mass > Scalar(0) && !is_led ? Vec3<Scalar>(sums.off_W / sums.mass)
-                                                     : Vec3<Scalar>(Vec3<Scalar>::Zero());
+      state.off_W.setZero();
+      if (!is_led) state.off_W = sums.off_W / sums.group.mass;
       state.loaded = !sums.falls || is_led;
     }
     if constexpr (kLasts<SceneT>) {
       state.opening = {};
-      if (!is_led) state.opening.v_W = sums.opening_W / sums.mass;
+      if (!is_led) state.opening.v_W = sums.opening_W / sums.group.mass;
     }
     state.changed = true;
   }
@@ -162,115 +156,99 @@ void Bodies<SceneT>::start_group(GroupSums<Scalar>& sums, std::size_t first, Sca
 }
 
 template <class SceneT>
-void Bodies<SceneT>::part_group(std::size_t slot) {
+[[gnu::cold]] void Bodies<SceneT>::part_group(std::size_t slot) {
   const Slot group = states[slot].group;
-  const State whole = states[slot];
-  const Scalar elapsed = now - whole.start;
-  GroupSums<Scalar> sums;
-  std::size_t heaviest = slot;
-  for (std::size_t i = 0; i < kSlots; ++i) {  // Bound: kMaxBodies
-    states[i].joins = states[i].group == group;
-    if (!states[i].joins) continue;
-    add_to(sums, i, place_of(slot));
-    if (actor(i).body.inverse_mass > Scalar(0) &&
-        (!(actor(heaviest).body.inverse_mass > Scalar(0)) ||
-         actor(i).body.inverse_mass < actor(heaviest).body.inverse_mass)) {
-      heaviest = i;
-    }
+  settle(group);
+  for (State& state : states) {  // Bound: kMaxBodies
+    if (state.group == group) state.group = kAlone;
   }
+}
+
+/// All of a group are where it has come to, each with the velocity of its place.
+template <class SceneT>
+[[gnu::cold]] void Bodies<SceneT>::settle(Slot group) {
+  std::size_t first = 0;
+  while (states[first].group != group) ++first;  // Bound: kMaxBodies: who asks is in it
+  const State& whole = states[first];
   if constexpr (SceneT::kRotation) {
-    part_turning(sums, whole, elapsed, heaviest);
+    settle_turning(whole);
   } else {
-    part_straight(sums, whole, elapsed, heaviest);
+    settle_straight(whole);
   }
-  for (std::size_t i = 0; i < kSlots; ++i) {  // Bound: kMaxBodies
-    State& state = states[i];
-    if (!state.joins) continue;
-    state.joins = false;
-    state.group = kAlone;
+  for (std::size_t slot = first; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    State& state = states[slot];
+    if (state.group != group) continue;
+    if constexpr (SceneT::kGravity) end_fall(slot);
     state.held_until = 0;
     state.start = now;
     state.changed = true;
-    state.plan.motion = Kinematics::from_here(actor(i).body, state.plan.motion, dt - now);
-    if constexpr (SceneT::kGravity) {
-      const Scalar span = dt - whole.start;
-      const Scalar left = span > Scalar(0) ? 1 - elapsed / span : Scalar(0);
-      state.off_W *= left;
-      if (!whole.loaded) state.off_W -= (elapsed * (span - elapsed) / 2) * settings.gravity_W;
-      state.loaded = whole.loaded && !whole.is_led_group;
-    }
+    Kinematics::restart(state.plan.motion, actor(slot).body, dt - now);
   }
   is_changed = true;
 }
 
-/// Each has the velocity of its place; what rounding leaves of the sums goes to the heaviest.
+/// What rounding leaves of the sums goes to the heaviest.
 template <class SceneT>
-void Bodies<SceneT>::part_turning(GroupSums<Scalar>& sums, const State& whole, Scalar elapsed,
-                                  std::size_t heaviest) {
-  const Vec3<Scalar> center_W = whole.plan.motion.X_WB.p_W;
-  const Pose<Scalar> X_WG = pose_at(whole.plan.motion, elapsed);
-  const bool is_led = whole.is_led_group;
+[[gnu::cold]] void Bodies<SceneT>::settle_turning(const State& whole) {
+  const GroupSums<SceneT> sums = sums_of(whole.group);
+  const Pose<Scalar> X_WG = pose_at(whole.plan.motion, now - whole.start);
+  Momentum<Scalar> left = sums.group.momentum;
   Twist<Scalar> twist = whole.plan.motion.twist;
-  if (!is_led) twist.v_W = sums.momentum_W / sums.mass;
-  add_turning(sums, center_W, twist.v_W);
-  Momentum<Scalar> left = {sums.momentum_W, sums.spin_W};
-  for (std::size_t i = 0; elapsed > Scalar(0) && i < kSlots; ++i) {  // Bound: kMaxBodies
-    if (!states[i].joins) continue;
-    Pose<Scalar>& X_WB = actor(i).body.X_WB;
-    X_WB.p_W = X_WG.p_W + X_WG.q_WB * (X_WB.p_W - center_W).eval();
-    X_WB.q_WB = renewed<Scalar>(X_WG.q_WB * X_WB.q_WB);
+  const bool moves = whole.start < now && !Kinematics::is_still(whole.plan.motion);
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    if (!moves || states[slot].group != whole.group) continue;
+    take_along(actor(slot).body, whole.plan.motion.X_WB.p_W, X_WG);
   }
-  if (!is_led) {
-    add_turning(sums, X_WG.p_W, twist.v_W);
-    twist.w_W = spin_for(sums.inertia_W, left.angular_W);
+  if (!whole.is_led_group) twist = group_twist(sums_of(whole.group).group, left.angular_W);
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    if (is_pushed_in(whole.group, slot)) give_momentum(actor(slot).body, X_WG.p_W, twist, left);
   }
-  for (std::size_t i = 0; i < kSlots; ++i) {  // Bound: kMaxBodies
-    if (states[i].joins && !(is_led && !states[i].plan.by_momentum)) {
-      give_place(i, X_WG.p_W, twist, left);
-    }
-  }
-  if (is_led || !(sums.mass > Scalar(0))) return;
-  actor(heaviest).body.momentum.linear_W += left.linear_W;
-  actor(heaviest).body.momentum.angular_W += left.angular_W;
-}
-
-/// The momenta of a body that turns with others about a centre, taken from what is left of theirs.
-template <class SceneT>
-void Bodies<SceneT>::give_place(std::size_t slot, const Vec3<Scalar>& center_W,
-                                const Twist<Scalar>& twist, Momentum<Scalar>& left) {
-  auto& body = actor(slot).body;
-  if (!(body.inverse_mass > Scalar(0))) return;
-  const Vec3<Scalar> r_W = body.X_WB.p_W - center_W;
-  const Vec3<Scalar> turning_W = twist.w_W.cross(r_W);
-  body.momentum = momentum_of(body, Twist<Scalar>{twist.v_W + turning_W, twist.w_W});
-  left.linear_W -= body.momentum.linear_W;
-  left.angular_W -= body.momentum.angular_W + r_W.cross(turning_W) / body.inverse_mass;
-  if constexpr (SceneT::kGravity) {
-    if (states[slot].is_led_group) {
-      body.momentum.linear_W += ((dt - now) / body.inverse_mass) * settings.gravity_W;
-    }
-  }
+  if (whole.is_led_group) return;
+  Momentum<Scalar>& heaviest = actor(sums.heaviest).body.momentum;
+  heaviest.linear_W += left.linear_W;
+  if (sums.group.turns) heaviest.angular_W += left.angular_W;
 }
 
 template <class SceneT>
-void Bodies<SceneT>::part_straight(GroupSums<Scalar>& sums, const State& whole, Scalar elapsed,
-                                   std::size_t heaviest) {
-  const bool is_led = whole.is_led_group;
-  const Vec3<Scalar> v_W =
-      is_led ? Vec3<Scalar>(Vec3<Scalar>::Zero()) : Vec3<Scalar>(sums.momentum_W / sums.mass);
-  Vec3<Scalar> left_W = sums.momentum_W;
-  for (std::size_t i = 0; i < kSlots; ++i) {  // Bound: kMaxBodies
-    if (!states[i].joins) continue;
-    auto& body = actor(i).body;
-    Kinematics::move(body, states[i].plan.motion, elapsed);
-    if (!(body.inverse_mass > Scalar(0))) continue;
+[[gnu::cold]] void Bodies<SceneT>::settle_straight(const State& whole) {
+  const GroupSums<SceneT> sums = sums_of(whole.group);
+  Vec3<Scalar> left_W = sums.group.momentum_W;
+  Vec3<Scalar> v_W = whole.plan.motion.v_W;
+  if (!whole.is_led_group) v_W = left_W / sums.group.mass;
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    if (states[slot].group != whole.group) continue;
+    auto& body = actor(slot).body;
+    Kinematics::move(body, states[slot].plan.motion, now - whole.start);
+    if (!is_pushed_in(whole.group, slot)) continue;
     body.momentum_W = v_W / body.inverse_mass;
     left_W -= body.momentum_W;
-    if constexpr (SceneT::kGravity) {
-      if (is_led) body.momentum_W += ((dt - now) / body.inverse_mass) * settings.gravity_W;
-    }
   }
-  if (!is_led && sums.mass > Scalar(0)) actor(heaviest).body.momentum_W += left_W;
+  if (!whole.is_led_group) actor(sums.heaviest).body.momentum_W += left_W;
+}
+
+/// Whether a body is of a group, and its momentum is the group's.
+template <class SceneT>
+bool Bodies<SceneT>::is_pushed_in(Slot group, std::size_t slot) const {
+  const State& state = states[slot];
+  if (state.group != group || !(actor(slot).body.inverse_mass > Scalar(0))) return false;
+  return kIsFree || !state.is_led_group || state.plan.by_momentum;
+}
+
+/// Of a body whose group is at its end: how far it is off its parabola; and what a group that was
+/// led carried begins to fall.
+template <class SceneT>
+[[gnu::cold]] void Bodies<SceneT>::end_fall(std::size_t slot) {
+  State& state = states[slot];
+  auto& body = actor(slot).body;
+  const Scalar span = dt - state.start;
+  const Scalar elapsed = now - state.start;
+  const Scalar left = span > Scalar(0) ? 1 - elapsed / span : Scalar(0);
+  state.off_W *= left;
+  if (!state.loaded) state.off_W -= (elapsed * (span - elapsed) / 2) * settings.gravity_W;
+  if (state.is_led_group && is_pushed_in(state.group, slot)) {
+    Kinematics::linear_momentum(body) += ((dt - now) / body.inverse_mass) * settings.gravity_W;
+  }
+  state.loaded = state.loaded && !state.is_led_group;
 }
 
 }  // namespace batuta::detail
