@@ -78,8 +78,9 @@ void offer_end(LineEnds<Scalar>& line, const Capsule<Scalar>& A_W, const Capsule
   const Vec3<Scalar> end = which % 2 == 0 ? own.a : own.b;
   const auto other = closest_point(of_A ? B_W.axis : A_W.axis, end);
   const Scalar gap = other.distance - A_W.radius - B_W.radius;
-  if (!(gap < farthest) || !(other.distance > Scalar(0))) return;
-  const Vec3<Scalar> outwards = (end - other.point) / other.distance;
+  const Vec3<Scalar> apart = end - other.point;
+  if (!(gap < farthest) || is_zero(apart)) return;
+  const Vec3<Scalar> outwards = unit<Scalar>(apart);
   const Vec3<Scalar> normal = of_A ? outwards : Vec3<Scalar>(-outwards);
   auto point = point_between<Scalar>(A_W, B_W, of_A ? end : other.point, of_A ? other.point : end,
                                      normal, gap);
