@@ -161,14 +161,42 @@ void push(const ContactPoint<Scalar>& point, SolvedBody<Scalar>& A, SolvedBody<S
   B.w_W -= normal * point.turn_B_W[0] + along * point.turn_B_W[1] + across * point.turn_B_W[2];
 }
 
+template <class Scalar>
+Vec3<Scalar> slip_of(const ContactPoint<Scalar>& point, const SolvedBody<Scalar>& A,
+                     const SolvedBody<Scalar>& B) {
+  return (A.v_W - B.v_W) + (A.w_W.cross(point.arm_A_W) - B.w_W.cross(point.arm_B_W));
+}
+
+/// The same, along the normal alone: most visits need no more.
+template <class Scalar>
+void push_normal(const ContactPoint<Scalar>& point, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
+                 Scalar normal) {
+  A.v_W += (A.inverse_mass * normal) * point.normal_W;
+  B.v_W -= (B.inverse_mass * normal) * point.normal_W;
+  A.w_W += normal * point.turn_A_W[0];
+  B.w_W -= normal * point.turn_B_W[0];
+}
+
+/// And along both tangents.
+template <class Scalar>
+void push_across(const ContactPoint<Scalar>& point, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
+                 const Vec3<Scalar>& J_W, Scalar along, Scalar across) {
+  A.v_W += A.inverse_mass * J_W;
+  B.v_W -= B.inverse_mass * J_W;
+  A.w_W += along * point.turn_A_W[1] + across * point.turn_A_W[2];
+  B.w_W -= along * point.turn_B_W[1] + across * point.turn_B_W[2];
+}
+
 /// The part of friction: stops the slip within the cone. Where that is beyond it, a step down the
 /// slope of the energy, back onto the cone: neither adds energy.
 template <class Scalar>
 void relax_friction(ContactPoint<Scalar>& point, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
                     Scalar friction) {
-  const Vec3<Scalar> slip = velocity_across(point, A, B);
+  if (point.normal == Scalar(0) && point.along == Scalar(0) && point.across == Scalar(0)) return;
+  const Vec3<Scalar> slip = slip_of(point, A, B);
+  const Vec3<Scalar> other = other_tangent(point);
   const Scalar u = point.tangent_W.dot(slip);
-  const Scalar v = other_tangent(point).dot(slip);
+  const Scalar v = other.dot(slip);
   const Scalar limit = friction * point.normal;
   Scalar along = point.along - (point.grip[0] * u + point.grip[1] * v);
   Scalar across = point.across - (point.grip[1] * u + point.grip[2] * v);
@@ -184,7 +212,10 @@ void relax_friction(ContactPoint<Scalar>& point, SolvedBody<Scalar>& A, SolvedBo
       across *= scale;
     }
   }
-  push(point, A, B, Scalar(0), along - point.along, across - point.across);
+  const Scalar more_along = along - point.along;
+  const Scalar more_across = across - point.across;
+  const Vec3<Scalar> J_W = more_along * point.tangent_W + more_across * other;
+  push_across(point, A, B, J_W, more_along, more_across);
   point.along = along;
   point.across = across;
 }
@@ -278,7 +309,7 @@ void prepare(LastingContact<Scalar>& contact, const SolvedBody<Scalar>& A,
 template <class Scalar>
 Vec3<Scalar> velocity_across(const ContactPoint<Scalar>& point, const SolvedBody<Scalar>& A,
                              const SolvedBody<Scalar>& B) {
-  return (A.v_W - B.v_W) + (A.w_W.cross(point.arm_A_W) - B.w_W.cross(point.arm_B_W));
+  return slip_of(point, A, B);
 }
 
 template <class Scalar>
@@ -317,12 +348,12 @@ Scalar relax(LastingContact<Scalar>& contact, SolvedBody<Scalar>& A, SolvedBody<
   Scalar most = 0;
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
     auto& point = contact.points[static_cast<std::size_t>(i)];
-    const Scalar u = point.normal_W.dot(velocity_across(point, A, B));
+    const Scalar u = point.normal_W.dot(slip_of(point, A, B));
     const Scalar normal = max_of(Scalar(0), point.normal - point.stiffness * (u + point.room));
     const Scalar change = normal - point.normal;
     if (change != Scalar(0)) {
       most = max_of(most, std::abs(change) * (A.inverse_mass + B.inverse_mass));
-      push(point, A, B, change, Scalar(0), Scalar(0));
+      push_normal(point, A, B, change);
       point.normal = normal;
     }
     if (contact.friction > Scalar(0)) relax_friction(point, A, B, contact.friction);
