@@ -176,6 +176,32 @@ void push(const ContactPoint<Scalar>& point, SolvedBody<Scalar>& A, SolvedBody<S
   B.w_W -= normal * point.turn_B_W[0] + along * point.turn_B_W[1] + across * point.turn_B_W[2];
 }
 
+template <class Scalar>
+Vec3<Scalar> slip_of(const ContactPoint<Scalar>& point, const SolvedBody<Scalar>& A,
+                     const SolvedBody<Scalar>& B) {
+  return (A.v_W - B.v_W) + (A.w_W.cross(point.arm_A_W) - B.w_W.cross(point.arm_B_W));
+}
+
+/// The same, along the normal alone: most visits need no more.
+template <class Scalar>
+void push_normal(const ContactPoint<Scalar>& point, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
+                 Scalar normal) {
+  A.v_W += (A.inverse_mass * normal) * point.normal_W;
+  B.v_W -= (B.inverse_mass * normal) * point.normal_W;
+  A.w_W += normal * point.turn_A_W[0];
+  B.w_W -= normal * point.turn_B_W[0];
+}
+
+/// And along both tangents.
+template <class Scalar>
+void push_across(const ContactPoint<Scalar>& point, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
+                 const Vec3<Scalar>& J_W, Scalar along, Scalar across) {
+  A.v_W += A.inverse_mass * J_W;
+  B.v_W -= B.inverse_mass * J_W;
+  A.w_W += along * point.turn_A_W[1] + across * point.turn_A_W[2];
+  B.w_W -= along * point.turn_B_W[1] + across * point.turn_B_W[2];
+}
+
 /// The part of friction: stops the slip within the cone. Where that is beyond it, a step down the
 /// slope of the energy, back onto the cone: neither adds energy, unless the cone has become smaller
 /// than what was there.
@@ -183,9 +209,13 @@ void push(const ContactPoint<Scalar>& point, SolvedBody<Scalar>& A, SolvedBody<S
 template <class Scalar>
 Scalar relax_friction(ContactPoint<Scalar>& point, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
                       Scalar friction) {
-  const Vec3<Scalar> slip = velocity_across(point, A, B);
+  if (point.normal == Scalar(0) && point.along == Scalar(0) && point.across == Scalar(0)) {
+    return Scalar(0);
+  }
+  const Vec3<Scalar> slip = slip_of(point, A, B);
+  const Vec3<Scalar> other = other_tangent(point);
   const Scalar u = point.tangent_W.dot(slip);
-  const Scalar v = other_tangent(point).dot(slip);
+  const Scalar v = other.dot(slip);
   const Scalar limit = friction * point.normal;
   Scalar along = point.along - (point.grip[0] * u + point.grip[1] * v);
   Scalar across = point.across - (point.grip[1] * u + point.grip[2] * v);
@@ -205,7 +235,8 @@ Scalar relax_friction(ContactPoint<Scalar>& point, SolvedBody<Scalar>& A, Solved
   }
   const Scalar change = along - point.along;
   const Scalar aside = across - point.across;
-  push(point, A, B, Scalar(0), change, aside);
+  const Vec3<Scalar> J_W = change * point.tangent_W + aside * other;
+  push_across(point, A, B, J_W, change, aside);
   point.along = along;
   point.across = across;
   const Scalar slope = change * u + aside * v;
@@ -325,7 +356,7 @@ void prepare(LastingContact<Scalar>& contact, const SolvedBody<Scalar>& A,
 template <class Scalar>
 Vec3<Scalar> velocity_across(const ContactPoint<Scalar>& point, const SolvedBody<Scalar>& A,
                              const SolvedBody<Scalar>& B) {
-  return (A.v_W - B.v_W) + (A.w_W.cross(point.arm_A_W) - B.w_W.cross(point.arm_B_W));
+  return slip_of(point, A, B);
 }
 
 template <class Scalar>
@@ -366,12 +397,12 @@ Scalar relax(LastingContact<Scalar>& contact, SolvedBody<Scalar>& A, SolvedBody<
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
     auto& point = contact.points[static_cast<std::size_t>(i)];
     const PointImpulses<Scalar> before = {point.normal, point.along, point.across, point.rolling_W};
-    const Scalar u = point.normal_W.dot(velocity_across(point, A, B)) + point.room;
+    const Scalar u = point.normal_W.dot(slip_of(point, A, B)) + point.room;
     const Scalar normal = max_of(Scalar(0), point.normal - point.stiffness * u);
     const Scalar change = normal - point.normal;
     Scalar gain = 0;
     if (change != Scalar(0)) {
-      push(point, A, B, change, Scalar(0), Scalar(0));
+      push_normal(point, A, B, change);
       point.normal = normal;
       gain = change * u + change * change / (2 * point.stiffness);
     }
