@@ -315,10 +315,10 @@ void find_points(LastingContact<Scalar>& contact, const Capsule<Scalar>& A_W,
   const Scalar gap = axes.distance - A_W.radius - B_W.radius;
   const Vec3<Scalar> d_A = A_W.axis.direction();
   const Vec3<Scalar> d_B = B_W.axis.direction();
-  const Vec3<Scalar> longer = d_A.squaredNorm() < d_B.squaredNorm() ? d_B : d_A;
-  const Scalar size = length(longer);
+  const Vec3<Scalar> shorter = d_A.squaredNorm() < d_B.squaredNorm() ? d_A : d_B;
+  const Scalar size = length(shorter);
   const Vec3<Scalar> along =
-      size > Scalar(0) ? Vec3<Scalar>(longer / size) : Vec3<Scalar>(Vec3<Scalar>::Zero());
+      size > Scalar(0) ? Vec3<Scalar>(shorter / size) : Vec3<Scalar>(Vec3<Scalar>::Zero());
   auto nearest = point_between<Scalar>(A_W, B_W, axes.p_A, axes.p_B, -axes.normal_AB, gap);
   nearest.place = along.dot(nearest.point_W - A_W.axis.a);
   contact.count = 1;
@@ -326,7 +326,7 @@ void find_points(LastingContact<Scalar>& contact, const Capsule<Scalar>& A_W,
   if (line && may_be_line(A_W, B_W, contact.rest_gap)) {
     LineEnds<Scalar> ends;
     for (int which = 0; which < 4; ++which) {  // Bound: four ends
-      offer_end(ends, A_W, B_W, which, gap + contact.rest_gap, along);
+      offer_end(ends, A_W, B_W, which, max_of(gap, Scalar(0)) + contact.rest_gap, along);
     }
     if (ends.found) ends.offer(nearest);
     if (ends.found && ends.span() > min_of(A_W.radius, B_W.radius) / 16) {

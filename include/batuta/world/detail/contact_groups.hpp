@@ -56,6 +56,16 @@ class ContactGroups {
   /// Calls found(other body) for all that a body is near. Bound: its contacts.
   template <class Found>
   void for_each_neighbour(std::size_t slot, const Found& found) const;
+  /// The largest D of a body's contacts, m; 0: it has none. Bound: its contacts.
+  Scalar widest_rest_gap(std::size_t slot) const {
+    Scalar widest = 0;
+    for (int next = first_of_[slot]; next != 0;) {  // Bound: the contacts of a body
+      const Contact& contact = contacts_[next - 1];
+      widest = max_of(widest, contact.rest_gap);
+      next = next_[static_cast<std::size_t>(next - 1)][a_of(contact) == slot ? 0 : 1];
+    }
+    return widest;
+  }
   /// Forgets the contacts of a body.
   void remove(std::size_t slot);
   void copy(const ContactGroups& saved) { *this = saved; }

@@ -38,7 +38,7 @@ struct ContactPoint {
   std::array<Scalar, 3> grip{};  ///< inverse of K's tangential part: 11, 12, 22
   Scalar softest = 0;            ///< an upper bound of that part, 1/kg
   Scalar room = 0;               ///< how fast it may still approach in this step, m/s
-  Scalar place = 0;              ///< along the longer axis, m
+  Scalar place = 0;              ///< along the shorter axis, m
   Scalar normal = 0;             ///< impulse being solved, N s, >= 0
   Scalar along = 0;              ///< the same, along the tangent
   Scalar across = 0;             ///< and along the other one

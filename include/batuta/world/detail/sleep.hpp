@@ -46,7 +46,7 @@ class Sleep {
   bool is_disturbed(const BodiesT& bodies, std::size_t slot) const;
   bool is_moving(const BodiesT& bodies, std::size_t slot) const;
   void fall_asleep(BodiesT& bodies);
-  bool has_left(const BodiesT& bodies, std::size_t slot) const;
+  bool has_left(const BodiesT& bodies, const GroupsT& groups, std::size_t slot) const;
   bool may_sleep(const BodiesT& bodies, std::size_t slot) const {
     return bodies.states[slot].present && !bodies.states[slot].asleep && !bodies.is_led(slot);
   }
@@ -131,9 +131,10 @@ void Sleep<SceneT>::wake_all(BodiesT& bodies) {
 
 /// Whether the body has gone further than it would at rest_speed, or than its gaps let it sway.
 template <class SceneT>
-bool Sleep<SceneT>::has_left(const BodiesT& bodies, std::size_t slot) const {
+bool Sleep<SceneT>::has_left(const BodiesT& bodies, const GroupsT& groups,
+                             std::size_t slot) const {
   const auto& actor = bodies.actor(slot);
-  const Scalar limit = max_of(2 * bodies.settings.separation,
+  const Scalar limit = max_of(2 * groups.widest_rest_gap(slot),
                               bodies.settings.rest_speed * static_cast<Scalar>(SceneT::kSleepTime));
   const auto is_far = [&](const Vec3<Scalar>& x_B) {
     const Vec3<Scalar> way = to_world(actor.body.X_WB, x_B) - to_world(rests_[slot].anchor, x_B);
@@ -153,7 +154,7 @@ void Sleep<SceneT>::end_step(BodiesT& bodies, GroupsT& groups) {
   bool is_any = false;
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
     if (!may_sleep(bodies, slot)) continue;
-    if (has_left(bodies, slot)) {
+    if (has_left(bodies, groups, slot)) {
       start_over(bodies, slot);
     } else {
       rests_[slot].quiet = min_of(rests_[slot].quiet + bodies.dt, 2 * time);
