@@ -182,6 +182,7 @@ class Bodies {
 
   const Vec3<Scalar>& place_of(std::size_t slot) const { return position_of(actor(slot)); }
   void set_course(std::size_t slot);
+  void end_openings();
   bool stands_together(std::size_t slot) const;
   void join(std::size_t slot);
   void add_to(GroupSums<Scalar>& sums, std::size_t slot, const Vec3<Scalar>& from_W);

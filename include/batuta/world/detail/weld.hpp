@@ -16,7 +16,6 @@ struct GroupSums {
   Vec3<Scalar> momentum_W = Vec3<Scalar>::Zero();  ///< of the step's end where they fall
   Vec3<Scalar> moment_W = Vec3<Scalar>::Zero();    ///< mass times place from the first one
   Vec3<Scalar> off_W = Vec3<Scalar>::Zero();       ///< mass times FallState::off_W
-  Vec3<Scalar> opening_W = Vec3<Scalar>::Zero();   ///< mass times OpeningState::opening
   Vec3<Scalar> spin_W = Vec3<Scalar>::Zero();      ///< angular momentum about the centre
   Mat3<Scalar> inertia_W = Mat3<Scalar>::Zero();   ///< about the centre
   int led = 0;                                     ///< bodies that a controller moves
@@ -29,6 +28,7 @@ struct GroupSums {
 /// where its group stood, it looks like a wall once that has parted.
 template <class SceneT>
 void Bodies<SceneT>::weld(std::size_t a, std::size_t b, Scalar until) {
+  if constexpr (kLasts<SceneT>) end_openings();
   GroupSums<Scalar> sums;
   sums.stands = stands_together(a) || stands_together(b);
   const auto is_lone_wall = [this](std::size_t slot) {
@@ -56,6 +56,19 @@ void Bodies<SceneT>::weld(std::size_t a, std::size_t b, Scalar until) {
   sums.stands = sums.stands || sums.led > 1;
   start_group(sums, first, until);
   report.time_held = max_of(report.time_held, until - now);
+}
+
+/// Bodies that go on together are opened no more, so all that were opened with them are not: the
+/// common centre of those would move.
+template <class SceneT>
+void Bodies<SceneT>::end_openings() {
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    State& state = states[slot];
+    if (!state.present || (is_zero(state.opening.v_W) && is_zero(state.opening.w_W))) continue;
+    bring(slot);
+    state.opening = {};
+    state.changed = is_changed = true;
+  }
 }
 
 /// A group that a wall is part of.
@@ -89,7 +102,6 @@ void Bodies<SceneT>::add_to(GroupSums<Scalar>& sums, std::size_t slot, const Vec
   sums.mass += mass;
   sums.momentum_W += Kinematics::linear_momentum(body);
   sums.moment_W += mass * (place_of(slot) - from_W);
-  if constexpr (kLasts<SceneT>) sums.opening_W += mass * state.opening.v_W;
   if constexpr (SceneT::kGravity) {
     sums.off_W += mass * state.off_W;
     sums.falls = sums.falls && falls(slot);
@@ -132,9 +144,6 @@ void Bodies<SceneT>::start_group(GroupSums<Scalar>& sums, std::size_t first, Sca
       if (sums.falls) v_W -= (left / 2) * settings.gravity_W;
       if (left > Scalar(0)) v_W += sums.off_W / (sums.mass * left);
     }
-    // Who is opened goes on with its share: without it the centre of those opened together would
-    // move.
-    if constexpr (kLasts<SceneT>) v_W += sums.opening_W / sums.mass;
     motion = Kinematics::group_motion(center_W, sums, v_W, rest);
   }
   for (std::size_t slot = first; slot < kSlots; ++slot) {  // Bound: kMaxBodies
@@ -151,10 +160,6 @@ void Bodies<SceneT>::start_group(GroupSums<Scalar>& sums, std::size_t first, Sca
       state.off_W = sums.mass > Scalar(0) && !is_led ? Vec3<Scalar>(sums.off_W / sums.mass)
                                                      : Vec3<Scalar>(Vec3<Scalar>::Zero());
       state.loaded = !sums.falls || is_led;
-    }
-    if constexpr (kLasts<SceneT>) {
-      state.opening = {};
-      if (!is_led) state.opening.v_W = sums.opening_W / sums.mass;
     }
     state.changed = true;
   }
