@@ -8,6 +8,7 @@ import unittest
 
 import mutate
 import mutations
+import planted
 
 
 def planted(text):
@@ -211,6 +212,16 @@ class Trials(unittest.TestCase):
         self.assertEqual(mutate.Book(path, False, {"a", "b"}).results, {"a": ["killed", "T"]})
         self.assertEqual(mutate.Book(path, False, {"b"}).results, {})
         self.assertEqual(mutate.Book(path, True, {"a"}).results, {})
+
+
+class PlantedFaults(unittest.TestCase):
+    def test_each_has_one_place(self):
+        source = pathlib.Path(__file__).resolve().parent.parent.parent
+        for fault in planted.FAULTS:
+            text = (source / fault.file).read_text()
+            self.assertNotEqual(planted.planted(text, fault), text, fault.name)
+            self.assertTrue((source / fault.unit).is_file(), fault.name)
+            self.assertRaises(ValueError, planted.planted, "", fault)
 
 
 if __name__ == "__main__":

@@ -188,6 +188,7 @@ class Bodies {
   Slot name_of(std::size_t slot) const {
     return states[slot].group == kAlone ? static_cast<Slot>(slot) : states[slot].group;
   }
+  void end_openings();
   bool take_in(std::size_t slot, Slot name);
   GroupSums<SceneT> sums_of(Slot name) const;
   typename Kinematics::MotionType course_of(const GroupSums<SceneT>& sums, Scalar duration) const;

@@ -13,15 +13,9 @@ struct FallSums {
   Vec3<Scalar> off_W = Vec3<Scalar>::Zero();  ///< mass times FallState::off_W
   bool falls = true;                          ///< nothing in it is carried
 };
-/// Of a group of which somebody's gaps are opened.
-template <class Scalar>
-struct OpeningSums {
-  Vec3<Scalar> opening_W = Vec3<Scalar>::Zero();  ///< mass times OpeningState::opening
-};
 /// Sums over the bodies of a group.
 template <class SceneT>
-struct GroupSums : FeatureIf<SceneT::kGravity, FallSums<Scalar_of<SceneT>>, 4>,
-                   FeatureIf<kLasts<SceneT>, OpeningSums<Scalar_of<SceneT>>, 5> {
+struct GroupSums : FeatureIf<SceneT::kGravity, FallSums<Scalar_of<SceneT>>, 4> {
   typename KinematicsOf<SceneT>::GroupType group;
   std::size_t heaviest = 0;
   Scalar_of<SceneT> least = std::numeric_limits<Scalar_of<SceneT>>::max();  ///< inverse mass, 1/kg
@@ -34,6 +28,7 @@ struct GroupSums : FeatureIf<SceneT::kGravity, FallSums<Scalar_of<SceneT>>, 4>,
 /// where its group stood, it looks like a wall once that has parted.
 template <class SceneT>
 [[gnu::cold]] void Bodies<SceneT>::weld(std::size_t a, std::size_t b, Scalar until) {
+  if constexpr (kLasts<SceneT>) end_openings();
   const Slot name = min_of(name_of(a), name_of(b));
   const bool stands_a = take_in(a, name);
   const bool stands_b = take_in(b, name);
@@ -41,6 +36,19 @@ template <class SceneT>
   sums.stands = sums.stands || stands_a || stands_b || sums.led > 1;
   start_group(sums, name, until);
   report.time_held = max_of(report.time_held, until - now);
+}
+
+/// Bodies that go on together are opened no more, so all that were opened with them are not: the
+/// common centre of those would move.
+template <class SceneT>
+[[gnu::cold]] void Bodies<SceneT>::end_openings() {
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    State& state = states[slot];
+    if (!state.present || (is_zero(state.opening.v_W) && is_zero(state.opening.w_W))) continue;
+    bring(slot);
+    state.opening = {};
+    state.changed = is_changed = true;
+  }
 }
 
 /// A body, and who goes with it already, go by another name. @returns whether something in it
@@ -83,9 +91,6 @@ template <class SceneT>
     if constexpr (SceneT::kGravity) {
       sums.off_W += states[slot].off_W / body.inverse_mass;
       sums.falls = sums.falls && falls(slot);
-    }
-    if constexpr (kLasts<SceneT>) {
-      sums.opening_W += states[slot].opening.v_W / body.inverse_mass;
     }
     add_to_group(sums.group, body);
     if (body.inverse_mass < sums.least) {
@@ -145,10 +150,6 @@ template <class SceneT>
       state.off_W.setZero();
       if (!is_led) state.off_W = sums.off_W / sums.group.mass;
       state.loaded = !sums.falls || is_led;
-    }
-    if constexpr (kLasts<SceneT>) {
-      state.opening = {};
-      if (!is_led) state.opening.v_W = sums.opening_W / sums.group.mass;
     }
     state.changed = true;
   }
