@@ -14,8 +14,8 @@ namespace batuta::detail {
 template <class Scalar>
 struct RigidGroup {
   Scalar mass = 0;
-  Vec3<Scalar> center_W = Vec3<Scalar>::Zero();   ///< of mass
-  Momentum<Scalar> momentum;                      ///< summed; angular: about the centre
+  Vec3<Scalar> center_W = Vec3<Scalar>::Zero();  ///< of mass
+  Momentum<Scalar> momentum;                     ///< summed; angular: about the centre
   /// About the centre: columns.
   std::array<Vec3<Scalar>, 3> inertia_W = {Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero(),
                                            Vec3<Scalar>::Zero()};
