@@ -154,13 +154,13 @@ BATUTA_RARE void give_momentum(Body<Scalar>& body, const Vec3<Scalar>& center_W,
   add(left.angular_W, Scalar(-1), body.momentum.angular_W);
 }
 
-#define BATUTA_INSTANTIATE(S)                                                              \
-  template void add_to_group(RigidGroup<S>&, const Body<S>&);                              \
-  template void add_to_group(StraightGroup<S>&, const StraightBody<S>&);                   \
-  template Motion<S> group_motion(const RigidGroup<S>&, S);                                \
-  template StraightMotion<S> group_motion(const StraightGroup<S>&, S);                     \
-  template void take_along(Body<S>&, const Vec3<S>&, const Pose<S>&);                      \
-  template Twist<S> group_twist(const RigidGroup<S>&, const Vec3<S>&);                     \
+#define BATUTA_INSTANTIATE(S)                                            \
+  template void add_to_group(RigidGroup<S>&, const Body<S>&);            \
+  template void add_to_group(StraightGroup<S>&, const StraightBody<S>&); \
+  template Motion<S> group_motion(const RigidGroup<S>&, S);              \
+  template StraightMotion<S> group_motion(const StraightGroup<S>&, S);   \
+  template void take_along(Body<S>&, const Vec3<S>&, const Pose<S>&);    \
+  template Twist<S> group_twist(const RigidGroup<S>&, const Vec3<S>&);   \
   template void give_momentum(Body<S>&, const Vec3<S>&, const Twist<S>&, Momentum<S>&);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE

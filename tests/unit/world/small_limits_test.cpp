@@ -264,7 +264,8 @@ std::vector<Vec3<double>> drop_contacts(unsigned seed, double speed, double fall
     EXPECT_EQ(world.step(dt), Status::kOk);
     const SmallSums<SceneT> now(world);
     const double time = step * static_cast<double>(dt);
-    const Vec3<double> g(0, 0, -fall), gained = now.momentum - first.momentum - time * first.mass * g;
+    const Vec3<double> g(0, 0, -fall),
+        gained = now.momentum - first.momentum - time * first.mass * g;
     const double size = first.pushes + now.pushes + first.mass * (std::abs(speed) + fall);
     EXPECT_LE(gained.norm(), 16 * u * size * step) << step;
     const Vec3<double> way = time * first.momentum + time * time / 2 * first.mass * g;

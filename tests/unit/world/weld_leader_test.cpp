@@ -205,8 +205,8 @@ TYPED_TEST(WeldLeader, GroupThatFalls_IsOnItsParabola) {
   EXPECT_LE((is.momentum - was.momentum - was.mass * dt * g).norm(), 64 * u * is.size);
   const ExactVec way = dt * was.momentum / was.mass + dt * dt / 2 * g;
   EXPECT_LE((is.center - was.center - way).norm(), 64 * u);
-  const ExactVec spin = was.about_origin() +
-                        was.mass * dt * (was.center + dt / 2 * was.momentum / was.mass).cross(g);
+  const ExactVec spin =
+      was.about_origin() + was.mass * dt * (was.center + dt / 2 * was.momentum / was.mass).cross(g);
   EXPECT_LE((is.about_origin() - spin).norm(), 64 * u * is.size);
 }
 

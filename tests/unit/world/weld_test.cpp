@@ -41,8 +41,8 @@ void expect_one_rigid_body(const std::vector<Body<S>>& before, const std::vector
   EXPECT_LE((is.about_origin() - was.about_origin()).norm(), slack * (1 + way.norm()));
   EXPECT_LE((is.center - was.center - way).norm(), 32 * u<S> * (1 + way.norm()));
   const ExactVec w = solve(is.inertia, is.spin);
-  const ExactMat turn = rotation_of(after[0].X_WB.q_WB) *
-                        rotation_of(before[0].X_WB.q_WB).transpose();
+  const ExactMat turn =
+      rotation_of(after[0].X_WB.q_WB) * rotation_of(before[0].X_WB.q_WB).transpose();
   for (std::size_t i = 0; i < after.size(); ++i) {
     const ExactVec r = exact(after[i].X_WB.p_W) - is.center;
     const ExactVec r0 = exact(before[i].X_WB.p_W) - was.center;
@@ -72,7 +72,8 @@ void weld_all(std::mt19937_64& random, double heaviest) {
   const Exact least = whole_of(before).energy;
   rig.finish();
   expect_one_rigid_body(before, rig.all(), Exact(rig.bodies.dt) - Exact(S(kStep / 4)));
-  EXPECT_LE(whole_of(rig.all()).energy, least * (1 + 64 * u<S>)) << "of other motions with these sums";
+  EXPECT_LE(whole_of(rig.all()).energy, least * (1 + 64 * u<S>))
+      << "of other motions with these sums";
   EXPECT_GT(rig.bodies.report.time_held, S(0));
 }
 
@@ -121,8 +122,8 @@ Exact turn_error(double time) {
   rig.bodies.weld(0, 2, rig.bodies.dt);
   const auto before = rig.all();
   rig.finish();
-  const ExactMat made = rotation_of(rig.body(0).X_WB.q_WB) *
-                        rotation_of(before[0].X_WB.q_WB).transpose();
+  const ExactMat made =
+      rotation_of(rig.body(0).X_WB.q_WB) * rotation_of(before[0].X_WB.q_WB).transpose();
   return (made - free_turn(whole_of(before), time)).norm();
 }
 

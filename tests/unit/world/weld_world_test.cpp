@@ -73,7 +73,7 @@ constexpr double kStep = SceneT::kBudget == 1 ? 0.1 : 0.01;
 /// What the turn of a group may change of its energy in a step, relative to it: third order in 5
 /// rad/s times the step.
 template <class SceneT>
-constexpr double kSway = 125 * kStep<SceneT> * kStep<SceneT> * kStep<SceneT>;
+constexpr double kSway = 125 * kStep<SceneT>* kStep<SceneT>* kStep<SceneT>;
 
 /// A run, and what has to hold after each step. @returns where the bodies are, as seen from their
 /// common centre, after the first step in which something was lacking

@@ -45,9 +45,6 @@ struct OpeningState {
   Twist<Scalar> opening;  ///< for this step, to open gaps; no part of its momentum
 };
 
-template <class SceneT>
-struct GroupSums;
-
 /// The bodies of a world, and the time.
 template <class SceneT>
 class Bodies {
@@ -106,15 +103,6 @@ class Bodies {
   }
   /// The end of the step.
   void finish(std::size_t slot);
-  /// Within a step, what slept is at rest, and carried for the rest of it.
-  void wake_now(std::size_t slot);
-  /// The two, which are where they are now, are off their parabolas by the same from now on: what
-  /// makes up for it does not bring them nearer to each other. Their common centre stays on its
-  /// own.
-  void share_off(std::size_t a, std::size_t b);
-  /// A blow of two bodies that do not turn, with their velocities of now.
-  StraightHit<Scalar> strike_straight(std::size_t a, std::size_t b, const Vec3<Scalar>& normal_BA_W,
-                                      Scalar restitution);
 
   /// How it moves now: its matter, not its planned motion.
   auto twist_now(std::size_t slot) const;
@@ -162,7 +150,7 @@ class Bodies {
     if (state.start < now && state.group == kAlone) {
       return state.plan.motion.X_WB.p_W + (now - state.start) * state.plan.motion.twist.v_W;
     }
-    return place_of(slot);
+    return position_of(actor(slot));
   }
 
   /// The two, and whoever goes with one of them already, go on together (weld.hpp).
@@ -177,27 +165,6 @@ class Bodies {
   Scalar now = 0;           ///< in the step, s
   Scalar dt = 0;            ///< length of the step, s
   bool is_changed = false;  ///< somebody has to be planned anew
-
- private:
-  const Vec3<Scalar>& place_of(std::size_t slot) const { return position_of(actor(slot)); }
-  void tell_unknown(std::size_t slot);
-  void go_straight(std::size_t slot, Scalar duration);
-  void set_course(std::size_t slot);
-  void move(std::size_t slot, Scalar elapsed);
-  // Groups: weld.hpp.
-  Slot name_of(std::size_t slot) const {
-    return states[slot].group == kAlone ? static_cast<Slot>(slot) : states[slot].group;
-  }
-  void end_openings();
-  bool take_in(std::size_t slot, Slot name);
-  GroupSums<SceneT> sums_of(Slot name) const;
-  typename Kinematics::MotionType course_of(const GroupSums<SceneT>& sums, Scalar duration) const;
-  void start_group(const GroupSums<SceneT>& sums, Slot name, Scalar until);
-  void settle(Slot group);
-  void settle_turning(const State& whole);
-  void settle_straight(const State& whole);
-  bool is_pushed_in(Slot group, std::size_t slot) const;
-  void end_fall(std::size_t slot);
 };
 
 template <class SceneT>
@@ -229,7 +196,7 @@ bool Bodies<SceneT>::begin(std::size_t slot) {
     Kinematics::ask(actor, Scalar(0), dt, state.plan);
   }
   if constexpr (kLasts<SceneT>) {
-    if (!is_valid(state.plan.motion)) go_straight(slot, dt);
+    if (!is_valid(state.plan.motion)) go_straight(*this, slot, dt);
   }
   if constexpr (SceneT::kGravity) {
     if (falls(slot)) {
@@ -253,67 +220,9 @@ void Bodies<SceneT>::plan(std::size_t slot) {
   }
   Kinematics::ask(actor, now, course_end(slot) - now, state.plan);
   const bool is_known = is_valid(state.plan.motion);
-  if (!is_known) go_straight(slot, rest);
-  set_course(slot);
-  if (!is_known || (SceneT::kGravity && !is_valid(state.plan.motion))) tell_unknown(slot);
-}
-
-/// Where it turns is not known: it goes on without a turn; where not even that is known, it stands.
-template <class SceneT>
-[[gnu::cold]] void Bodies<SceneT>::tell_unknown(std::size_t slot) {
-  auto& motion = states[slot].plan.motion;
-  ++report.plans_invalid;
-  if (is_valid(motion)) return;
-  motion = Kinematics::standing(actor(slot).body, dt - now);
-  report.time_held = max_of(report.time_held, dt - now);
-}
-
-/// By its momentum, without a turn.
-template <class SceneT>
-[[gnu::cold]] void Bodies<SceneT>::go_straight(std::size_t slot, Scalar duration) {
-  auto& motion = states[slot].plan.motion;
-  motion = Kinematics::standing(actor(slot).body, duration);
-  Kinematics::velocity(motion) = Kinematics::momentum_velocity(actor(slot).body);
-}
-
-/// The chord of the parabola, and what the last one lacked (world.md, "The fall").
-template <class SceneT>
-void Bodies<SceneT>::set_course(std::size_t slot) {
-  State& state = states[slot];
-  const Scalar rest = dt - now;
-  if constexpr (SceneT::kGravity) {
-    const bool moves = state.plan.by_momentum && actor(slot).body.inverse_mass > Scalar(0);
-    if (moves && rest > Scalar(0)) {
-      Vec3<Scalar>& v_W = Kinematics::velocity(state.plan.motion);
-      v_W = Kinematics::momentum_velocity(actor(slot).body);
-      if (!state.loaded) v_W -= (rest / 2) * settings.gravity_W;
-      v_W += state.off_W / rest;
-    }
-  }
-  if constexpr (kLasts<SceneT>) {
-    if (!state.plan.by_momentum) return;
-    state.plan.motion.twist.v_W += state.opening.v_W;
-    state.plan.motion.twist.w_W += state.opening.w_W;
-  }
-}
-
-/// An opening turns a body as no momentum does: where that would add energy, what turns it is less.
-template <class SceneT>
-void Bodies<SceneT>::move(std::size_t slot, Scalar elapsed) {
-  auto& body = actor(slot).body;
-  const auto& motion = states[slot].plan.motion;
-  if constexpr (kLasts<SceneT>) {
-    if (!is_zero(states[slot].opening.w_W)) {
-      const auto energy = [&body] { return body.momentum.angular_W.dot(twist_of(body).w_W); };
-      const Scalar before = energy();
-      Kinematics::move(body, motion, elapsed);
-      const Scalar after = energy();
-      using std::sqrt;
-      if (after > before) body.momentum.angular_W *= sqrt(before / after);
-      return;
-    }
-  }
-  Kinematics::move(body, motion, elapsed);
+  if (!is_known) go_straight(*this, slot, rest);
+  set_course(*this, slot);
+  if (!is_known || (SceneT::kGravity && !is_valid(state.plan.motion))) tell_unknown(*this, slot);
 }
 
 template <class SceneT>
@@ -325,7 +234,7 @@ void Bodies<SceneT>::advance(std::size_t slot, Scalar elapsed) {
     state.off_W *= left;
     if (falls(slot)) state.off_W -= (elapsed * (whole - elapsed) / 2) * settings.gravity_W;
   }
-  move(slot, elapsed);
+  move_on(*this, slot, elapsed);
   Kinematics::restart(state.plan.motion, actor(slot).body, dt - now);
   state.start = now;
   state.changed = true;
@@ -337,51 +246,8 @@ void Bodies<SceneT>::finish(std::size_t slot) {
   if (states[slot].group != kAlone) part_group(slot);
   const State& state = states[slot];
   ActorType& actor = this->actor(slot);
-  if (!state.stands && state.start < dt) {
-    move(slot, dt - state.start);
-  }
+  if (!state.stands && state.start < dt) move_on(*this, slot, dt - state.start);
   if constexpr (!kIsFree) actor.controller.on_step_end(actor.body, dt);
-}
-
-template <class SceneT>
-void Bodies<SceneT>::wake_now(std::size_t slot) {
-  State& state = states[slot];
-  state.plan.motion = Kinematics::standing(actor(slot).body, dt - now);
-  state.start = now;
-  if constexpr (SceneT::kGravity) state.loaded = true;
-  state.changed = is_changed = true;
-}
-
-template <class SceneT>
-void Bodies<SceneT>::share_off(std::size_t a, std::size_t b) {
-  if constexpr (SceneT::kGravity) {
-    const Scalar of_a = actor(b).body.inverse_mass;  // a's share of both masses, and b's
-    const Scalar of_b = actor(a).body.inverse_mass;
-    Vec3<Scalar> mean_W = Vec3<Scalar>::Zero();
-    if (!is_led(a) && !is_led(b) && of_a + of_b > Scalar(0)) {
-      mean_W = (of_a * states[a].off_W + of_b * states[b].off_W) / (of_a + of_b);
-    }
-    states[a].off_W = states[b].off_W = mean_W;
-  }
-}
-
-template <class SceneT>
-StraightHit<Scalar_of<SceneT>> Bodies<SceneT>::strike_straight(std::size_t a, std::size_t b,
-                                                               const Vec3<Scalar>& normal_BA_W,
-                                                               Scalar restitution) {
-  const auto fall_by = [this](std::size_t slot, Scalar time) {
-    if constexpr (SceneT::kGravity) {
-      if (!falls(slot)) return;
-      auto& body = actor(slot).body;
-      body.momentum_W += (time / body.inverse_mass) * settings.gravity_W;
-    }
-  };
-  fall_by(a, now - dt);
-  fall_by(b, now - dt);
-  const auto hit = straight_impulse(actor(a).body, actor(b).body, normal_BA_W, restitution);
-  fall_by(a, dt - now);
-  fall_by(b, dt - now);
-  return hit;
 }
 
 template <class SceneT>
@@ -415,4 +281,5 @@ Capsule<Scalar_of<SceneT>> Bodies<SceneT>::shape_W(int proxy) const {
 
 }  // namespace batuta::detail
 
+#include "batuta/world/detail/course.hpp"
 #include "batuta/world/detail/weld.hpp"

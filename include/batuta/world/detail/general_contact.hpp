@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// GeneralWorld: what happens at a contact. Included by general_world.hpp.
+// GeneralWorld: what a contact is answered with. Included by general_world.hpp.
 
-#include "batuta/geometry/direction.hpp"
+#include "batuta/world/detail/general_blow.hpp"
 #include "batuta/world/detail/general_world.hpp"
 
 namespace batuta::detail {
@@ -16,16 +16,24 @@ void GeneralWorld<SceneT>::resolve(const CandidateType& candidate, Scalar time) 
   bodies_.now = time;
   if constexpr (!SceneT::kResponse) return report_only(candidate);
   if constexpr (SceneT::kSleep) {
-    const auto woken = [this](std::size_t slot) {
-      groups_.wake(slot);
-      bodies_.wake_now(slot);
-    };
+    const auto woken = [this](std::size_t slot) { wake_now(slot); };
     for (const std::size_t slot : {a, b}) sleep_.wake(bodies_, groups_, slot, woken);  // Bound: 2
   }
   const bool has_room = contacts_answered_ < SceneT::kMaxContacts;
   if (!candidate.is_contact() || !has_room) return cut(candidate);
   ++contacts_answered_;
   answer(candidate, is_own_time);
+}
+
+/// Within a step, what slept is at rest, and carried for the rest of it.
+template <class SceneT>
+void GeneralWorld<SceneT>::wake_now(std::size_t slot) {
+  groups_.wake(slot);
+  auto& state = bodies_.states[slot];
+  state.plan.motion = Kinematics::standing(bodies_.actor(slot).body, bodies_.dt - bodies_.now);
+  state.start = bodies_.now;
+  if constexpr (SceneT::kGravity) state.loaded = true;
+  state.changed = bodies_.is_changed = true;
 }
 
 /// What cannot be answered in this step: the two go on together.
@@ -95,111 +103,6 @@ bool GeneralWorld<SceneT>::uses_up_answers(ProxyPair pair) {
   }
 }
 
-/// What counts as rest: where bodies settle, also what gravity makes in a step.
-template <class SceneT>
-typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::rest_speed() const {
-  if constexpr (SceneT::kResting == RestingContact::kNone) {
-    return std::numeric_limits<Scalar>::min();  // all that approaches collides
-  } else {
-    Scalar speed = bodies_.settings.rest_speed;
-    if constexpr (kSolves && SceneT::kGravity) {
-      speed = max_of(speed, bodies_.dt * length(bodies_.settings.gravity_W));
-    }
-    return speed;
-  }
-}
-
-template <class SceneT>
-typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::restitution_of(ProxyPair pair) const {
-  if constexpr (SceneT::kRestitution) {
-    return pair_restitution(bodies_.actor(BodiesT::body_of(pair.first)).restitution,
-                            bodies_.actor(BodiesT::body_of(pair.second)).restitution);
-  } else {
-    return Scalar(0);
-  }
-}
-
-/// Two bodies as a blow sees them: where they are, and how their matter moves now.
-template <class SceneT>
-typename GeneralWorld<SceneT>::Sides GeneralWorld<SceneT>::sides_of(ProxyPair pair) const {
-  const auto side = [this](int proxy) {
-    const std::size_t slot = BodiesT::body_of(proxy);
-    const auto& body = bodies_.actor(slot).body;
-    return Collider<Scalar>{body.X_WB, bodies_.twist_now(slot), body.inverse_mass,
-                            body.inverse_moments};
-  };
-  return {side(pair.first), side(pair.second)};
-}
-
-/// Adds an impulse. One that its controller moves first gets the momentum that goes with that, so
-/// that the impulse is added to what the body really has.
-template <class SceneT>
-void GeneralWorld<SceneT>::push(int proxy, const Momentum<Scalar>& change) {
-  const std::size_t slot = BodiesT::body_of(proxy);
-  auto& body = bodies_.actor(slot).body;
-  if constexpr (!BodiesT::kIsFree) {
-    const auto& plan = bodies_.states[slot].plan;
-    if (!plan.by_momentum) body.momentum = momentum_of(body, plan.motion.twist);
-  }
-  for (int i = 0; i < 3; ++i) {  // Bound: 3; by component: expressions double the code
-    if (body.inverse_mass > Scalar(0)) body.momentum.linear_W[i] += change.linear_W[i];
-    if (!is_zero(body.inverse_moments)) body.momentum.angular_W[i] += change.angular_W[i];
-  }
-}
-
-/// The impulse of a blow, given to both momenta.
-template <class SceneT>
-Result<Impulse<typename GeneralWorld<SceneT>::Scalar>> GeneralWorld<SceneT>::strike(
-    ProxyPair pair, const Sides& sides, const Contact<Scalar>& contact, Scalar restitution) {
-  Result<Impulse<Scalar>> hit;
-  if constexpr (SceneT::kFriction) {
-    FrictionLaw<Scalar> law;
-    law.restitution = restitution;
-    law.friction = pair_friction(bodies_.actor(BodiesT::body_of(pair.first)).friction,
-                                 bodies_.actor(BodiesT::body_of(pair.second)).friction);
-    hit = friction_impulse(sides.A, sides.B, contact, law);
-  } else {
-    hit = collision_impulse(sides.A, sides.B, contact, restitution);
-  }
-  if (!hit.ok()) return hit;
-  push(pair.first, hit.value.on_A);
-  push(pair.second, hit.value.on_B);
-  return hit;
-}
-
-/// v_rel of a pair at its contact, m/s.
-template <class SceneT>
-typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::velocity_between(
-    ProxyPair pair, const Contact<Scalar>& contact) const {
-  if constexpr (SceneT::kRotation) {
-    return velocity_between(sides_of(pair), contact);
-  } else {
-    const std::size_t a = BodiesT::body_of(pair.first);
-    const std::size_t b = BodiesT::body_of(pair.second);
-    return contact.normal_BA_W.dot(bodies_.twist_now(a) - bodies_.twist_now(b));
-  }
-}
-
-/// Whether one of the two falls and the other does not, so that gravity would close the contact
-/// within the step: then what falls is carried for the rest of it.
-template <class SceneT>
-bool GeneralWorld<SceneT>::takes_load(ProxyPair pair, const Contact<Scalar>& contact) {
-  if constexpr (SceneT::kGravity && !kSolves) {
-    const std::size_t a = BodiesT::body_of(pair.first);
-    const std::size_t b = BodiesT::body_of(pair.second);
-    const bool falls_a = bodies_.falls(a);
-    if (falls_a == bodies_.falls(b)) return false;
-    const Scalar fall =
-        (bodies_.dt - bodies_.now) * contact.normal_BA_W.dot(bodies_.settings.gravity_W);
-    const Scalar at_end = velocity_between(pair, contact) + (falls_a ? fall : -fall);
-    if (!(at_end < Scalar(0))) return false;
-    bodies_.states[falls_a ? a : b].loaded = true;
-    return true;
-  } else {
-    return false;
-  }
-}
-
 template <class SceneT>
 void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const PairQuery& query) {
   const ProxyPair pair = candidate.pair;
@@ -244,7 +147,7 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
   const bool is_resting = kSeparates && answer.kind == ContactKind::kResting;
   if constexpr (kSolves) {
     tell_controllers(pair, answer.impulse, Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero());
-    if (answers_of_pair_ > 1 || !(answer.impulse > Scalar(0))) bodies_.share_off(a, b);
+    if (answers_of_pair_ > 1 || !(answer.impulse > Scalar(0))) share_off(bodies_, a, b);
     // It came back once too often, and what opens gaps comes with the next step.
     if (is_deep) separate_pair(pair, query, at.contact, answer, false);
     groups_.pass_on(bodies_, pairs_, pair, [this](ProxyPair next) { strike_neighbour(next); });
@@ -254,23 +157,6 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
     tell_controllers(pair, answer.impulse, Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero());
   }
   if constexpr (kBends<SceneT>) shorten_courses(bodies_, pair, at.contact, query.contact_gap);
-}
-
-/// A blow that is passed on: where the two are now.
-template <class SceneT>
-void GeneralWorld<SceneT>::strike_neighbour(ProxyPair pair) {
-  const CapsuleGap<Scalar> gap =
-      capsule_gap(bodies_.shape_W(pair.first), bodies_.shape_W(pair.second));
-  const Nearest<Scalar> at = {contact_from(gap, Vec3<Scalar>::Zero().eval()), gap.axes.s,
-                              gap.axes.u};
-  const auto hit = strike(pair, sides_of(pair), at.contact, restitution_of(pair));
-  if (!hit.ok()) return;
-  Answer<Scalar> answer;
-  answer.kind = ContactKind::kColliding;
-  answer.v_rel = hit.value.v_rel;
-  answer.impulse = hit.value.magnitude;
-  touches_.record(bodies_, pair, at, answer);
-  tell_controllers(pair, answer.impulse, Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero());
 }
 
 /// Neither body can be pushed: where one is moved into the other, both stop.
@@ -357,19 +243,6 @@ typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::room_of(std::size_t 
   return max_of(room, Scalar(0));
 }
 
-template <class SceneT>
-void GeneralWorld<SceneT>::tell_controllers(ProxyPair pair, Scalar impulse,
-                                            const Vec3<Scalar>& shift_A_W,
-                                            const Vec3<Scalar>& shift_B_W) {
-  if constexpr (!BodiesT::kIsFree) {
-    for (int i = 0; i < 2; ++i) {  // Bound: 2
-      ActorType& actor = bodies_.actor(BodiesT::body_of(i == 0 ? pair.first : pair.second));
-      actor.controller.on_contact(
-          actor.body, Feedback<Scalar>{bodies_.now, impulse, i == 0 ? shift_A_W : shift_B_W});
-    }
-  }
-}
-
 /// Bodies that do not turn: an impulse, after which they part, and what parts is free for good.
 template <class SceneT>
 void GeneralWorld<SceneT>::answer_straight(const CandidateType& candidate) {
@@ -380,9 +253,9 @@ void GeneralWorld<SceneT>::answer_straight(const CandidateType& candidate) {
       BodiesT::Kinematics::nearest(bodies_.actor(a), BodiesT::part_at(pair.first), bodies_.actor(b),
                                    BodiesT::part_at(pair.second));
   const Vec3<Scalar>& normal_W = at.contact.normal_BA_W;
-  auto hit = bodies_.strike_straight(a, b, normal_W, restitution_of(pair));
+  auto hit = strike_straight(a, b, normal_W, restitution_of(pair));
   if (takes_load(pair, at.contact)) {
-    hit.impulse += bodies_.strike_straight(a, b, normal_W, Scalar(0)).impulse;
+    hit.impulse += strike_straight(a, b, normal_W, Scalar(0)).impulse;
   }
   Answer<Scalar> answer;
   answer.kind = ContactKind::kColliding;

@@ -135,12 +135,13 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   void end_step();
   void take_stand(std::size_t slot, bool stands, bool asleep);
 
-  // A contact: general_contact.hpp.
+  // A contact: general_contact.hpp; a blow: general_blow.hpp.
   void resolve(const CandidateType& candidate, Scalar time);
   void answer(const CandidateType& candidate, bool is_own_time);
   void answer_turning(const CandidateType& candidate, const PairQuery& query);
   void answer_straight(const CandidateType& candidate);
   void report_only(const CandidateType& candidate);
+  void wake_now(std::size_t slot);
   void cut(const CandidateType& candidate);
   void block(const CandidateType& candidate, const PairQuery& query,
              const Nearest<Scalar>& nearest);
@@ -151,6 +152,8 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   // Kept apart: some calls, and no copies.
   [[gnu::noinline]] Sides sides_of(ProxyPair pair) const;
   [[gnu::noinline]] void push(int proxy, const Momentum<Scalar>& change);
+  StraightHit<Scalar> strike_straight(std::size_t a, std::size_t b, const Vec3<Scalar>& normal_BA_W,
+                                      Scalar restitution);
   Result<Impulse<Scalar>> strike(ProxyPair pair, const Sides& sides, const Contact<Scalar>& contact,
                                  Scalar restitution);
   void strike_neighbour(ProxyPair pair);

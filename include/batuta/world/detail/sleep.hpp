@@ -131,8 +131,7 @@ void Sleep<SceneT>::wake_all(BodiesT& bodies) {
 
 /// Whether the body has gone further than it would at rest_speed, or than its gaps let it sway.
 template <class SceneT>
-bool Sleep<SceneT>::has_left(const BodiesT& bodies, const GroupsT& groups,
-                             std::size_t slot) const {
+bool Sleep<SceneT>::has_left(const BodiesT& bodies, const GroupsT& groups, std::size_t slot) const {
   const auto& actor = bodies.actor(slot);
   const Scalar limit = max_of(2 * groups.widest_rest_gap(slot),
                               bodies.settings.rest_speed * static_cast<Scalar>(SceneT::kSleepTime));

@@ -24,49 +24,80 @@ struct GroupSums : FeatureIf<SceneT::kGravity, FallSums<Scalar_of<SceneT>>, 4> {
   bool stands = false;     ///< something in it cannot be moved
 };
 
-/// A wall is no member: what else comes to it is not to stop there. Who was a member stays one:
-/// where its group stood, it looks like a wall once that has parted.
+/// Makes groups of the bodies of a step, and ends them.
+template <class SceneT>
+class Welds {
+ public:
+  using BodiesT = Bodies<SceneT>;
+  using Scalar = Scalar_of<SceneT>;
+  using Slot = typename BodiesT::Slot;
+
+  explicit Welds(BodiesT& bodies) : bodies_(bodies) {}
+  /// Bodies::weld().
+  void weld(std::size_t a, std::size_t b, Scalar until);
+  /// Bodies::part_group().
+  void part_group(std::size_t slot);
+
+ private:
+  using Kinematics = KinematicsOf<SceneT>;
+  using State = typename BodiesT::State;
+
+  Slot name_of(std::size_t slot) const {
+    const Slot group = bodies_.states[slot].group;
+    return group == BodiesT::kAlone ? static_cast<Slot>(slot) : group;
+  }
+  bool take_in(std::size_t slot, Slot name);
+  GroupSums<SceneT> sums_of(Slot name) const;
+  typename Kinematics::MotionType course_of(const GroupSums<SceneT>& sums, Scalar duration) const;
+  void start_group(const GroupSums<SceneT>& sums, Slot name, Scalar until);
+  void settle(Slot group);
+  void settle_turning(const State& whole);
+  void settle_straight(const State& whole);
+  bool is_pushed_in(Slot group, std::size_t slot) const;
+  void end_fall(std::size_t slot);
+
+  BodiesT& bodies_;
+};
+
 template <class SceneT>
 [[gnu::cold]] void Bodies<SceneT>::weld(std::size_t a, std::size_t b, Scalar until) {
-  if constexpr (kLasts<SceneT>) end_openings();
+  Welds<SceneT>(*this).weld(a, b, until);
+}
+
+template <class SceneT>
+[[gnu::cold]] void Bodies<SceneT>::part_group(std::size_t slot) {
+  Welds<SceneT>(*this).part_group(slot);
+}
+
+/// A wall is no member: what else comes to it is not to stop there.
+template <class SceneT>
+[[gnu::cold]] void Welds<SceneT>::weld(std::size_t a, std::size_t b, Scalar until) {
+  if constexpr (kLasts<SceneT>) end_openings(bodies_);
   const Slot name = min_of(name_of(a), name_of(b));
   const bool stands_a = take_in(a, name);
   const bool stands_b = take_in(b, name);
   GroupSums<SceneT> sums = sums_of(name);
   sums.stands = sums.stands || stands_a || stands_b || sums.led > 1;
   start_group(sums, name, until);
-  report.time_held = max_of(report.time_held, until - now);
-}
-
-/// Bodies that go on together are opened no more, so all that were opened with them are not: the
-/// common centre of those would move.
-template <class SceneT>
-[[gnu::cold]] void Bodies<SceneT>::end_openings() {
-  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    State& state = states[slot];
-    if (!state.present || (is_zero(state.opening.v_W) && is_zero(state.opening.w_W))) continue;
-    bring(slot);
-    state.opening = {};
-    state.changed = is_changed = true;
-  }
+  bodies_.report.time_held = max_of(bodies_.report.time_held, until - bodies_.now);
 }
 
 /// A body, and who goes with it already, go by another name. @returns whether something in it
 /// cannot be moved
 template <class SceneT>
-[[gnu::cold]] bool Bodies<SceneT>::take_in(std::size_t slot, Slot name) {
-  const State& state = states[slot];
+[[gnu::cold]] bool Welds<SceneT>::take_in(std::size_t slot, Slot name) {
+  const State& state = bodies_.states[slot];
   const Slot group = state.group;
-  if (group == kAlone) {
-    if (is_wall(slot)) return true;
-    bring(slot);
-    states[slot].group = name;
+  if (group == BodiesT::kAlone) {
+    if (bodies_.is_wall(slot)) return true;
+    bodies_.bring(slot);
+    bodies_.states[slot].group = name;
     return false;
   }
   const bool stands = state.is_led_group && Kinematics::is_still(state.plan.motion);
   if constexpr (SceneT::kMaxBodies > 2) {
     settle(group);
-    for (State& other : states) {  // Bound: kMaxBodies
+    for (State& other : bodies_.states) {  // Bound: kMaxBodies
       if (other.group == group) other.group = name;
     }
   }
@@ -74,12 +105,12 @@ template <class SceneT>
 }
 
 template <class SceneT>
-[[gnu::cold]] GroupSums<SceneT> Bodies<SceneT>::sums_of(Slot name) const {
+[[gnu::cold]] GroupSums<SceneT> Welds<SceneT>::sums_of(Slot name) const {
   GroupSums<SceneT> sums;
-  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    if (states[slot].group != name) continue;
-    const auto& body = actor(slot).body;
-    const bool is_led = !kIsFree && this->is_led(slot);
+  for (std::size_t slot = 0; slot < BodiesT::kSlots; ++slot) {  // Bound: kMaxBodies
+    if (bodies_.states[slot].group != name) continue;
+    const auto& body = bodies_.actor(slot).body;
+    const bool is_led = !BodiesT::kIsFree && bodies_.is_led(slot);
     if (is_led) {
       ++sums.led;
       sums.leader = slot;
@@ -89,8 +120,8 @@ template <class SceneT>
       continue;
     }
     if constexpr (SceneT::kGravity) {
-      sums.off_W += states[slot].off_W / body.inverse_mass;
-      sums.falls = sums.falls && falls(slot);
+      sums.off_W += bodies_.states[slot].off_W / body.inverse_mass;
+      sums.falls = sums.falls && bodies_.falls(slot);
     }
     add_to_group(sums.group, body);
     if (body.inverse_mass < sums.least) {
@@ -103,34 +134,30 @@ template <class SceneT>
 
 /// Where a group goes that nothing stops.
 template <class SceneT>
-[[gnu::cold]] typename KinematicsOf<SceneT>::MotionType Bodies<SceneT>::course_of(
+[[gnu::cold]] typename KinematicsOf<SceneT>::MotionType Welds<SceneT>::course_of(
     const GroupSums<SceneT>& sums, Scalar duration) const {
-  if constexpr (!kIsFree) {
+  if constexpr (!BodiesT::kIsFree) {
     if (sums.led > 0) {
-      return Kinematics::turned_about(actor(sums.leader).body, states[sums.leader].plan.motion,
-                                      duration);
+      return Kinematics::turned_about(bodies_.actor(sums.leader).body,
+                                      bodies_.states[sums.leader].plan.motion, duration);
     }
   }
   auto motion = group_motion(sums.group, duration);
   if constexpr (SceneT::kGravity) {
     Vec3<Scalar>& v_W = Kinematics::velocity(motion);
-    const Scalar left = dt - now;
-    if (sums.falls) v_W -= (left / 2) * settings.gravity_W;
+    const Scalar left = bodies_.dt - bodies_.now;
+    if (sums.falls) v_W -= (left / 2) * bodies_.settings.gravity_W;
     if (left > Scalar(0)) v_W += sums.off_W / (sums.group.mass * left);
-  }
-  if constexpr (kLasts<SceneT>) {  // or the common centre of these and of who makes room for them
-                                   // moves
-    Kinematics::velocity(motion) += sums.opening_W / sums.group.mass;
   }
   return motion;
 }
 
 /// Gives all of a group one motion.
 template <class SceneT>
-[[gnu::cold]] void Bodies<SceneT>::start_group(const GroupSums<SceneT>& sums, Slot name,
-                                               Scalar until) {
-  const Scalar rest = until - now;
-  auto motion = Kinematics::standing_at(place_of(name), rest);
+[[gnu::cold]] void Welds<SceneT>::start_group(const GroupSums<SceneT>& sums, Slot name,
+                                              Scalar until) {
+  const Scalar rest = until - bodies_.now;
+  auto motion = Kinematics::standing_at(position_of(bodies_.actor(name)), rest);
   bool stands = sums.stands;
   if (!stands) {
     const auto course = course_of(sums, rest);
@@ -138,14 +165,14 @@ template <class SceneT>
     if (!stands) motion = course;
   }
   const bool is_led = stands || sums.led > 0;
-  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    State& state = states[slot];
+  for (std::size_t slot = 0; slot < BodiesT::kSlots; ++slot) {  // Bound: kMaxBodies
+    State& state = bodies_.states[slot];
     if (state.group != name) continue;
     state.is_led_group = is_led;
     state.held_until = until;
-    end_course(slot, dt);
-    state.start = now;
-    state.plan.motion = Kinematics::seat(motion, actor(slot).body);
+    bodies_.end_course(slot, bodies_.dt);
+    state.start = bodies_.now;
+    state.plan.motion = Kinematics::seat(motion, bodies_.actor(slot).body);
     if constexpr (SceneT::kGravity) {
       state.off_W.setZero();
       if (!is_led) state.off_W = sums.off_W / sums.group.mass;
@@ -153,101 +180,103 @@ template <class SceneT>
     }
     state.changed = true;
   }
-  is_changed = true;
+  bodies_.is_changed = true;
 }
 
 template <class SceneT>
-[[gnu::cold]] void Bodies<SceneT>::part_group(std::size_t slot) {
-  const Slot group = states[slot].group;
+[[gnu::cold]] void Welds<SceneT>::part_group(std::size_t slot) {
+  const Slot group = bodies_.states[slot].group;
   settle(group);
-  for (State& state : states) {  // Bound: kMaxBodies
-    if (state.group == group) state.group = kAlone;
+  for (State& state : bodies_.states) {  // Bound: kMaxBodies
+    if (state.group == group) state.group = BodiesT::kAlone;
   }
 }
 
 /// All of a group are where it has come to, each with the velocity of its place.
 template <class SceneT>
-[[gnu::cold]] void Bodies<SceneT>::settle(Slot group) {
+[[gnu::cold]] void Welds<SceneT>::settle(Slot group) {
   std::size_t first = 0;
-  while (states[first].group != group) ++first;  // Bound: kMaxBodies: who asks is in it
-  const State& whole = states[first];
+  while (bodies_.states[first].group != group) ++first;  // Bound: kMaxBodies: who asks is in it
+  const State& whole = bodies_.states[first];
   if constexpr (SceneT::kRotation) {
     settle_turning(whole);
   } else {
     settle_straight(whole);
   }
-  for (std::size_t slot = first; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    State& state = states[slot];
+  for (std::size_t slot = first; slot < BodiesT::kSlots; ++slot) {  // Bound: kMaxBodies
+    State& state = bodies_.states[slot];
     if (state.group != group) continue;
     if constexpr (SceneT::kGravity) end_fall(slot);
     state.held_until = 0;
-    state.start = now;
+    state.start = bodies_.now;
     state.changed = true;
-    Kinematics::restart(state.plan.motion, actor(slot).body, dt - now);
+    Kinematics::restart(state.plan.motion, bodies_.actor(slot).body, bodies_.dt - bodies_.now);
   }
-  is_changed = true;
+  bodies_.is_changed = true;
 }
 
 /// What rounding leaves of the sums goes to the heaviest.
 template <class SceneT>
-[[gnu::cold]] void Bodies<SceneT>::settle_turning(const State& whole) {
+[[gnu::cold]] void Welds<SceneT>::settle_turning(const State& whole) {
   const GroupSums<SceneT> sums = sums_of(whole.group);
-  const Pose<Scalar> X_WG = pose_at(whole.plan.motion, now - whole.start);
+  const Pose<Scalar> X_WG = pose_at(whole.plan.motion, bodies_.now - whole.start);
   Momentum<Scalar> left = sums.group.momentum;
   Twist<Scalar> twist = whole.plan.motion.twist;
-  const bool moves = whole.start < now && !Kinematics::is_still(whole.plan.motion);
-  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    if (!moves || states[slot].group != whole.group) continue;
-    take_along(actor(slot).body, whole.plan.motion.X_WB.p_W, X_WG);
+  const bool moves = whole.start < bodies_.now && !Kinematics::is_still(whole.plan.motion);
+  for (std::size_t slot = 0; slot < BodiesT::kSlots; ++slot) {  // Bound: kMaxBodies
+    if (!moves || bodies_.states[slot].group != whole.group) continue;
+    take_along(bodies_.actor(slot).body, whole.plan.motion.X_WB.p_W, X_WG);
   }
   if (!whole.is_led_group) twist = group_twist(sums_of(whole.group).group, left.angular_W);
-  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    if (is_pushed_in(whole.group, slot)) give_momentum(actor(slot).body, X_WG.p_W, twist, left);
+  for (std::size_t slot = 0; slot < BodiesT::kSlots; ++slot) {  // Bound: kMaxBodies
+    if (is_pushed_in(whole.group, slot))
+      give_momentum(bodies_.actor(slot).body, X_WG.p_W, twist, left);
   }
   if (whole.is_led_group) return;
-  Momentum<Scalar>& heaviest = actor(sums.heaviest).body.momentum;
+  Momentum<Scalar>& heaviest = bodies_.actor(sums.heaviest).body.momentum;
   heaviest.linear_W += left.linear_W;
   if (sums.group.turns) heaviest.angular_W += left.angular_W;
 }
 
 template <class SceneT>
-[[gnu::cold]] void Bodies<SceneT>::settle_straight(const State& whole) {
+[[gnu::cold]] void Welds<SceneT>::settle_straight(const State& whole) {
   const GroupSums<SceneT> sums = sums_of(whole.group);
   Vec3<Scalar> left_W = sums.group.momentum_W;
   Vec3<Scalar> v_W = whole.plan.motion.v_W;
   if (!whole.is_led_group) v_W = left_W / sums.group.mass;
-  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    if (states[slot].group != whole.group) continue;
-    auto& body = actor(slot).body;
-    Kinematics::move(body, states[slot].plan.motion, now - whole.start);
+  for (std::size_t slot = 0; slot < BodiesT::kSlots; ++slot) {  // Bound: kMaxBodies
+    if (bodies_.states[slot].group != whole.group) continue;
+    auto& body = bodies_.actor(slot).body;
+    Kinematics::move(body, bodies_.states[slot].plan.motion, bodies_.now - whole.start);
     if (!is_pushed_in(whole.group, slot)) continue;
     body.momentum_W = v_W / body.inverse_mass;
     left_W -= body.momentum_W;
   }
-  if (!whole.is_led_group) actor(sums.heaviest).body.momentum_W += left_W;
+  if (!whole.is_led_group) bodies_.actor(sums.heaviest).body.momentum_W += left_W;
 }
 
 /// Whether a body is of a group, and its momentum is the group's.
 template <class SceneT>
-bool Bodies<SceneT>::is_pushed_in(Slot group, std::size_t slot) const {
-  const State& state = states[slot];
-  if (state.group != group || !(actor(slot).body.inverse_mass > Scalar(0))) return false;
-  return kIsFree || !state.is_led_group || state.plan.by_momentum;
+bool Welds<SceneT>::is_pushed_in(Slot group, std::size_t slot) const {
+  const State& state = bodies_.states[slot];
+  if (state.group != group || !(bodies_.actor(slot).body.inverse_mass > Scalar(0))) return false;
+  return BodiesT::kIsFree || !state.is_led_group || state.plan.by_momentum;
 }
 
 /// Of a body whose group is at its end: how far it is off its parabola; and what a group that was
 /// led carried begins to fall.
 template <class SceneT>
-[[gnu::cold]] void Bodies<SceneT>::end_fall(std::size_t slot) {
-  State& state = states[slot];
-  auto& body = actor(slot).body;
-  const Scalar span = dt - state.start;
-  const Scalar elapsed = now - state.start;
+[[gnu::cold]] void Welds<SceneT>::end_fall(std::size_t slot) {
+  State& state = bodies_.states[slot];
+  auto& body = bodies_.actor(slot).body;
+  const Scalar span = bodies_.dt - state.start;
+  const Scalar elapsed = bodies_.now - state.start;
   const Scalar left = span > Scalar(0) ? 1 - elapsed / span : Scalar(0);
   state.off_W *= left;
-  if (!state.loaded) state.off_W -= (elapsed * (span - elapsed) / 2) * settings.gravity_W;
+  if (!state.loaded) state.off_W -= (elapsed * (span - elapsed) / 2) * bodies_.settings.gravity_W;
   if (state.is_led_group && is_pushed_in(state.group, slot)) {
-    Kinematics::linear_momentum(body) += ((dt - now) / body.inverse_mass) * settings.gravity_W;
+    Kinematics::linear_momentum(body) +=
+        ((bodies_.dt - bodies_.now) / body.inverse_mass) * bodies_.settings.gravity_W;
   }
   state.loaded = state.loaded && !state.is_led_group;
 }

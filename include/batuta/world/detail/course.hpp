@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Where a body goes for the rest of a step, once its controller has answered: the fall, what opens
+// gaps, and what to do where nothing is known. Included by bodies.hpp.
+
+#include "batuta/world/detail/bodies.hpp"
+
+namespace batuta::detail {
+
+/// The chord of the parabola, and what the last one lacked (world.md, "The fall").
+template <class SceneT>
+void set_course(Bodies<SceneT>& bodies, std::size_t slot) {
+  using Kinematics = KinematicsOf<SceneT>;
+  auto& state = bodies.states[slot];
+  if constexpr (SceneT::kGravity) {
+    const Scalar_of<SceneT> rest = bodies.dt - bodies.now;
+    const auto& body = bodies.actor(slot).body;
+    const bool moves = state.plan.by_momentum && body.inverse_mass > 0;
+    if (moves && rest > 0) {
+      auto& v_W = Kinematics::velocity(state.plan.motion);
+      v_W = Kinematics::momentum_velocity(body);
+      if (!state.loaded) v_W -= (rest / 2) * bodies.settings.gravity_W;
+      v_W += state.off_W / rest;
+    }
+  }
+  if constexpr (kLasts<SceneT>) {
+    if (!state.plan.by_momentum) return;
+    state.plan.motion.twist.v_W += state.opening.v_W;
+    state.plan.motion.twist.w_W += state.opening.w_W;
+  }
+}
+
+/// By its momentum, without a turn.
+template <class SceneT>
+[[gnu::cold]] void go_straight(Bodies<SceneT>& bodies, std::size_t slot,
+                               Scalar_of<SceneT> duration) {
+  using Kinematics = KinematicsOf<SceneT>;
+  const auto& body = bodies.actor(slot).body;
+  auto& motion = bodies.states[slot].plan.motion;
+  motion = Kinematics::standing(body, duration);
+  Kinematics::velocity(motion) = Kinematics::momentum_velocity(body);
+}
+
+/// Where it turns is not known: it goes on without a turn; where not even that is known, it stands.
+template <class SceneT>
+[[gnu::cold]] void tell_unknown(Bodies<SceneT>& bodies, std::size_t slot) {
+  auto& motion = bodies.states[slot].plan.motion;
+  const auto rest = bodies.dt - bodies.now;
+  ++bodies.report.plans_invalid;
+  if (is_valid(motion)) return;
+  motion = KinematicsOf<SceneT>::standing(bodies.actor(slot).body, rest);
+  bodies.report.time_held = max_of(bodies.report.time_held, rest);
+}
+
+/// Moves a body on its planned motion. An opening turns it as no momentum does: where that would
+/// add energy, what turns it is less.
+template <class SceneT>
+void move_on(Bodies<SceneT>& bodies, std::size_t slot, Scalar_of<SceneT> elapsed) {
+  using Kinematics = KinematicsOf<SceneT>;
+  auto& body = bodies.actor(slot).body;
+  const auto& state = bodies.states[slot];
+  if constexpr (kLasts<SceneT>) {
+    if (!is_zero(state.opening.w_W)) {
+      const auto energy = [&body] { return body.momentum.angular_W.dot(twist_of(body).w_W); };
+      const auto before = energy();
+      Kinematics::move(body, state.plan.motion, elapsed);
+      const auto after = energy();
+      using std::sqrt;
+      if (after > before) body.momentum.angular_W *= sqrt(before / after);
+      return;
+    }
+  }
+  Kinematics::move(body, state.plan.motion, elapsed);
+}
+
+/// Two bodies, which are where they are now, are off their parabolas by the same from now on: what
+/// makes up for it does not bring them nearer to each other. Their common centre stays on its own.
+template <class SceneT>
+void share_off(Bodies<SceneT>& bodies, std::size_t a, std::size_t b) {
+  if constexpr (SceneT::kGravity) {
+    using Vector = Vec3<Scalar_of<SceneT>>;
+    const auto of_a = bodies.actor(b).body.inverse_mass;  // a's share of both masses, and b's
+    const auto of_b = bodies.actor(a).body.inverse_mass;
+    Vector mean_W = Vector::Zero();
+    if (!bodies.is_led(a) && !bodies.is_led(b) && of_a + of_b > 0) {
+      mean_W = (of_a * bodies.states[a].off_W + of_b * bodies.states[b].off_W) / (of_a + of_b);
+    }
+    bodies.states[a].off_W = bodies.states[b].off_W = mean_W;
+  }
+}
+
+/// Bodies that go on together are opened no more, so all that were opened with them are not: the
+/// common centre of those would move.
+template <class SceneT>
+void end_openings(Bodies<SceneT>& bodies) {
+  for (std::size_t slot = 0; slot < Bodies<SceneT>::kSlots; ++slot) {  // Bound: kMaxBodies
+    auto& state = bodies.states[slot];
+    if (!state.present || (is_zero(state.opening.v_W) && is_zero(state.opening.w_W))) continue;
+    bodies.bring(slot);
+    state.opening = {};
+    state.changed = bodies.is_changed = true;
+  }
+}
+
+}  // namespace batuta::detail
