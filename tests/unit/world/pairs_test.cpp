@@ -105,7 +105,9 @@ TEST(CandidateOrder, EveryOrderOfStoring_ChoosesTheSamePair) {
     // (2, 3) and (3, 4) are free until 0.5; the lower pair is first.
     EXPECT_TRUE(is_same(candidates[earliest].pair, {2, 3}));
     // (0, 9) is near from 0.45 and ties; (1, 2) is near from 0.55 only.
-    EXPECT_TRUE(is_same(candidates[CandidateOrder::among_ties(candidates, earliest)].pair, {0, 9}));
+    const auto nobody = [](ProxyPair) { return false; };
+    const int chosen = CandidateOrder::among_ties(candidates, earliest, nobody);
+    EXPECT_TRUE(is_same(candidates[chosen].pair, {0, 9}));
     ++orders;
   } while (std::next_permutation(stored.begin(), stored.end(), by_pair));
   EXPECT_EQ(orders, 24);
