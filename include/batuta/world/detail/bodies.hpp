@@ -45,17 +45,31 @@ struct OpeningState {
   Twist<Scalar> opening;  ///< for this step, to open gaps; no part of its momentum
 };
 
+/// The numbers of all capsules of all bodies: parts of one body follow each other.
+template <class SceneT>
+struct Proxies {
+  using Slot = std::uint16_t;
+  static constexpr int kParts = SceneT::kCapsulesPerBody;
+  static constexpr int kProxies = SceneT::kMaxBodies * kParts;
+
+  static std::size_t body_of(int proxy) { return static_cast<std::size_t>(proxy / kParts); }
+  static int part_at(int proxy) { return proxy % kParts; }
+  static Slot proxy_of(std::size_t slot, int part) {
+    return static_cast<Slot>(static_cast<int>(slot) * kParts + part);
+  }
+};
+
 /// The bodies of a world, and the time.
 template <class SceneT>
-class Bodies {
+class Bodies : public Proxies<SceneT> {
  public:
   using Scalar = Scalar_of<SceneT>;
   using Kinematics = KinematicsOf<SceneT>;
   using ActorType = Actor<SceneT>;
-  using Slot = std::uint16_t;
+  using typename Proxies<SceneT>::Slot;
+  using Proxies<SceneT>::body_of;
+  using Proxies<SceneT>::part_at;
   static constexpr std::size_t kSlots = static_cast<std::size_t>(SceneT::kMaxBodies);
-  static constexpr int kParts = SceneT::kCapsulesPerBody;
-  static constexpr int kProxies = SceneT::kMaxBodies * kParts;
   /// In no group.
   static constexpr Slot kAlone = 0xFFFF;
   /// Nobody has a controller that leads, or is to be told anything.
@@ -82,11 +96,6 @@ class Bodies {
 
   explicit Bodies(std::uint16_t number) : actors(number) {}
 
-  static std::size_t body_of(int proxy) { return static_cast<std::size_t>(proxy / kParts); }
-  static int part_at(int proxy) { return proxy % kParts; }
-  static Slot proxy_of(std::size_t slot, int part) {
-    return static_cast<Slot>(static_cast<int>(slot) * kParts + part);
-  }
   ActorType& actor(std::size_t slot) { return actors.at(slot); }
   const ActorType& actor(std::size_t slot) const { return actors.at(slot); }
 

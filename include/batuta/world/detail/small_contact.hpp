@@ -27,7 +27,7 @@ void SmallWorld<SceneT>::resolve(const Meeting& meeting) {
 /// The two, and who goes with one of them already, go on together, with their common velocity;
 /// where one of them does not move, they stand (world.md, "Together").
 template <class SceneT>
-[[gnu::cold]] void SmallWorld<SceneT>::weld(std::size_t a, std::size_t b) {
+void SmallWorld<SceneT>::weld(std::size_t a, std::size_t b) {
   const auto both = static_cast<Slots>(group_[a] | group_[b]);
   const bool goes = inverse_mass_[a] > Scalar(0) && inverse_mass_[b] > Scalar(0);
   const auto is_in = [this, both](std::size_t slot) {
