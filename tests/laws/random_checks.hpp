@@ -7,7 +7,7 @@
 
 namespace batuta::test {
 
-inline constexpr int kRandomSeeds = 60;
+inline constexpr int kRandomSeeds = 16;
 inline constexpr int kRandomSteps = 20;
 
 template <class SceneT>

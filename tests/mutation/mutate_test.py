@@ -8,7 +8,7 @@ import unittest
 
 import mutate
 import mutations
-import planted
+import planted as laws_faults
 
 
 def planted(text):
@@ -217,11 +217,11 @@ class Trials(unittest.TestCase):
 class PlantedFaults(unittest.TestCase):
     def test_each_has_one_place(self):
         source = pathlib.Path(__file__).resolve().parent.parent.parent
-        for fault in planted.FAULTS:
+        for fault in laws_faults.FAULTS:
             text = (source / fault.file).read_text()
-            self.assertNotEqual(planted.planted(text, fault), text, fault.name)
+            self.assertNotEqual(laws_faults.planted(text, fault), text, fault.name)
             self.assertTrue((source / fault.unit).is_file(), fault.name)
-            self.assertRaises(ValueError, planted.planted, "", fault)
+            self.assertRaises(ValueError, laws_faults.planted, "", fault)
 
 
 if __name__ == "__main__":

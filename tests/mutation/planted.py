@@ -47,7 +47,8 @@ def planted(text, fault):
 
 def failures(executable):
     """Names of the tests that fail; "trap" where the program ends without saying."""
-    done = subprocess.run([executable, "--gtest_brief=1"], capture_output=True, errors="replace", text=True, check=False)
+    done = subprocess.run([executable, "--gtest_brief=1"], capture_output=True, errors="replace", text=True,
+                          check=False)
     found = set(re.findall(r"^\[  FAILED  \] ([^\s,]+)", done.stdout, re.M))
     return found if found or done.returncode == 0 else {"trap"}
 
