@@ -46,7 +46,8 @@ class Welds {
     const Slot group = bodies_.states[slot].group;
     return group == BodiesT::kAlone ? static_cast<Slot>(slot) : group;
   }
-  bool take_in(std::size_t slot, Slot name);
+  bool stop(std::size_t slot);
+  void take_in(std::size_t slot, Slot name);
   GroupSums<SceneT> sums_of(Slot name) const;
   typename Kinematics::MotionType course_of(const GroupSums<SceneT>& sums, Scalar duration) const;
   void start_group(const GroupSums<SceneT>& sums, Slot name, Scalar until);
@@ -74,34 +75,43 @@ template <class SceneT>
 [[gnu::cold]] void Welds<SceneT>::weld(std::size_t a, std::size_t b, Scalar until) {
   if constexpr (kLasts<SceneT>) end_openings(bodies_);
   const Slot name = min_of(name_of(a), name_of(b));
-  const bool stands_a = take_in(a, name);
-  const bool stands_b = take_in(b, name);
+  // Both groups are settled before anybody goes by another name.
+  const bool stands_a = stop(a);
+  const bool stands_b = stop(b);
+  take_in(a, name);
+  take_in(b, name);
   GroupSums<SceneT> sums = sums_of(name);
   sums.stands = sums.stands || stands_a || stands_b || sums.led > 1;
   start_group(sums, name, until);
   bodies_.report.time_held = max_of(bodies_.report.time_held, until - bodies_.now);
 }
 
-/// A body, and who goes with it already, go by another name. @returns whether something in it
-/// cannot be moved
+/// A body, and who goes with it already, come to now. @returns whether something in it cannot be
+/// moved
 template <class SceneT>
-[[gnu::cold]] bool Welds<SceneT>::take_in(std::size_t slot, Slot name) {
+[[gnu::cold]] bool Welds<SceneT>::stop(std::size_t slot) {
   const State& state = bodies_.states[slot];
-  const Slot group = state.group;
-  if (group == BodiesT::kAlone) {
+  if (state.group == BodiesT::kAlone) {
     if (bodies_.is_wall(slot)) return true;
     bodies_.bring(slot);
-    bodies_.states[slot].group = name;
     return false;
   }
   const bool stands = state.is_led_group && Kinematics::is_still(state.plan.motion);
-  if constexpr (SceneT::kMaxBodies > 2) {
-    settle(group);
+  if constexpr (SceneT::kMaxBodies > 2) settle(state.group);
+  return stands;
+}
+
+/// They go by another name. A wall that is alone goes by none.
+template <class SceneT>
+[[gnu::cold]] void Welds<SceneT>::take_in(std::size_t slot, Slot name) {
+  const Slot group = bodies_.states[slot].group;
+  if (group == BodiesT::kAlone) {
+    if (!bodies_.is_wall(slot)) bodies_.states[slot].group = name;
+  } else if constexpr (SceneT::kMaxBodies > 2) {
     for (State& other : bodies_.states) {  // Bound: kMaxBodies
       if (other.group == group) other.group = name;
     }
   }
-  return stands;
 }
 
 template <class SceneT>
