@@ -47,6 +47,7 @@ TYPED_TEST(Gravity, Projectile_IsOnTheParabola) {
     const double share = !TestFixture::kIsFloat ? 1e-12 : (dt < 5e-4 ? 1e-4 : 1e-5);
     throw_ball<LawScene<TypeParam, RestingContact::kNone, test::kFalling>>(dt, share);
     throw_ball<LawScene<TypeParam, RestingContact::kSettling, test::kFalling>>(dt, share);
+    throw_ball<LawScene<TypeParam, RestingContact::kSeparation, test::kFalling>>(dt, share);
   }
 }
 
@@ -102,6 +103,8 @@ TYPED_TEST(Gravity, ElasticBounces_NeitherGainNorLose) {
           height, dt, share);
       bounce_for_a_minute<LawScene<TypeParam, RestingContact::kNone, test::kFalling>>(height, dt,
                                                                                       share);
+      bounce_for_a_minute<LawScene<TypeParam, RestingContact::kSeparation, test::kFalling>>(
+          height, dt, share);
     }
   }
 }
