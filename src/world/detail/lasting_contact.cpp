@@ -278,7 +278,7 @@ Scalar relax_rolling(ContactPoint<Scalar>& point, SolvedBody<Scalar>& A, SolvedB
   const Vec3<Scalar> change = point.rolling_W - before;
   A.w_W += A.inverse_inertia_W * change;
   B.w_W -= B.inverse_inertia_W * change;
-  return change.dot(spin) + change.dot(softness * change) / 2;
+  return change.dot(spin) + size * change.dot(softness * change) / 2;
 }
 
 /// The impulses of a point.
