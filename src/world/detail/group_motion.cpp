@@ -41,22 +41,27 @@ BATUTA_RARE Vec3<Scalar> solved(const std::array<Vec3<Scalar>, 3>& A, const Vec3
   return x;
 }
 
-/// w with I w = L, to the rounding of L: solved twice, the second time for what the first left. An
-/// inertia that is thinner than rounding about an axis counts as that.
+/// w with I w = L, to the rounding of L: solved twice, the second time for what the first left, in
+/// units in which the trace of I is one, because the cube of a small moment would vanish. An inertia
+/// that is thinner than rounding about an axis counts as that.
 template <class Scalar>
 BATUTA_RARE Vec3<Scalar> spin_of(const RigidGroup<Scalar>& group, const Vec3<Scalar>& L_W) {
   constexpr int kTimes = 2;
+  constexpr Scalar kLeast = 4 * kRoundOff<Scalar>;
   Vec3<Scalar> w_W = Vec3<Scalar>::Zero();
-  if (!group.turns) return w_W;
-  const std::array<Vec3<Scalar>, 3>& I_W = group.inertia_W;
-  const Scalar least = 4 * kRoundOff<Scalar> * (I_W[0].x() + I_W[1].y() + I_W[2].z());
-  std::array<Vec3<Scalar>, 3> stiffer_W = I_W;
-  for (std::size_t i = 0; i < 3; ++i) stiffer_W[i][static_cast<int>(i)] += least;  // Bound: 3
-  for (int time = 0; time < kTimes; ++time) {                                      // Bound: kTimes
+  std::array<Vec3<Scalar>, 3> stiffer_W = group.inertia_W;
+  const Scalar size = stiffer_W[0].x() + stiffer_W[1].y() + stiffer_W[2].z();
+  if (!group.turns || !(size > Scalar(0))) return w_W;
+  for (std::size_t i = 0; i < 3; ++i) {  // Bound: 3
+    stiffer_W[i] /= size;
+    stiffer_W[i][static_cast<int>(i)] += kLeast;
+  }
+  for (int time = 0; time < kTimes; ++time) {  // Bound: kTimes
     Vec3<Scalar> left_W = L_W;
     for (std::size_t i = 0; i < 3; ++i) {  // Bound: 3
-      add(left_W, -w_W[static_cast<int>(i)], I_W[i]);
+      add(left_W, -w_W[static_cast<int>(i)], group.inertia_W[i]);
     }
+    left_W /= size;
     add(w_W, Scalar(1), solved(stiffer_W, left_W));
   }
   if (!is_finite(w_W)) w_W.setZero();  // beyond the numbers
@@ -101,7 +106,6 @@ void add_to_group(StraightGroup<Scalar>& group, const StraightBody<Scalar>& body
   group.momentum_W += body.momentum_W;
 }
 
-/// In units in which the trace is one: the cube of a small moment would vanish.
 template <class Scalar>
 BATUTA_RARE Twist<Scalar> group_twist(const RigidGroup<Scalar>& group, const Vec3<Scalar>& L_W) {
   Twist<Scalar> twist;
