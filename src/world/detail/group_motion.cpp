@@ -97,6 +97,7 @@ BATUTA_RARE void add_to_group(RigidGroup<Scalar>& group, const Body<Scalar>& bod
     add(group.inertia_W[k], Scalar(1), momentum_of(body, turn).angular_W);
     add(group.inertia_W[k], reduced, crossed(r_W, crossed(turn.w_W, r_W)));
     group.turns = group.turns && body.inverse_moments[static_cast<int>(k)] > Scalar(0);
+    group.turns = group.turns && is_finite(group.inertia_W[k]);
   }
 }
 
