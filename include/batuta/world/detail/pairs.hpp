@@ -317,15 +317,14 @@ Scalar_of<SceneT> Pairs<SceneT>::twice_margin(const BodiesT& bodies, Scalar scal
   return kMargins * kContactGaps * Search::contact_gap(query, bodies.settings.search);
 }
 
-/// What a part adds to the length of a pair: its size and its way; and how far it turns.
+/// What a part adds to the length of a pair, and how far it turns.
 template <class SceneT>
 typename Pairs<SceneT>::PartSize Pairs<SceneT>::size_of(const BodiesT& bodies, int proxy) const {
   const auto& actor = bodies.actor(body_of(proxy));
   const Capsule<Scalar>& part = part_of(actor, BodiesT::part_at(proxy));
   const Twist<Scalar>& twist = bodies.states[body_of(proxy)].plan.motion.twist;
   const Scalar reach = max_of(length(part.axis.a), length(part.axis.b));
-  return {reach + part.radius + bodies.dt * length(twist.v_W),
-          bodies.dt * length(twist.w_W) * reach, length(position_of(actor))};
+  return {reach + part.radius, bodies.dt * length(twist.w_W) * reach, length(position_of(actor))};
 }
 
 /// What D has to be for one part alone; for a pair it is at most the sum of both.
@@ -333,9 +332,10 @@ template <class SceneT>
 Scalar_of<SceneT> Pairs<SceneT>::own_rest_gap(const BodiesT& bodies, int proxy) const {
   constexpr Scalar kUlps = 2 * 64 * 2;  // twice the margin, which counts places twice
   const PartSize size = size_of(bodies, proxy);
-  const Scalar rounding = kUlps * kRoundOff<Scalar> * (size.from_origin + size.length);
-  Scalar D = max_of(bodies.settings.separation,
-                    rounding + twice_margin(bodies, size.from_origin + size.length, size.turn));
+  const Vec3<Scalar>& v_W = bodies.states[body_of(proxy)].plan.motion.twist.v_W;
+  const Scalar scale = size.from_origin + size.length + bodies.dt * length(v_W);
+  const Scalar rounding = kUlps * kRoundOff<Scalar> * scale;
+  Scalar D = max_of(bodies.settings.separation, rounding + twice_margin(bodies, scale, size.turn));
   if constexpr (SceneT::kGravity) {
     D = max_of(D, bodies.dt * bodies.dt * length(bodies.settings.gravity_W) / 4);
   }
@@ -349,7 +349,11 @@ Scalar_of<SceneT> Pairs<SceneT>::rest_gap(const BodiesT& bodies, ProxyPair pair)
   const PartSize B = size_of(bodies, pair.second);
   const Scalar apart = length<Scalar>(position_of(bodies.actor(body_of(pair.first))) -
                                       position_of(bodies.actor(body_of(pair.second))));
-  const Scalar scale = apart + A.length + B.length;
+  // The way is that of one past the other: a velocity that both have makes no difference.
+  const Scalar way =
+      bodies.dt * length<Scalar>(bodies.states[body_of(pair.first)].plan.motion.twist.v_W -
+                                 bodies.states[body_of(pair.second)].plan.motion.twist.v_W);
+  const Scalar scale = apart + A.length + B.length + way;
   const Scalar rounding = kUlps * kRoundOff<Scalar> * (A.from_origin + B.from_origin + scale);
   Scalar D =
       max_of(bodies.settings.separation, rounding + twice_margin(bodies, scale, A.turn + B.turn));
