@@ -5,6 +5,8 @@
 // [Kavan §4.1]. Frames: W world; B body: origin in the centre of mass, axes the principal axes of
 // inertia. SI units.
 
+#include <cstdint>
+
 #include "batuta/core/status.hpp"
 #include "batuta/geometry/capsule.hpp"
 #include "batuta/mechanics/mass.hpp"
@@ -34,6 +36,21 @@ struct Momentum {
   Vec3<Scalar> angular_W = Vec3<Scalar>::Zero();  ///< kg m^2/s
 };
 
+namespace detail {
+
+/// What a flight of a body with three unlike moments keeps beside its angular momentum, so that
+/// rounding does not add up in its energy (src/mechanics/motion.md). move_along() writes it.
+template <class Scalar>
+struct FlightMemory {
+  /// The angular momentum of the flight: with another one the rest counts for nothing.
+  Vec3<Scalar> angular_W = Vec3<Scalar>::Zero();
+  /// 2 E - |b|^2 / I_axis, E the energy of turning, J.
+  Scalar excess = 0;
+  std::uint8_t axis = 0;  ///< the axis of B nearest to b when the flight began: 0, 1, 2
+};
+
+}  // namespace detail
+
 /// A rigid body: pose, momenta and what they have to move.
 template <class Scalar>
 struct Body {
@@ -46,6 +63,9 @@ struct Body {
   /// matters to free_flight(). A World sets it from the capsule; without meaning for a body that is
   /// not axisymmetric.
   bool spin_shows = false;
+  /// Of move_along(). Who turns a body by hand and leaves its momentum as it is sets it to {};
+  /// otherwise the next flight may turn it back by up to 1e-3 rad.
+  detail::FlightMemory<Scalar> flight = {};
 };
 
 /// A body at rest with the inverse of `mass` and `moments`; infinity gives zero, that is fixed.

@@ -32,15 +32,23 @@ Motion<Scalar> motion_between(const Pose<Scalar>& X0_WB, const Pose<Scalar>& X1_
 /// Torque-free flight from the body's momenta (src/mechanics/motion.md).
 /// Exact for the geometry of an axisymmetric body whose spin does not show: the axis turns steadily
 /// about the angular momentum at |b| / I_t, and spin about the axis itself, which no capsule on it
-/// shows, is left out. Exact at the end of the motion for an axisymmetric body whose spin shows;
-/// other bodies: of second order in the duration, and energy does not drift. Between the ends these
-/// move with the constant twist that joins them.
+/// shows, is left out. Exact at the end of the motion for an axisymmetric body whose spin shows.
+/// Other bodies: of fourth order in the duration, and the energy at the end is that of the start,
+/// or of the flight that the body is on (move_along()). Between the ends these two move with the
+/// constant twist that joins them.
 /// @pre duration >= 0
-/// @returns a motion that is not valid (see is_valid()) where such a body turns by pi or more in
-///   the time, because that could not be told from a shorter turn
-/// Bound: five turns.
+/// @returns a motion that is not valid (see is_valid()) where such a body turns by half a turn or
+///   more in the time, because that could not be told from a shorter turn
+/// Bound: kMostParts = 26 parts of six turns each.
 template <class Scalar>
 Motion<Scalar> free_flight(const Body<Scalar>& body, Scalar duration);
+
+/// Moves a body along a motion that free_flight() planned for it, to pose_at(motion, t). A body
+/// with three unlike moments remembers the energy of its flight, so that steps that follow each
+/// other keep it, until the angular momentum changes.
+/// @pre those of pose_at()
+template <class Scalar>
+void move_along(Body<Scalar>& body, const Motion<Scalar>& motion, Scalar t);
 
 namespace detail {
 
@@ -48,6 +56,10 @@ namespace detail {
 /// the axis does not show. False where all three moments are unlike or one is zero. Bound: no loop.
 template <class Scalar>
 bool hides_spin(const Body<Scalar>& body, const Capsule<Scalar>& capsule_B);
+
+/// Whether the three moments are unlike (to rounding), so that a flight has something to remember.
+template <class Scalar>
+bool tumbles(const Body<Scalar>& body);
 
 }  // namespace detail
 

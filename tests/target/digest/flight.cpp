@@ -51,7 +51,7 @@ Result<Body<float>> take_off(const Flyer& flyer) {
 void fly_block(Body<float>& body, Answer& answer) {
   for (std::uint32_t step = 0; step < kStepsInBlock; ++step) {
     const Motion<float> motion = free_flight(body, kStep);
-    body.X_WB = pose_at(motion, kStep);
+    move_along(body, motion, kStep);
     add(answer, motion.twist);
     add(answer, body.X_WB);
   }
@@ -61,15 +61,16 @@ void fly_block(Body<float>& body, Answer& answer) {
 }  // namespace
 
 void fly(Recorder& recorder) {
-  if (!recorder.takes(Section::kFlight)) return;
   for (std::uint32_t flyer = 0; flyer < kFlyers.size(); ++flyer) {  // Bound: kFlyers
     auto body = take_off(kFlyers[flyer]);
+    const Section section = detail::tumbles(body.value) ? Section::kTumbling : Section::kFlight;
+    if (!recorder.takes(section)) continue;
     const std::uint32_t last = recorder.shortened(kBlocks);
     for (std::uint32_t block = 0; block < last; ++block) {  // Bound: kBlocks
-      Answer answer = recorder.begin(Section::kFlight, index_in(flyer, block));
+      Answer answer = recorder.begin(section, index_in(flyer, block));
       answer.add("status", body.status);
       fly_block(body.value, answer);
-      recorder.end(Section::kFlight, index_in(flyer, block), answer);
+      recorder.end(section, index_in(flyer, block), answer);
     }
   }
 }

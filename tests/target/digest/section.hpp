@@ -17,12 +17,14 @@ enum class Section : std::uint8_t {
   kDistance,     ///< closest points, capsule gap
   kImpulse,      ///< collision impulse, energies
   kDuel,         ///< all that a duel tells after each step
-  kFlight,       ///< free flight of stiff bodies, in blocks of steps
+  kFlight,       ///< free flight of stiff bodies of revolution, in blocks of steps
   kScenes,       ///< the ready-made scenes, step by step
+  kTumbling,     ///< free flight of bodies with three unlike moments, in blocks of steps
 };
-inline constexpr std::size_t kSections = 8;
+inline constexpr std::size_t kSections = 9;
 inline constexpr std::array<const char*, kSections> kSectionNames = {
-    "toc", "translation", "stepping", "distance", "impulse", "duel", "flight", "scenes"};
+    "toc",  "translation", "stepping", "distance", "impulse",
+    "duel", "flight",      "scenes",   "tumbling"};
 
 inline constexpr std::uint32_t kMagic = 0x31544142U;  // "BAT1"
 

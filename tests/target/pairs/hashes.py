@@ -2,8 +2,9 @@
 """The hash of every query that batuta_digest writes, and where two such files differ first."""
 import struct
 
-SECTIONS = ("toc", "translation", "stepping", "distance", "impulse", "duel", "flight", "scenes")
-SEQUENCES = {"duel": ("recording", "step"), "flight": ("body", "block of steps"), "scenes": ("scene", "step")}
+SECTIONS = ("toc", "translation", "stepping", "distance", "impulse", "duel", "flight", "scenes", "tumbling")
+SEQUENCES = {"duel": ("recording", "step"), "flight": ("body", "block of steps"), "scenes": ("scene", "step"),
+             "tumbling": ("body", "block of steps")}
 RECORD = struct.Struct("<IIQ")  # section, index, hash
 
 

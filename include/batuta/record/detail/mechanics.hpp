@@ -26,9 +26,19 @@ void archive(Archive& ar, Momentum<Scalar>& momentum) {
 }
 
 template <class Scalar>
+void archive(Archive& ar, detail::FlightMemory<Scalar>& flight) {
+  auto& [angular_W, excess, axis] = flight;
+  ar(angular_W, excess);
+  axis = static_cast<std::uint8_t>(ar.count(axis, 2));
+}
+
+/// Only a body with three unlike moments has a flight to remember: others have the bytes that they
+/// had before there was one, and so has the shape, which is that of a body without moments.
+template <class Scalar>
 void archive(Archive& ar, Body<Scalar>& body) {
-  auto& [X_WB, momentum, inverse_mass, inverse_moments, spin_shows] = body;
+  auto& [X_WB, momentum, inverse_mass, inverse_moments, spin_shows, flight] = body;
   ar(X_WB, momentum, inverse_mass, inverse_moments, spin_shows);
+  if (!ar.shaping() && detail::tumbles(body)) ar(flight);
 }
 
 template <class Scalar>

@@ -88,7 +88,7 @@ struct TurningKinematics {
     return is_same(body.X_WB.p_W, motion.X_WB.p_W) && is_same(body.X_WB.q_WB, motion.X_WB.q_WB);
   }
   static void move(BodyType& body, const MotionType& motion, Scalar t) {
-    body.X_WB = pose_at(motion, t);
+    move_along(body, motion, t);
   }
   /// What is left of a motion after t of it. @pre t <= duration
   static MotionType rest_of(const MotionType& motion, Scalar t, Scalar duration) {
