@@ -38,7 +38,8 @@ template <class Scalar>
 void archive(Archive& ar, Body<Scalar>& body) {
   auto& [X_WB, momentum, inverse_mass, inverse_moments, spin_shows, flight] = body;
   ar(X_WB, momentum, inverse_mass, inverse_moments, spin_shows);
-  if (!ar.shaping() && detail::tumbles(body)) ar(flight);
+  if (ar.shaping() || !detail::tumbles(body)) return;
+  ar(flight);
 }
 
 template <class Scalar>
