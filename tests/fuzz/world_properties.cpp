@@ -259,6 +259,24 @@ Vec3<float> place_of(const Actor<SceneT>& actor) {
 /// of the sharpest yield, 2^12, at a lever of 2^3 and for 2^2 units of time, m.
 constexpr float kVanishing = 0x1p-46F;
 
+/// Whether somebody who does not turn has a momentum of which the square vanishes: what a blow
+/// takes of it vanishes in one system of units and not in the other.
+template <class SceneT>
+bool has_vanishing(const World<SceneT>& world) {
+  constexpr float kLeast = 0x1p-63F;
+  bool has = false;
+  for (std::uint16_t slot = 0; slot < SceneT::kMaxBodies; ++slot) {
+    const Actor<SceneT>* const actor = world.get(world.id_at(slot));
+    if constexpr (!SceneT::kRotation) {
+      for (int i = 0; actor != nullptr && i < 3; ++i) {
+        const float p = std::abs(actor->body.momentum_W[i]);
+        has = has || (p > 0 && p < kLeast);
+      }
+    }
+  }
+  return has;
+}
+
 /// @returns whether the twin is the same in every bit
 template <class SceneT>
 bool is_twin(const World<SceneT>& world, const World<SceneT>& twin) {
@@ -266,6 +284,7 @@ bool is_twin(const World<SceneT>& world, const World<SceneT>& twin) {
   // A normal that vanishes in one of them leads to other searches, and to other nearest points
   // where axes are parallel: from there on each is a world of its own.
   if (SceneT::kRotation && !same_cost) return false;
+  if (has_vanishing(world) || has_vanishing(twin)) return false;
   require(same_cost && world.report().collisions == twin.report().collisions,
           "in other units the same happens");
   bool same = true;
