@@ -265,9 +265,9 @@ template <class SceneT>
 bool has_vanishing(const World<SceneT>& world) {
   constexpr float kLeast = 0x1p-63F;
   bool has = false;
-  for (std::uint16_t slot = 0; slot < SceneT::kMaxBodies; ++slot) {
-    const Actor<SceneT>* const actor = world.get(world.id_at(slot));
-    if constexpr (!SceneT::kRotation) {
+  if constexpr (!SceneT::kRotation) {
+    for (std::uint16_t slot = 0; slot < SceneT::kMaxBodies; ++slot) {
+      const Actor<SceneT>* const actor = world.get(world.id_at(slot));
       for (int i = 0; actor != nullptr && i < 3; ++i) {
         const float p = std::abs(actor->body.momentum_W[i]);
         has = has || (p > 0 && p < kLeast);
