@@ -94,7 +94,8 @@ class ContactGroups {
   void order(const BodiesT& bodies);
   std::size_t root_of(std::size_t slot);
   void unite(const BodiesT& bodies, bool loaded_only);
-  Scalar warm_up(int first, int last);
+  Scalar lift_of(const BodiesT& bodies, const Contact& contact) const;
+  Scalar warm_up(const BodiesT& bodies, int first, int last);
   Scalar visit(Contact& contact, Scalar& energy);
   void sweep(int first, int last, Scalar time, Scalar energy);
   void give(BodiesT& bodies, const Contact& contact);

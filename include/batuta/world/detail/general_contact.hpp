@@ -207,6 +207,15 @@ template <class SceneT>
   bodies_.actor(a).body.X_WB.p_W += made.value.shift_A_W;
   bodies_.actor(b).body.X_WB.p_W += made.value.shift_B_W;
   tell_controllers(pair, answer.impulse, made.value.shift_A_W, made.value.shift_B_W);
+  if constexpr (SceneT::kMaxBodies > 2 || SceneT::kCapsulesPerBody > 1) {
+    const Vec3<Scalar> parted_W = made.value.shift_A_W - made.value.shift_B_W;
+    const bool is_deeper = contact.gap + contact.normal_BA_W.dot(parted_W) < -margin;
+    // Nobody makes room: each further answer would let them sink by what the search cannot tell.
+    if (is_deeper && (bodies_.now > Scalar(0) || answers_of_pair_ > 1)) {
+      ++bodies_.report.frozen;
+      return bodies_.weld(a, b, bodies_.dt);
+    }
+  }
   if (!is_charged) return;
   ++bodies_.report.separations;
   bodies_.weld(a, b, min_of(bodies_.dt, bodies_.now + made.value.duration));
