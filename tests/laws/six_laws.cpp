@@ -184,9 +184,9 @@ class Checker {
       if (!told_.settles && pair.was < -pair.margin / 2) sum += pair.margin - pair.was;
     }
     // From a margin's depth to as far apart, or to D.
-    sum += static_cast<Real>(told_.overlaps) * 2 * margin;
-    if (told_.settles) return sum;
-    return sum + static_cast<Real>(told_.separations) * std::max(told_.D, margin);
+    const Real to = told_.settles ? 2 * margin : std::max(told_.D, margin);
+    return sum + static_cast<Real>(told_.overlaps) * 2 * margin +
+           static_cast<Real>(told_.separations) * to;
   }
 
   void check_spin() {

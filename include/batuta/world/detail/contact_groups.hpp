@@ -230,7 +230,7 @@ void ContactGroups<SceneT>::find_near(BodiesT& bodies, PairsT& pairs) {
     Capsule<Scalar> B_W;
     if (!is_near(bodies, pairs, pair, D, axes, A_W, B_W)) continue;
     const Scalar gap = axes.distance - A_W.radius - B_W.radius;
-    if (gap < Scalar(0)) {
+    if (gap < Scalar(0) && gap < -pairs.margin(bodies, pair)) {
       ++bodies.report.overlaps_at_start;
       bodies.report.deepest_overlap = max_of(bodies.report.deepest_overlap, -gap);
     }

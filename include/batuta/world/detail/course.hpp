@@ -52,8 +52,9 @@ template <class SceneT>
   bodies.report.time_held = max_of(bodies.report.time_held, rest);
 }
 
-/// Moves a body on its planned motion. An opening turns it as no momentum does: what turns it keeps
-/// its energy, and not its angular momentum, which what holds the group takes.
+/// Moves a body on its planned motion. An opening turns it as no momentum does: where that would
+/// add energy, what turns it is less (what holds its group takes the rest); where it takes some, the
+/// flight that it was on is over.
 template <class SceneT>
 void move_on(Bodies<SceneT>& bodies, std::size_t slot, Scalar_of<SceneT> elapsed) {
   using Kinematics = KinematicsOf<SceneT>;
@@ -66,7 +67,8 @@ void move_on(Bodies<SceneT>& bodies, std::size_t slot, Scalar_of<SceneT> elapsed
       Kinematics::move(body, state.plan.motion, elapsed);
       const auto after = energy();
       using std::sqrt;
-      if (after > Scalar_of<SceneT>(0)) body.momentum.angular_W *= sqrt(before / after);
+      if (after > before) body.momentum.angular_W *= sqrt(before / after);
+      body.flight = {};
       return;
     }
   }

@@ -126,7 +126,8 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
   answer.kind = classify(answer.v_rel, rest_speed());
   const bool is_deep = at.contact.gap < -query.contact_gap;
   answer.is_overlap =
-      is_deep || (candidate.outcome == Outcome::kTouching && !(at.contact.gap > Scalar(0)));
+      kSolves ? at.contact.gap < -PairsT::margin_of(bodies_, query, pair)
+              : is_deep || (candidate.outcome == Outcome::kTouching && !(at.contact.gap > Scalar(0)));
   const bool collides = answer.kind == ContactKind::kColliding;
   if (collides || kSolves) {
     // A pair that comes again and again in a step is between others, and settles.
@@ -216,8 +217,8 @@ template <class SceneT>
       return bodies_.weld(a, b, bodies_.dt);
     }
   }
-  if (!is_charged) return;
   ++bodies_.report.separations;
+  if (!is_charged) return;
   bodies_.weld(a, b, min_of(bodies_.dt, bodies_.now + made.value.duration));
 }
 

@@ -115,7 +115,7 @@ Scalar thinner_by(Scalar margin, Scalar contact_gap, Scalar gap, Scalar share, b
   const Scalar rounding = (margin - kContactGaps * contact_gap) / kOfRest;
   const Scalar left = margin - contact_gap + min_of(gap, Scalar(0));
   const Scalar thinner = contact_gap + max_of(rounding, share * left) - gap;
-  return parts ? thinner : min_of(thinner, margin);
+  return parts && gap < -margin ? thinner : min_of(thinner, margin);
 }
 
 template <class SceneT>
