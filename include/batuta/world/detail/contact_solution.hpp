@@ -175,6 +175,7 @@ Scalar_of<SceneT> ContactGroups<SceneT>::warm_up(const BodiesT& bodies, int firs
       push_share(contact, solved_[a_of(contact)], solved_[b_of(contact)], share);
     }
   };
+  constexpr Scalar kOfLift = Scalar(1) / 16;  // more than that throws up what they carry
   const Scalar slope = work();
   Scalar lift = 0;
   for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
@@ -183,7 +184,7 @@ Scalar_of<SceneT> ContactGroups<SceneT>::warm_up(const BodiesT& bodies, int firs
   give(Scalar(1));
   const Scalar bend = work() - slope;
   Scalar share = bend > Scalar(0) ? clamp(-slope / bend, Scalar(0), Scalar(1)) : Scalar(0);
-  if (slope + lift + bend / 2 < Scalar(0)) share = 1;
+  if (slope + lift + bend / 2 < kOfLift * lift) share = 1;
   if (share < Scalar(1)) give(share - 1);
   for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
     scale_impulses(contacts_[order_[static_cast<std::size_t>(k)]], share);
