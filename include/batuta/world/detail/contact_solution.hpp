@@ -326,6 +326,7 @@ void ContactGroups<SceneT>::carry_loads(BodiesT& bodies, bool dirty_only) {
 template <class SceneT>
 void ContactGroups<SceneT>::open(BodiesT& bodies) {
   constexpr Scalar kNarrow = Scalar(0.4);  // of D
+  find_held(bodies);
   bool is_needed = false;
   for (int k = 0; k < solved_count_; ++k) {  // Bound: kMaxContacts
     const Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
@@ -336,7 +337,6 @@ void ContactGroups<SceneT>::open(BodiesT& bodies) {
     }
   }
   if (!is_needed) return;
-  find_below(bodies);
   constexpr Scalar kShare = Scalar(0.5);      // of what is missing, in a step
   constexpr Scalar kEnough = Scalar(1) / 32;  // of D, in the step
   for (int s = 0; s < kOpeningSweeps; ++s) {  // Bound: kOpeningSweeps
@@ -354,7 +354,7 @@ void ContactGroups<SceneT>::open(BodiesT& bodies) {
 /// In a group that something holds, what lies below counts as held while gaps are opened: its
 /// opening lifts all that lies on it (world.md, "Opening").
 template <class SceneT>
-void ContactGroups<SceneT>::find_below(const BodiesT& bodies) {
+void ContactGroups<SceneT>::find_held(const BodiesT& bodies) {
   unite(bodies, false);
   for (int k = 0; k < solved_count_; ++k) {  // Bound: kMaxContacts
     Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
