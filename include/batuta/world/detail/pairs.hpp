@@ -113,7 +113,7 @@ class Pairs : private SeedsOf<SceneT> {
   static Scalar slowest_closing(const BodiesT& bodies, const PairQuery& query, bool is_solved) {
     return is_solved ? -query.contact_gap / (bodies.dt - bodies.now) : Scalar(0);
   }
-  static void stop_early(PairQuery& query, Scalar beyond);
+  static void stop_early(const MovingPair<Scalar>& moving_pair, PairQuery& query, Scalar beyond);
   static Scalar rate_of_momenta(const BodiesT& bodies, ProxyPair pair, const PairQuery& query);
 
   SweepList<Scalar, BodiesT::kProxies, SceneT::kSweepAxis> sweep_;
