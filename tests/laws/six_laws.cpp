@@ -168,6 +168,7 @@ class Checker {
   /// What opening may shift somebody by in a step: half of what is missing to D / 2, at each
   /// contact of a chain; where contacts do not last, each that is separated to D, or moved clear.
   Real opening() const {
+    if (!told_.shifts) return 0;
     Real sum = 0;
     Real margin = 0;
     for (const Pair& pair : pairs_) {
