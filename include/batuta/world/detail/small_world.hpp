@@ -298,7 +298,7 @@ typename SmallWorld<SceneT>::PairQuery SmallWorld<SceneT>::search(std::size_t a,
   const ActorType& B = actors_.at(b);
   if constexpr (Search::kForSpheres) {
     SphereFlight<Scalar> flight;
-    Scalar pace = 0;  // as Kinematics::pace_of()
+    Scalar pace = 0;               // as Kinematics::pace_of()
     for (int i = 0; i < 3; ++i) {  // Bound: 3
       const Scalar v_A = speed(a, i);
       const Scalar v_B = speed(b, i);
