@@ -91,7 +91,8 @@ void Pairs<SceneT>::search(BodiesT& bodies, CandidateType& candidate, const Last
   candidate.since = bodies.now;
   candidate.free_for = query.t_free();
   candidate.near_after = query.near_after();
-  if (candidate.outcome != Outcome::kFree) queries_.offer(candidate.pair, candidate.free_until());
+  const bool is_seen = candidate.outcome != Outcome::kFree && !query.is_early;
+  if (is_seen) queries_.offer(candidate.pair, candidate.free_until());
 }
 
 /// Radii smaller by `missing` together. @returns false: they are not that large
@@ -132,6 +133,7 @@ void Pairs<SceneT>::search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, S
     auto moving_pair =
         make_moving_pair(bodies.mover(pair.first, until), bodies.mover(pair.second, until));
     query.search.outcome = Outcome::kInvalid;
+    query.is_early = false;
     query.search.t_free = query.search.t_hit = 0;
     query.search.evaluations = 0;
     if (!moving_pair.ok()) return;
@@ -170,6 +172,20 @@ void Pairs<SceneT>::let_part(BodiesT& bodies, ProxyPair pair, MovingPair<Scalar>
   }
   const Scalar thinner = thinner_by(margin, query.contact_gap, gap, kShare, !(rate < Scalar(0)));
   search_thinner(bodies, moving_pair, query, thinner - so_far);
+  if constexpr (SceneT::kMaxPairs > 1) stop_early(query, thinner - max_of(margin, -gap));
+}
+
+/// What is let part by more than the margin is answered before it can come back as deep, to first
+/// order (world.md, "Touching and parting").
+/// @param beyond  by how much, m
+template <class SceneT>
+void Pairs<SceneT>::stop_early(PairQuery& query, Scalar beyond) {
+  constexpr Scalar kTwice = 2;  // as it may come faster at its end
+  if (query.outcome() != Outcome::kContact || !(beyond > Scalar(0))) return;
+  if (!(query.search.gap_rate < Scalar(0))) return;
+  query.search.t_free += kTwice * beyond / query.search.gap_rate;
+  query.search.t_free = max_of(query.search.t_free, Scalar(0));
+  query.is_early = true;
 }
 
 /// How fast the gap of what touches opens, m/s, by the momenta of the two where their planned turn
