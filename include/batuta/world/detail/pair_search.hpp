@@ -106,17 +106,14 @@ bool make_thinner(MovingPair<Scalar>& pair, Scalar missing) {
 }
 
 /// By how much a pair is to be thinner, so that it is clear of contact where it is and turns back
-/// before it overlaps by more than the margin: it has `share` of what is left to there. One that
-/// overlaps by as much may part, and come no closer than it is but for rounding; where it closes,
-/// however slowly, it is in contact.
+/// before it overlaps by more than the margin: it has `share` of what is left to there.
 template <class Scalar>
-Scalar thinner_by(Scalar margin, Scalar contact_gap, Scalar gap, Scalar share, bool parts) {
+Scalar thinner_by(Scalar margin, Scalar contact_gap, Scalar gap, Scalar share) {
   constexpr Scalar kContactGaps = 2;  // in a margin; the rest of it is rounding
   constexpr Scalar kOfRest = 4;       // a part of that is clear of it for one search
   const Scalar rounding = (margin - kContactGaps * contact_gap) / kOfRest;
   const Scalar left = margin - contact_gap + min_of(gap, Scalar(0));
-  const Scalar thinner = contact_gap + max_of(rounding, share * left) - gap;
-  return parts ? thinner : min_of(thinner, margin);
+  return contact_gap + max_of(rounding, share * left) - gap;
 }
 
 template <class SceneT>
@@ -170,7 +167,7 @@ void Pairs<SceneT>::let_part(BodiesT& bodies, ProxyPair pair, MovingPair<Scalar>
     ++bodies.report.overlaps_at_start;
     bodies.report.deepest_overlap = max_of(bodies.report.deepest_overlap, -gap);
   }
-  const Scalar thinner = thinner_by(margin, query.contact_gap, gap, kShare, !(rate < Scalar(0)));
+  const Scalar thinner = thinner_by(margin, query.contact_gap, gap, kShare);
   search_thinner(bodies, moving_pair, query, thinner - so_far);
   if constexpr (SceneT::kMaxPairs > 1) stop_early(query, thinner - max_of(margin, -gap));
 }
@@ -183,8 +180,8 @@ void Pairs<SceneT>::stop_early(PairQuery& query, Scalar beyond) {
   constexpr Scalar kTwice = 2;  // as it may come faster at its end
   if (query.outcome() != Outcome::kContact || !(beyond > Scalar(0))) return;
   if (!(query.search.gap_rate < Scalar(0))) return;
-  query.search.t_free += kTwice * beyond / query.search.gap_rate;
-  query.search.t_free = max_of(query.search.t_free, Scalar(0));
+  const Scalar sooner = kTwice * beyond / -query.search.gap_rate;
+  query.search.t_free -= min_of(sooner, query.search.t_free / 2);
   query.is_early = true;
 }
 
