@@ -24,6 +24,7 @@ struct StraightKinematics {
     static constexpr bool by_momentum = true;
   };
   struct StraightQuery {
+    static constexpr bool is_early = false;  // see TurningQuery
     Outcome outcome_ = Outcome::kInvalid;
     Scalar t_free_ = 0;
     Scalar t_hit_ = 0;
