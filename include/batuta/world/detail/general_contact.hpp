@@ -262,7 +262,8 @@ typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::room_of(std::size_t 
   return max_of(room, Scalar(0));
 }
 
-/// Bodies that do not turn: an impulse, after which they part, and what parts is free for good.
+/// Bodies that do not turn: an impulse, after which they part, and what parts is free for good. If
+/// they are in each other, the search that lets them part tells it.
 template <class SceneT>
 void GeneralWorld<SceneT>::answer_straight(const CandidateType& candidate) {
   const ProxyPair pair = candidate.pair;
@@ -280,7 +281,6 @@ void GeneralWorld<SceneT>::answer_straight(const CandidateType& candidate) {
   answer.kind = ContactKind::kColliding;
   answer.v_rel = hit.v_rel;
   answer.impulse = hit.impulse;
-  answer.is_overlap = candidate.outcome == Outcome::kTouching && !(at.contact.gap > Scalar(0));
   touches_.record(bodies_, pair, at, answer);
 }
 

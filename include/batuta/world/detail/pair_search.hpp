@@ -122,6 +122,10 @@ void Pairs<SceneT>::search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, S
   if constexpr (!SceneT::kRotation) {
     query = BodiesT::Kinematics::search(bodies.mover(pair.first, until),
                                         bodies.mover(pair.second, until), bodies.settings.search);
+    if (SceneT::kResponse && query.outcome() == Outcome::kFree && query.gap() < Scalar(0)) {
+      ++bodies.report.overlaps_at_start;
+      bodies.report.deepest_overlap = max_of(bodies.report.deepest_overlap, -query.gap());
+    }
   } else {
     auto moving_pair =
         make_moving_pair(bodies.mover(pair.first, until), bodies.mover(pair.second, until));
