@@ -66,6 +66,17 @@ class ContactGroups {
     }
     return widest;
   }
+  /// Whether contacts that were solved lead from the body to something that is led. Bound: its
+  /// contacts.
+  bool is_held_up(std::size_t slot) const {
+    bool is_held = false;
+    for (int next = first_of_[slot]; next != 0;) {  // Bound: the contacts of a body
+      const Contact& contact = contacts_[next - 1];
+      is_held = is_held || (contact.is_solved && contact.is_held);
+      next = next_[static_cast<std::size_t>(next - 1)][a_of(contact) == slot ? 0 : 1];
+    }
+    return is_held;
+  }
   /// Forgets the contacts of a body.
   void remove(std::size_t slot);
   void copy(const ContactGroups& saved) { *this = saved; }
@@ -94,14 +105,15 @@ class ContactGroups {
   void order(const BodiesT& bodies);
   std::size_t root_of(std::size_t slot);
   void unite(const BodiesT& bodies, bool loaded_only);
-  Scalar warm_up(int first, int last);
+  Scalar lift_of(const BodiesT& bodies, const Contact& contact) const;
+  Scalar warm_up(const BodiesT& bodies, int first, int last);
   Scalar visit(Contact& contact, Scalar& energy);
   void sweep(int first, int last, Scalar time, Scalar energy);
   void give(BodiesT& bodies, const Contact& contact);
   void give_at(BodiesT& bodies, const Contact& contact, const ContactPoint<Scalar>& point,
                const PointImpulse<Scalar>& given);
   void open(BodiesT& bodies);
-  void find_below(const BodiesT& bodies);
+  void find_held(const BodiesT& bodies);
   Scalar visit_opening(BodiesT& bodies, Contact& contact, Scalar share);
   void carry_loads(BodiesT& bodies, bool dirty_only);
   bool is_worth(const BodiesT& bodies, const Contact& contact, Scalar share) const;
@@ -232,7 +244,7 @@ void ContactGroups<SceneT>::find_near(BodiesT& bodies, PairsT& pairs) {
     Capsule<Scalar> B_W;
     if (!is_near(bodies, pairs, pair, D, axes, A_W, B_W)) continue;
     const Scalar gap = axes.distance - A_W.radius - B_W.radius;
-    if (gap < Scalar(0)) {
+    if (gap < Scalar(0) && gap < -pairs.margin(bodies, pair)) {
       ++bodies.report.overlaps_at_start;
       bodies.report.deepest_overlap = max_of(bodies.report.deepest_overlap, -gap);
     }

@@ -125,8 +125,9 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
   answer.v_rel = velocity_between(sides, at.contact);
   answer.kind = classify(answer.v_rel, rest_speed());
   const bool is_deep = at.contact.gap < -query.contact_gap;
-  answer.is_overlap =
-      is_deep || (candidate.outcome == Outcome::kTouching && !(at.contact.gap > Scalar(0)));
+  answer.is_overlap = kSolves ? at.contact.gap < -PairsT::margin_of(bodies_, query, pair)
+                              : is_deep || (candidate.outcome == Outcome::kTouching &&
+                                            !(at.contact.gap > Scalar(0)));
   const bool collides = answer.kind == ContactKind::kColliding;
   if (collides || kSolves) {
     // A pair that comes again and again in a step is between others, and settles.
@@ -200,8 +201,17 @@ template <class SceneT>
     options.limit_A = room_of(a, pair, contact.normal_BA_W, shift);
     options.limit_B = room_of(b, pair, -contact.normal_BA_W, shift);
   }
-  const auto made = separate(contact, answer.v_rel, bodies_.actor(a).body.inverse_mass,
-                             bodies_.actor(b).body.inverse_mass, options);
+  Scalar soft_A = bodies_.actor(a).body.inverse_mass;
+  Scalar soft_B = bodies_.actor(b).body.inverse_mass;
+  if constexpr (kSolves) {
+    // What holds both takes the shift: who has no room for his share leaves it to the other.
+    const bool is_tight = min_of(options.limit_A, options.limit_B) < shift;
+    const bool is_held = groups_.is_held_up(a) || groups_.is_held_up(b);
+    if (is_tight && is_held && soft_A > Scalar(0) && soft_B > Scalar(0)) {
+      (options.limit_A < options.limit_B ? soft_A : soft_B) = 0;
+    }
+  }
+  const auto made = separate(contact, answer.v_rel, soft_A, soft_B, options);
   if (!made.ok()) {
     ++bodies_.report.resolutions_invalid;
     return bodies_.weld(a, b, bodies_.dt);
@@ -209,8 +219,17 @@ template <class SceneT>
   bodies_.actor(a).body.X_WB.p_W += made.value.shift_A_W;
   bodies_.actor(b).body.X_WB.p_W += made.value.shift_B_W;
   tell_controllers(pair, answer.impulse, made.value.shift_A_W, made.value.shift_B_W);
-  if (!is_charged) return;
+  if constexpr (SceneT::kMaxBodies > 2 || SceneT::kCapsulesPerBody > 1) {
+    const Vec3<Scalar> parted_W = made.value.shift_A_W - made.value.shift_B_W;
+    const bool is_deeper = contact.gap + contact.normal_BA_W.dot(parted_W) < -margin;
+    // Nobody makes room: each further answer would let them sink by what the search cannot tell.
+    if (is_deeper && (bodies_.now > Scalar(0) || answers_of_pair_ > 1)) {
+      ++bodies_.report.frozen;
+      return bodies_.weld(a, b, bodies_.dt);
+    }
+  }
   ++bodies_.report.separations;
+  if (!is_charged) return;
   bodies_.weld(a, b, min_of(bodies_.dt, bodies_.now + made.value.duration));
 }
 

@@ -91,7 +91,8 @@ void Pairs<SceneT>::search(BodiesT& bodies, CandidateType& candidate, const Last
   candidate.since = bodies.now;
   candidate.free_for = query.t_free();
   candidate.near_after = query.near_after();
-  if (candidate.outcome != Outcome::kFree) queries_.offer(candidate.pair, candidate.free_until());
+  const bool is_seen = candidate.outcome != Outcome::kFree && !query.is_early;
+  if (is_seen) queries_.offer(candidate.pair, candidate.free_until());
 }
 
 /// Radii smaller by `missing` together. @returns false: they are not that large
@@ -105,17 +106,14 @@ bool make_thinner(MovingPair<Scalar>& pair, Scalar missing) {
 }
 
 /// By how much a pair is to be thinner, so that it is clear of contact where it is and turns back
-/// before it overlaps by more than the margin: it has `share` of what is left to there. One that
-/// overlaps by as much may part, and come no closer than it is but for rounding; where it closes,
-/// however slowly, it is in contact.
+/// before it overlaps by more than the margin: it has `share` of what is left to there.
 template <class Scalar>
-Scalar thinner_by(Scalar margin, Scalar contact_gap, Scalar gap, Scalar share, bool parts) {
+Scalar thinner_by(Scalar margin, Scalar contact_gap, Scalar gap, Scalar share) {
   constexpr Scalar kContactGaps = 2;  // in a margin; the rest of it is rounding
   constexpr Scalar kOfRest = 4;       // a part of that is clear of it for one search
   const Scalar rounding = (margin - kContactGaps * contact_gap) / kOfRest;
   const Scalar left = margin - contact_gap + min_of(gap, Scalar(0));
-  const Scalar thinner = contact_gap + max_of(rounding, share * left) - gap;
-  return parts ? thinner : min_of(thinner, margin);
+  return contact_gap + max_of(rounding, share * left) - gap;
 }
 
 template <class SceneT>
@@ -128,6 +126,7 @@ void Pairs<SceneT>::search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, S
     auto moving_pair =
         make_moving_pair(bodies.mover(pair.first, until), bodies.mover(pair.second, until));
     query.search.outcome = Outcome::kInvalid;
+    query.is_early = false;
     query.search.t_free = query.search.t_hit = 0;
     query.search.evaluations = 0;
     if (!moving_pair.ok()) return;
@@ -164,8 +163,22 @@ void Pairs<SceneT>::let_part(BodiesT& bodies, ProxyPair pair, MovingPair<Scalar>
     ++bodies.report.overlaps_at_start;
     bodies.report.deepest_overlap = max_of(bodies.report.deepest_overlap, -gap);
   }
-  const Scalar thinner = thinner_by(margin, query.contact_gap, gap, kShare, !(rate < Scalar(0)));
+  const Scalar thinner = thinner_by(margin, query.contact_gap, gap, kShare);
   search_thinner(bodies, moving_pair, query, thinner - so_far);
+  if constexpr (SceneT::kMaxPairs > 1) stop_early(query, thinner - max_of(margin, -gap));
+}
+
+/// What is let part by more than the margin is answered before it can come back as deep, to first
+/// order (world.md, "Touching and parting").
+/// @param beyond  by how much, m
+template <class SceneT>
+void Pairs<SceneT>::stop_early(PairQuery& query, Scalar beyond) {
+  constexpr Scalar kTwice = 2;  // as it may come faster at its end
+  if (query.outcome() != Outcome::kContact || !(beyond > Scalar(0))) return;
+  if (!(query.search.gap_rate < Scalar(0))) return;
+  const Scalar sooner = kTwice * beyond / -query.search.gap_rate;
+  query.search.t_free -= min_of(sooner, query.search.t_free / 2);
+  query.is_early = true;
 }
 
 /// How fast the gap of what touches opens, m/s, by the momenta of the two where their planned turn

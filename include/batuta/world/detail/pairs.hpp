@@ -55,6 +55,8 @@ class Pairs : private SeedsOf<SceneT> {
   static Scalar slowest_closing(const BodiesT& bodies, const PairQuery& query, bool is_solved) {
     return is_solved ? -query.contact_gap / (bodies.dt - bodies.now) : Scalar(0);
   }
+  /// The same before anybody is planned.
+  Scalar margin(const BodiesT& bodies, ProxyPair pair) const;
   /// D of a pair: the one length that rules rest (world.md, "One length").
   Scalar rest_gap(const BodiesT& bodies, ProxyPair pair) const;
 
@@ -111,6 +113,7 @@ class Pairs : private SeedsOf<SceneT> {
   static void search_thinner(const BodiesT& bodies, MovingPair<Scalar>& moving_pair,
                              PairQuery& query, Scalar missing);
   bool stays_apart(const BodiesT& bodies, ProxyPair pair) const;
+  static void stop_early(PairQuery& query, Scalar beyond);
   static Scalar rate_of_momenta(const BodiesT& bodies, ProxyPair pair, const PairQuery& query);
 
   SweepList<Scalar, BodiesT::kProxies, SceneT::kSweepAxis> sweep_;
@@ -343,7 +346,7 @@ Scalar_of<SceneT> Pairs<SceneT>::own_rest_gap(const BodiesT& bodies, int proxy) 
 }
 
 template <class SceneT>
-Scalar_of<SceneT> Pairs<SceneT>::rest_gap(const BodiesT& bodies, ProxyPair pair) const {
+Scalar_of<SceneT> Pairs<SceneT>::margin(const BodiesT& bodies, ProxyPair pair) const {
   constexpr Scalar kUlps = 2 * 64;  // twice the margin
   const PartSize A = size_of(bodies, pair.first);
   const PartSize B = size_of(bodies, pair.second);
@@ -355,8 +358,12 @@ Scalar_of<SceneT> Pairs<SceneT>::rest_gap(const BodiesT& bodies, ProxyPair pair)
                                  bodies.states[body_of(pair.second)].plan.motion.twist.v_W);
   const Scalar scale = apart + A.length + B.length + way;
   const Scalar rounding = kUlps * kRoundOff<Scalar> * (A.from_origin + B.from_origin + scale);
-  Scalar D =
-      max_of(bodies.settings.separation, rounding + twice_margin(bodies, scale, A.turn + B.turn));
+  return (rounding + twice_margin(bodies, scale, A.turn + B.turn)) / 2;
+}
+
+template <class SceneT>
+Scalar_of<SceneT> Pairs<SceneT>::rest_gap(const BodiesT& bodies, ProxyPair pair) const {
+  Scalar D = max_of(bodies.settings.separation, 2 * margin(bodies, pair));
   if constexpr (SceneT::kGravity) {
     D = max_of(D, bodies.dt * bodies.dt * length(bodies.settings.gravity_W) / 4);
   }
