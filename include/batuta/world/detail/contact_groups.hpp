@@ -26,10 +26,10 @@ class ContactGroups {
   void find_near(BodiesT& bodies, PairsT& pairs);
   /// Solves what lasts, with the velocities of the step's end. Bound: kMaxSweeps sweeps.
   void solve(BodiesT& bodies);
-  /// After a blow of a pair: what lasts of it, and passes on. Marks who has changed.
+  /// After blows of pairs: what lasts of them, and passes on. Marks who has changed.
   /// Bound: kEventSweeps sweeps.
-  template <class Blow>
-  void pass_on(BodiesT& bodies, PairsT& pairs, ProxyPair pair, const Blow& blow);
+  template <class Struck, class Blow>
+  void pass_on(BodiesT& bodies, PairsT& pairs, const Struck& struck, const Blow& blow);
   /// Contacts of a body that wakes within a step are solved from now on.
   void wake(std::size_t slot);
   /// Groups of bodies that press on each other, for group_of() and is_held().
@@ -121,6 +121,8 @@ class ContactGroups {
   void relax_now(BodiesT& bodies, Contact& contact, Scalar& energy);
   template <class Blow>
   void pass_blow(BodiesT& bodies, Contact& contact, const Blow& blow);
+  template <class Blow>
+  void pass_around(BodiesT& bodies, int parts, Scalar energy, const Blow& blow);
   void mark(BodiesT& bodies, std::size_t slot);
   bool is_welded(const BodiesT& bodies, const Contact& contact) const {
     return bodies.states[a_of(contact)].group != BodiesT::kAlone ||
@@ -143,6 +145,7 @@ class ContactGroups {
   std::array<Scalar, static_cast<std::size_t>(SceneT::kMaxContacts)> seen_{};
   FixedList<Slot, SceneT::kMaxBodies> dirty_;
   std::array<bool, kSlots> is_dirty_{};
+  std::array<bool, static_cast<std::size_t>(SceneT::kMaxContacts)> is_struck_{};
   int solved_count_ = 0;
 };
 

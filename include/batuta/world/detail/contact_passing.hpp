@@ -105,24 +105,44 @@ void ContactGroups<SceneT>::pass_blow(BodiesT& bodies, Contact& contact, const B
 }
 
 template <class SceneT>
-template <class Blow>
-void ContactGroups<SceneT>::pass_on(BodiesT& bodies, PairsT& pairs, ProxyPair pair,
+template <class Struck, class Blow>
+void ContactGroups<SceneT>::pass_on(BodiesT& bodies, PairsT& pairs, const Struck& struck,
                                     const Blow& blow) {
-  constexpr Scalar kLeast = Scalar(1) / 8;  // of D, in what is left of the step
-  constexpr Scalar kLeastOfStruck = Scalar(1) / 64;
   dirty_.clear();
   is_dirty_.fill(false);
+  is_struck_.fill(false);
   changed_.fill(0);
   seen_.fill(0);
-  Contact* struck = add(bodies, pair, pairs.rest_gap(bodies, pair));
-  if (struck == nullptr) {
-    ++bodies.report.contacts_dropped;
-    bodies.weld(BodiesT::body_of(pair.first), BodiesT::body_of(pair.second), bodies.dt);
-    return;
-  }
-  refresh(bodies, *struck);
   Scalar energy = 0;
-  relax_now(bodies, *struck, energy);
+  int last = kNone;
+  for (const auto& one : struck) {  // Bound: the blows of a round
+    Contact* contact = add(bodies, one.pair, pairs.rest_gap(bodies, one.pair));
+    if (contact == nullptr) {
+      ++bodies.report.contacts_dropped;
+      bodies.weld(BodiesT::body_of(one.pair.first), BodiesT::body_of(one.pair.second), bodies.dt);
+      continue;
+    }
+    if (is_welded(bodies, *contact)) continue;
+    last = find(one.pair);
+    is_struck_[static_cast<std::size_t>(last)] = true;
+    refresh(bodies, *contact);
+  }
+  if (last != kNone) relax_now(bodies, contacts_[last], energy);
+  pass_around(bodies, struck.size() > 1 ? kNone : last, energy, blow);
+  if constexpr (SceneT::kGravity) {
+    for (const Slot slot : dirty_) bodies.states[slot].loaded = false;  // Bound: kMaxBodies
+    carry_loads(bodies, true);
+  }
+}
+
+/// From body to body, until no contact of those that have changed has anything to answer.
+/// @param parts  the contact that was struck alone: it parts, and is not struck again; or kNone
+template <class SceneT>
+template <class Blow>
+void ContactGroups<SceneT>::pass_around(BodiesT& bodies, int parts, Scalar energy,
+                                        const Blow& blow) {
+  constexpr Scalar kLeast = Scalar(1) / 8;  // of D, in what is left of the step
+  constexpr Scalar kLeastOfStruck = Scalar(1) / 64;
   bool is_done = false;
   for (int s = 0; s < kEventSweeps && !is_done; ++s) {
     is_done = true;                            // Bound: kEventSweeps
@@ -131,25 +151,21 @@ void ContactGroups<SceneT>::pass_on(BodiesT& bodies, PairsT& pairs, ProxyPair pa
       int next = first_of_[slot];
       while (next != 0) {  // Bound: the contacts of a body
         const auto i = static_cast<std::size_t>(next - 1);
+        const bool has_parted = next - 1 == parts;
         Contact& contact = contacts_[next - 1];
         next = next_[i][a_of(contact) == slot ? 0 : 1];
         const Scalar changed = changed_[a_of(contact)] + changed_[b_of(contact)];
         if (!contact.is_solved || changed == seen_[i] || is_welded(bodies, contact)) continue;
         seen_[i] = changed;
-        const Scalar share = &contact == struck ? kLeastOfStruck : kLeast;
-        if (!is_worth(bodies, contact, share)) continue;
+        if (!is_worth(bodies, contact, is_struck_[i] ? kLeastOfStruck : kLeast)) continue;
         is_done = false;
         if (contact.since < bodies.now) refresh(bodies, contact);
         mark(bodies, a_of(contact));
         mark(bodies, b_of(contact));
-        if (&contact != struck) pass_blow(bodies, contact, blow);
+        if (!has_parted) pass_blow(bodies, contact, blow);
         relax_now(bodies, contact, energy);
       }
     }
-  }
-  if constexpr (SceneT::kGravity) {
-    for (const Slot slot : dirty_) bodies.states[slot].loaded = false;  // Bound: kMaxBodies
-    carry_loads(bodies, true);
   }
 }
 
