@@ -34,8 +34,8 @@ void ContactGroups<SceneT>::refresh(BodiesT& bodies, Contact& contact) {
   const Capsule<Scalar> A_W = bodies.shape_W(contact.pair.first);
   const Capsule<Scalar> B_W = bodies.shape_W(contact.pair.second);
   contact.is_new = !contact.is_solved;
-  find_points(contact, A_W, B_W, closest_points(A_W.axis, B_W.axis), SceneT::kLineContact);
-  prepare(contact, solved_[a], solved_[b], bodies.place_now(a), bodies.place_now(b), left);
+  find_points(contact, A_W, B_W, closest_points(A_W.axis, B_W.axis), solved_[a].place_W);
+  prepare(contact, solved_[a], solved_[b], left);
   contact.is_solved = true;
 }
 
@@ -59,8 +59,9 @@ bool ContactGroups<SceneT>::is_worth(const BodiesT& bodies, const Contact& conta
     const auto& point = contact.points[static_cast<std::size_t>(i)];
     const Scalar u =
         point.normal_W.dot(velocity_across(point, solved_[a], solved_[b])) + point.room;
-    const Scalar opening = point.normal_W.dot(
-        (A.v_W - B.v_W) + (A.w_W.cross(point.arm_A_W) - B.w_W.cross(point.arm_B_W)));
+    const Scalar opening =
+        point.normal_W.dot((A.v_W - B.v_W) + (A.w_W.cross(point.arm_A_W) -
+                                              B.w_W.cross(arm_B(point, solved_[a], solved_[b]))));
     const Scalar may_close = min_of(most, max_of(kOfGap * point.gap, least));
     const bool pulls = u * left > most && point.normal > Scalar(0);
     is_worth = is_worth || (u + opening) * left < -may_close || pulls;
@@ -137,6 +138,9 @@ void ContactGroups<SceneT>::pass_on(BodiesT& bodies, PairsT& pairs, ProxyPair pa
         if (!contact.is_solved || changed == seen_[i] || is_welded(bodies, contact)) continue;
         seen_[i] = changed;
         const Scalar share = &contact == struck ? kLeastOfStruck : kLeast;
+        for (const std::size_t side : {a_of(contact), b_of(contact)}) {  // Bound: 2
+          solved_[side].place_W = bodies.place_now(side);
+        }
         if (!is_worth(bodies, contact, share)) continue;
         is_done = false;
         if (contact.since < bodies.now) refresh(bodies, contact);

@@ -11,16 +11,16 @@ void ContactGroups<SceneT>::load(const BodiesT& bodies, std::size_t slot) {
   SolvedBody<Scalar>& solved = solved_[slot];
   const auto& body = bodies.actor(slot).body;
   const auto& state = bodies.states[slot];
-  if (state.asleep) {
-    solved = {};
-  } else if (bodies.is_led(slot)) {
-    solved = {};
-    solved.v_W = state.plan.motion.twist.v_W;
-    solved.w_W = state.plan.motion.twist.w_W;
-  } else {
-    const Twist<Scalar> twist = twist_of(body);
-    solved = {twist.v_W, twist.w_W, inverse_inertia_W(body), body.inverse_mass};
-  }
+  solved = {};
+  solved.place_W = bodies.place_now(slot);
+  if (state.asleep) return;
+  const bool is_led = bodies.is_led(slot);
+  const Twist<Scalar> twist = is_led ? state.plan.motion.twist : twist_of(body);
+  solved.v_W = twist.v_W;
+  solved.w_W = twist.w_W;
+  if (is_led) return;
+  solved.inverse_inertia_W = inverse_inertia_W(body);
+  solved.inverse_mass = body.inverse_mass;
 }
 
 template <class SceneT>
@@ -48,8 +48,7 @@ void ContactGroups<SceneT>::choose(const BodiesT& bodies) {
     if (!contact.is_kept || (bodies.is_led(a) && bodies.is_led(b))) continue;
     if (bodies.states[a].group != BodiesT::kAlone || bodies.states[b].group != BodiesT::kAlone)
       continue;
-    prepare(contact, solved_[a], solved_[b], position_of(bodies.actor(a)),
-            position_of(bodies.actor(b)), bodies.dt);
+    prepare(contact, solved_[a], solved_[b], bodies.dt);
     Scalar approach = fastest_approach(contact, solved_[a], solved_[b]);
     if constexpr (SceneT::kGravity) {
       const Scalar fall = bodies.dt * contact.points[0].normal_W.dot(bodies.settings.gravity_W);
@@ -124,8 +123,8 @@ void ContactGroups<SceneT>::order(const BodiesT& bodies) {
     const std::size_t p = group_of(P);
     const std::size_t q = group_of(Q);
     if (p != q) return p < q;
-    const Scalar low_p = down_W.dot(P.points[0].point_W);
-    const Scalar low_q = down_W.dot(Q.points[0].point_W);
+    const Scalar low_p = down_W.dot(point_W(P));
+    const Scalar low_q = down_W.dot(point_W(Q));
     if (low_p > low_q || low_q > low_p) return low_p > low_q;
     return batuta::detail::precedes(P.pair, Q.pair);
   };
@@ -145,7 +144,7 @@ Scalar_of<SceneT> ContactGroups<SceneT>::warm_up(int first, int last) {
       for (int i = 0; i < contact.count; ++i) {  // Bound: 2
         const auto& point = contact.points[static_cast<std::size_t>(i)];
         const auto u = velocity_across(point, solved_[a_of(contact)], solved_[b_of(contact)]);
-        sum += impulse_of(point).dot(u) + point.normal * point.room;
+        sum += impulse_at(point).J_W.dot(u) + point.normal * point.room;
       }
     }
     return sum;
@@ -170,15 +169,13 @@ Scalar_of<SceneT> ContactGroups<SceneT>::warm_up(int first, int last) {
 
 /// The change of a velocity that matters to a contact: so much of D in what is left of the step, or
 /// less where the gap is nearly closed, because the search would call what is left contact.
-template <class Scalar>
-Scalar least_change(const LastingContact<Scalar>& contact, Scalar time) {
+template <class Traits, class Scalar>
+Scalar least_change(const LastingContact<Traits>& contact, Scalar time) {
   constexpr Scalar kEnough = Scalar(1) / 32;   // of D
   constexpr Scalar kOfGap = Scalar(1) / 8;     // of the gap
   constexpr Scalar kLeast = Scalar(1) / 1024;  // of D
-  const Scalar gap = contact.count > 1 ? min_of(contact.points[0].gap, contact.points[1].gap)
-                                       : contact.points[0].gap;
   const Scalar D = contact.rest_gap;
-  return min_of(kEnough * D, max_of(kOfGap * gap, kLeast * D)) / time;
+  return min_of(kEnough * D, max_of(kOfGap * least_gap(contact), kLeast * D)) / time;
 }
 
 /// One visit; adds what it changed to what is known of both bodies.
@@ -195,8 +192,9 @@ Scalar_of<SceneT> ContactGroups<SceneT>::visit(Contact& contact, Scalar& energy)
   const Scalar change = relax(contact, solved_[slots[0]], solved_[slots[1]], energy);
   const auto& point = contact.points[0];
   for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2
-    const Scalar reach = (i == 0 ? point.arm_A_W : point.arm_B_W).cwiseAbs().sum();
     const auto& solved = solved_[slots[i]];
+    const Vec3<Scalar> arm_W = point.arm_A_W + (solved_[slots[0]].place_W - solved.place_W);
+    const Scalar reach = arm_W.cwiseAbs().sum();
     changed_[slots[i]] += (solved.v_W - before[2 * i]).cwiseAbs().sum() +
                           reach * (solved.w_W - before[2 * i + 1]).cwiseAbs().sum();
   }
@@ -266,7 +264,7 @@ void ContactGroups<SceneT>::give(BodiesT& bodies, const Contact& contact) {
 /// One impulse at one point, to both.
 template <class SceneT>
 void ContactGroups<SceneT>::give_at(BodiesT& bodies, const Contact& contact,
-                                    const ContactPoint<Scalar>& point,
+                                    const ContactPoint<Traits>& point,
                                     const PointImpulse<Scalar>& given) {
   const std::size_t a = a_of(contact);
   const std::size_t b = b_of(contact);
@@ -278,7 +276,7 @@ void ContactGroups<SceneT>::give_at(BodiesT& bodies, const Contact& contact,
   if (!bodies.is_led(b)) {
     auto& momentum = bodies.actor(b).body.momentum;
     momentum.linear_W -= given.J_W;
-    momentum.angular_W -= point.arm_B_W.cross(given.J_W) + given.rolling_W;
+    momentum.angular_W -= arm_B(point, solved_[a], solved_[b]).cross(given.J_W) + given.rolling_W;
   }
 }
 
