@@ -276,7 +276,11 @@ TEST(LastingContact, RodThatLandsFlat_GetsNoSpinAtAll) {
     EXPECT_EQ(rod.bodies[0].w_W, (Vec3<double>::Zero()));
     EXPECT_EQ(rod.contact.points[0].normal, rod.contact.points[1].normal);
     EXPECT_NEAR(rod.bodies[0].v_W.z(), 0, 1e-15);
-    EXPECT_EQ(relax_opening(rod.contact, rod.bodies[0], rod.bodies[1], 1e-3, 0.5), 0);
+    auto& opened = rod.bodies;  // with the velocities that open the gap
+    for (auto& body : opened) body.v_W.setZero();
+    EXPECT_GT(relax_opening(rod.contact, opened[0], opened[1], 1e-3, 0.5), 0);
+    EXPECT_GT(opened[0].v_W.z(), 0);
+    EXPECT_EQ(opened[0].w_W, (Vec3<double>::Zero()));
   }
 }
 
@@ -344,7 +348,9 @@ TEST(LastingContact, EnergyOfALine_IsAccounted) {
         ASSERT_LE(energy, 0);
         ASSERT_LE(total(), before + static_cast<long double>(energy) + 1e-12L) << seed;
       }
-      if (friction == 0) EXPECT_NEAR(static_cast<double>(total() - before), energy, 1e-12) << seed;
+      // Friction states the most that it adds.
+      const auto added = static_cast<double>(total() - before);
+      EXPECT_NEAR(friction > 0 ? min_of(added, energy) : energy, added, 1e-12) << seed;
     }
   }
 }

@@ -107,14 +107,16 @@ bool make_thinner(MovingPair<Scalar>& pair, Scalar missing) {
 /// By how much a pair is to be thinner, so that it is clear of contact where it is and turns back
 /// before it overlaps by more than the margin: it has `share` of what is left to there. One that
 /// overlaps by as much may part, and come no closer than it is but for rounding; where it closes,
-/// however slowly, it is in contact.
+/// it is in contact.
+/// @param closing  what of it counts as parting all the same, m
 template <class Scalar>
-Scalar thinner_by(Scalar margin, Scalar contact_gap, Scalar gap, Scalar share, bool parts) {
+Scalar thinner_by(Scalar margin, Scalar contact_gap, Scalar gap, Scalar share, bool parts,
+                  Scalar closing) {
   constexpr Scalar kContactGaps = 2;  // in a margin; the rest of it is rounding
   constexpr Scalar kOfRest = 4;       // a part of that is clear of it for one search
   const Scalar rounding = (margin - kContactGaps * contact_gap) / kOfRest;
   const Scalar left = margin - contact_gap + min_of(gap, Scalar(0));
-  const Scalar thinner = contact_gap + max_of(rounding, share * left) - gap;
+  const Scalar thinner = contact_gap + max_of(max_of(rounding, closing), share * left) - gap;
   return parts ? thinner : min_of(thinner, margin);
 }
 
@@ -142,7 +144,7 @@ void Pairs<SceneT>::search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, S
     if (is_solved) make_thinner(moving_pair.value, so_far);
     search_with_seed(bodies, pair, moving_pair.value, query.search);
     if (SceneT::kResponse && query.outcome() == Outcome::kTouching) {
-      let_part(bodies, pair, moving_pair.value, so_far, query);
+      let_part(bodies, pair, moving_pair.value, lasts, query);
     }
     // What was found is told of the pair as it is.
     query.search.witness = capsule_gap(query.search.witness.axes, radius_A, radius_B);
@@ -150,12 +152,15 @@ void Pairs<SceneT>::search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, S
 }
 
 /// What touches and parts is searched as thinner, and told where it is in each other.
-/// @param so_far  by how much it is thinner already: above zero where its contact was solved
+/// One whose contact was solved counts as parting where it closes by no more than visits leave: an
+/// answer would leave the same again, at the same time.
+/// @param lasts  D of a pair whose contact was solved, and which is thinner already; else 0
 template <class SceneT>
 void Pairs<SceneT>::let_part(BodiesT& bodies, ProxyPair pair, MovingPair<Scalar>& moving_pair,
-                             Scalar so_far, PairQuery& query) {
+                             Scalar lasts, PairQuery& query) {
   // Where nothing is moved apart within a step, a pair may come back more than once.
   constexpr Scalar kShare = kLasts<SceneT> ? Scalar(0.5) : Scalar(1);
+  const Scalar so_far = kLasts<SceneT> && lasts > Scalar(0) ? query.contact_gap / 2 : Scalar(0);
   const Scalar rate = max_of(query.search.gap_rate, rate_of_momenta(bodies, pair, query));
   if (rate < slowest_closing(bodies, query, so_far > Scalar(0))) return;
   const Scalar margin = margin_of(bodies, query, pair);
@@ -164,7 +169,15 @@ void Pairs<SceneT>::let_part(BodiesT& bodies, ProxyPair pair, MovingPair<Scalar>
     ++bodies.report.overlaps_at_start;
     bodies.report.deepest_overlap = max_of(bodies.report.deepest_overlap, -gap);
   }
-  const Scalar thinner = thinner_by(margin, query.contact_gap, gap, kShare, !(rate < Scalar(0)));
+  Scalar residue = 0;  // how fast it may close and still count as parting, m/s
+  Scalar closing = 0;  // and how far, m
+  if constexpr (kLasts<SceneT>) {
+    constexpr Scalar kResidue = Scalar(1) / 2048;  // of D, in a whole step: twice what visits leave
+    residue = kResidue * lasts / bodies.dt;
+    closing = 2 * residue * (bodies.dt - bodies.now);
+  }
+  const Scalar thinner =
+      thinner_by(margin, query.contact_gap, gap, kShare, !(rate < -residue), closing);
   search_thinner(bodies, moving_pair, query, thinner - so_far);
 }
 

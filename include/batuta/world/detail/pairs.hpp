@@ -98,7 +98,7 @@ class Pairs : private SeedsOf<SceneT> {
   void collect(BodiesT& bodies, ProxyPair pair);
   template <class Lasts>
   void search(BodiesT& bodies, CandidateType& candidate, const Lasts& lasts);
-  void let_part(BodiesT& bodies, ProxyPair pair, MovingPair<Scalar>& moving_pair, Scalar so_far,
+  void let_part(BodiesT& bodies, ProxyPair pair, MovingPair<Scalar>& moving_pair, Scalar lasts,
                 PairQuery& query);
   void search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, Scalar lasts, PairQuery& query);
   void search_with_seed(const BodiesT& bodies, ProxyPair pair,
