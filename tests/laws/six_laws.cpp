@@ -92,14 +92,21 @@ class Checker {
 
   void find_pairs() {
     Real energy = 0;
-    for (const SeenBody& body : before_) energy += body.kinetic();
+    for (const SeenBody& body : before_) {
+      energy += body.kinetic();
+      for (const SeenBody& other : before_) {
+        extent_ = std::max(extent_, (body.x - other.x).norm() + other.reach);
+      }
+    }
     for (std::size_t i = 0; i < before_.size(); ++i) {
       for (std::size_t k = i + 1; k < before_.size(); ++k) {
         const SeenBody& A = before_[i];
         const SeenBody& B = before_[k];
         const Real way = way_of(i) + way_of(k) + fastest(A, A.kinetic()) * told_.dt +
                          fastest(B, B.kinetic()) * told_.dt;
-        const Real margin = margin_of(A, B, told_, way / told_.dt);
+        // Who goes with others is a part of something as large as they all are.
+        const Real among = told_.held > 0 ? 2 * extent_ : 0;
+        const Real margin = margin_of(A, B, told_, (way + among) / told_.dt);
         const Real fall = told_.g.norm() * told_.dt * told_.dt;
         const Real D = std::max({told_.D, 2 * margin, fall / 4});
         const Real near = A.reach + B.reach + way + fall + 4 * D;
@@ -166,7 +173,8 @@ class Checker {
   }
 
   /// What opening may shift somebody by in a step: half of what is missing to D / 2, at each
-  /// contact of a chain; where contacts do not last, each that is separated to D, or moved clear.
+  /// contact of a chain; where contacts do not last, each that is separated to D. And each that is
+  /// in the other, and told, is moved clear.
   Real opening() const {
     Real sum = 0;
     Real margin = 0;
@@ -175,10 +183,10 @@ class Checker {
       if (told_.settles && pair.was < 0.4L * pair.D) sum += (pair.D / 2 - pair.was) / 2;
       if (!told_.settles && pair.was < -pair.margin / 2) sum += pair.margin - pair.was;
     }
-    if (told_.settles) return sum;
     // From a margin's depth to as far apart, or to D.
-    return sum + static_cast<Real>(told_.separations) * std::max(told_.D, margin) +
-           static_cast<Real>(told_.overlaps) * 2 * margin;
+    const Real to = told_.settles ? 2 * margin : std::max(told_.D, margin);
+    return sum + static_cast<Real>(told_.overlaps) * 2 * margin +
+           static_cast<Real>(told_.separations) * to;
   }
 
   void check_spin() {
@@ -208,6 +216,9 @@ class Checker {
       const Real load = body.mass * told_.g.norm();
       slack += 8 * told_.u * load * (body.x.norm() + way_of(i)) * (1 + impulses());
       depth += load;
+      // A velocity that moves nothing by a digit of D in a step.
+      const Real least = 8 * told_.u * told_.D / told_.dt;
+      slack += body.mass * least * least;
       const Real turn = std::max(body.w().norm(), after_[i].w().norm()) * told_.dt;
       const Real turning =
           std::max(body.b.norm() * body.w().norm(), after_[i].b.norm() * after_[i].w().norm());
@@ -324,6 +335,7 @@ class Checker {
     hold(along <= may_be, "friction", "body " + std::to_string(A.slot), along, may_be);
   }
 
+  Real extent_ = 0;  ///< of all bodies, m
   const Seen& before_;
   const Seen& after_;
   const Told& told_;

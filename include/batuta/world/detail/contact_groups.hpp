@@ -96,7 +96,8 @@ class ContactGroups {
   void order(const BodiesT& bodies);
   std::size_t root_of(std::size_t slot);
   void unite(const BodiesT& bodies, bool loaded_only);
-  Scalar warm_up(int first, int last);
+  Scalar lift_of(const BodiesT& bodies, const Contact& contact) const;
+  Scalar warm_up(const BodiesT& bodies, int first, int last);
   Scalar visit(Contact& contact, Scalar& energy);
   void sweep(int first, int last, Scalar time, Scalar energy);
   void give(BodiesT& bodies, const Contact& contact);
@@ -235,7 +236,7 @@ void ContactGroups<SceneT>::find_near(BodiesT& bodies, PairsT& pairs) {
     Capsule<Scalar> B_W;
     if (!is_near(bodies, pairs, pair, D, axes, A_W, B_W)) continue;
     const Scalar gap = axes.distance - A_W.radius - B_W.radius;
-    if (gap < Scalar(0)) {
+    if (gap < Scalar(0) && gap < -pairs.margin(bodies, pair)) {
       ++bodies.report.overlaps_at_start;
       bodies.report.deepest_overlap = max_of(bodies.report.deepest_overlap, -gap);
     }

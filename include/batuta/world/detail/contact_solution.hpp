@@ -45,6 +45,7 @@ void ContactGroups<SceneT>::choose(const BodiesT& bodies) {
     const std::size_t b = b_of(contact);
     contact.is_solved = false;
     contact.below = 0;
+    contact.is_held = false;
     if (!contact.is_kept || (bodies.is_led(a) && bodies.is_led(b))) continue;
     if (bodies.states[a].group != BodiesT::kAlone || bodies.states[b].group != BodiesT::kAlone)
       continue;
@@ -133,10 +134,28 @@ void ContactGroups<SceneT>::order(const BodiesT& bodies) {
   std::sort_heap(order_.begin(), end, precedes);
 }
 
-/// The impulses of the last step, as far as they take energy: along their ray the energy is a
-/// parabola, and its least is taken (world.md, "Warm start"). @returns what that adds, J, <= 0
+/// What gravity gave in the step and a contact takes back: what half of the step's fall makes of
+/// its impulse on the body that is not led, J; 0 where both or neither are.
 template <class SceneT>
-Scalar_of<SceneT> ContactGroups<SceneT>::warm_up(int first, int last) {
+Scalar_of<SceneT> ContactGroups<SceneT>::lift_of(const BodiesT& bodies,
+                                                 const Contact& contact) const {
+  Scalar lift = 0;
+  if constexpr (SceneT::kGravity) {
+    const bool led_a = bodies.is_led(a_of(contact));
+    if (led_a == bodies.is_led(b_of(contact))) return lift;
+    const Scalar half = led_a ? bodies.dt / 2 : -bodies.dt / 2;
+    for (int i = 0; i < contact.count; ++i) {  // Bound: 2
+      const auto& point = contact.points[static_cast<std::size_t>(i)];
+      lift += half * bodies.settings.gravity_W.dot(impulse_at(point).J_W);
+    }
+  }
+  return lift;
+}
+
+/// The impulses of the last step, as far as they take energy: along their ray the energy is a
+/// parabola (world.md, "Warm start"). @returns what that adds, J, <= 0
+template <class SceneT>
+Scalar_of<SceneT> ContactGroups<SceneT>::warm_up(const BodiesT& bodies, int first, int last) {
   const auto work = [&] {
     Scalar sum = 0;
     for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
@@ -156,10 +175,14 @@ Scalar_of<SceneT> ContactGroups<SceneT>::warm_up(int first, int last) {
     }
   };
   const Scalar slope = work();
+  Scalar lift = 0;
+  for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
+    lift += lift_of(bodies, contacts_[order_[static_cast<std::size_t>(k)]]);
+  }
   give(Scalar(1));
   const Scalar bend = work() - slope;
   Scalar share = bend > Scalar(0) ? clamp(-slope / bend, Scalar(0), Scalar(1)) : Scalar(0);
-  if (share + share > Scalar(1)) share = 1;  // beyond twice the least, energy is as at the start
+  if (slope + lift + bend / 2 < Scalar(0)) share = 1;
   if (share < Scalar(1)) give(share - 1);
   for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
     scale_impulses(contacts_[order_[static_cast<std::size_t>(k)]], share);
@@ -242,7 +265,7 @@ void ContactGroups<SceneT>::solve(BodiesT& bodies) {
   for (int first = 0; first < solved_count_;) {  // Bound: kMaxContacts
     int last = first + 1;
     while (last < solved_count_ && group_at(last) == group_at(first)) ++last;
-    sweep(first, last, bodies.dt, warm_up(first, last));
+    sweep(first, last, bodies.dt, warm_up(bodies, first, last));
     first = last;
   }
   for (int k = 0; k < solved_count_; ++k) {  // Bound: kMaxContacts
@@ -329,17 +352,19 @@ void ContactGroups<SceneT>::open(BodiesT& bodies) {
 /// opening lifts all that lies on it (world.md, "Opening").
 template <class SceneT>
 void ContactGroups<SceneT>::find_below(const BodiesT& bodies) {
-  if constexpr (SceneT::kGravity) {
-    constexpr Scalar kUpright = Scalar(0.5);  // beside each other: neither is below
-    const Scalar gravity = length(bodies.settings.gravity_W);
-    unite(bodies, false);
-    for (int k = 0; k < solved_count_; ++k) {  // Bound: kMaxContacts
-      Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
-      const std::size_t a = a_of(contact);
-      const std::size_t b = b_of(contact);
-      if (!held_[root_of(bodies.is_led(a) ? b : a)]) continue;
+  unite(bodies, false);
+  for (int k = 0; k < solved_count_; ++k) {  // Bound: kMaxContacts
+    Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
+    const std::size_t a = a_of(contact);
+    const std::size_t b = b_of(contact);
+    contact.is_held = held_[root_of(bodies.is_led(a) ? b : a)];
+    if constexpr (SceneT::kGravity) {
+      constexpr Scalar kUpright = Scalar(0.5);  // beside each other: neither is below
+      const Scalar gravity = length(bodies.settings.gravity_W);
       const Scalar down = bodies.settings.gravity_W.dot(contact.points[0].normal_W);
-      if (std::abs(down) > kUpright * gravity) contact.below = down > Scalar(0) ? 1 : 2;
+      if (contact.is_held && std::abs(down) > kUpright * gravity) {
+        contact.below = down > Scalar(0) ? 1 : 2;
+      }
     }
   }
 }
@@ -354,10 +379,8 @@ Scalar_of<SceneT> ContactGroups<SceneT>::visit_opening(BodiesT& bodies, Contact&
     sides[i] = solved_[slot];
     sides[i].v_W = bodies.states[slot].opening.v_W;
     sides[i].w_W = bodies.states[slot].opening.w_W;
-    if (contact.below == i + 1) {
-      sides[i].inverse_mass = 0;
-      sides[i].inverse_inertia_W.setZero();
-    }
+    if (contact.below == i + 1) sides[i].inverse_mass = 0;
+    if (contact.below == i + 1 || !contact.is_held) sides[i].inverse_inertia_W.setZero();
   }
   const Scalar change = relax_opening(contact, sides[0], sides[1], bodies.dt, share);
   if (!(change > Scalar(0))) return change;

@@ -126,7 +126,8 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
   answer.kind = classify(answer.v_rel, rest_speed());
   const bool is_deep = at.contact.gap < -query.contact_gap;
   answer.is_overlap =
-      is_deep || (candidate.outcome == Outcome::kTouching && !(at.contact.gap > Scalar(0)));
+      kSolves ? at.contact.gap < -PairsT::margin_of(bodies_, query, pair)
+              : is_deep || (candidate.outcome == Outcome::kTouching && !(at.contact.gap > Scalar(0)));
   const bool collides = answer.kind == ContactKind::kColliding;
   if (collides || kSolves) {
     // A pair that comes again and again in a step is between others, and settles.
@@ -207,8 +208,17 @@ template <class SceneT>
   bodies_.actor(a).body.X_WB.p_W += made.value.shift_A_W;
   bodies_.actor(b).body.X_WB.p_W += made.value.shift_B_W;
   tell_controllers(pair, answer.impulse, made.value.shift_A_W, made.value.shift_B_W);
-  if (!is_charged) return;
+  if constexpr (SceneT::kMaxBodies > 2 || SceneT::kCapsulesPerBody > 1) {
+    const Vec3<Scalar> parted_W = made.value.shift_A_W - made.value.shift_B_W;
+    const bool is_deeper = contact.gap + contact.normal_BA_W.dot(parted_W) < -margin;
+    // Nobody makes room: each further answer would let them sink by what the search cannot tell.
+    if (is_deeper && (bodies_.now > Scalar(0) || answers_of_pair_ > 1)) {
+      ++bodies_.report.frozen;
+      return bodies_.weld(a, b, bodies_.dt);
+    }
+  }
   ++bodies_.report.separations;
+  if (!is_charged) return;
   bodies_.weld(a, b, min_of(bodies_.dt, bodies_.now + made.value.duration));
 }
 

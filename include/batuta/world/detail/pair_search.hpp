@@ -117,7 +117,8 @@ Scalar thinner_by(Scalar margin, Scalar contact_gap, Scalar gap, Scalar share, b
   const Scalar rounding = (margin - kContactGaps * contact_gap) / kOfRest;
   const Scalar left = margin - contact_gap + min_of(gap, Scalar(0));
   const Scalar thinner = contact_gap + max_of(max_of(rounding, closing), share * left) - gap;
-  return parts ? thinner : min_of(thinner, margin);
+  const bool is_let_go = parts && (gap < -margin || closing > Scalar(0));
+  return is_let_go ? thinner : min_of(thinner, margin);
 }
 
 template <class SceneT>

@@ -50,6 +50,8 @@ class Pairs : private SeedsOf<SceneT> {
   PairQuery& seen(const BodiesT& bodies, ProxyPair pair, bool is_own_time);
   /// The gap from which a search lets parting bodies go (src/world/detail/margin.md).
   static Scalar margin_of(const BodiesT& bodies, const PairQuery& query, ProxyPair pair);
+  /// The same before anybody is planned.
+  Scalar margin(const BodiesT& bodies, ProxyPair pair) const;
   /// D of a pair: the one length that rules rest (world.md, "One length").
   Scalar rest_gap(const BodiesT& bodies, ProxyPair pair) const;
 
@@ -343,7 +345,7 @@ Scalar_of<SceneT> Pairs<SceneT>::own_rest_gap(const BodiesT& bodies, int proxy) 
 }
 
 template <class SceneT>
-Scalar_of<SceneT> Pairs<SceneT>::rest_gap(const BodiesT& bodies, ProxyPair pair) const {
+Scalar_of<SceneT> Pairs<SceneT>::margin(const BodiesT& bodies, ProxyPair pair) const {
   constexpr Scalar kUlps = 2 * 64;  // twice the margin
   const PartSize A = size_of(bodies, pair.first);
   const PartSize B = size_of(bodies, pair.second);
@@ -355,8 +357,12 @@ Scalar_of<SceneT> Pairs<SceneT>::rest_gap(const BodiesT& bodies, ProxyPair pair)
                                  bodies.states[body_of(pair.second)].plan.motion.twist.v_W);
   const Scalar scale = apart + A.length + B.length + way;
   const Scalar rounding = kUlps * kRoundOff<Scalar> * (A.from_origin + B.from_origin + scale);
-  Scalar D =
-      max_of(bodies.settings.separation, rounding + twice_margin(bodies, scale, A.turn + B.turn));
+  return (rounding + twice_margin(bodies, scale, A.turn + B.turn)) / 2;
+}
+
+template <class SceneT>
+Scalar_of<SceneT> Pairs<SceneT>::rest_gap(const BodiesT& bodies, ProxyPair pair) const {
+  Scalar D = max_of(bodies.settings.separation, 2 * margin(bodies, pair));
   if constexpr (SceneT::kGravity) {
     D = max_of(D, bodies.dt * bodies.dt * length(bodies.settings.gravity_W) / 4);
   }

@@ -73,6 +73,7 @@ template <class SceneT>
 /// A wall is no member: what else comes to it is not to stop there.
 template <class SceneT>
 [[gnu::cold]] void Welds<SceneT>::weld(std::size_t a, std::size_t b, Scalar until) {
+  if (name_of(a) == name_of(b)) return;  // they go together already
   if constexpr (kLasts<SceneT>) end_openings(bodies_);
   const Slot name = min_of(name_of(a), name_of(b));
   // Both groups are settled before anybody goes by another name.
