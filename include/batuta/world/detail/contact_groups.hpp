@@ -106,6 +106,7 @@ class ContactGroups {
   void open(BodiesT& bodies);
   void find_below(const BodiesT& bodies);
   Scalar visit_opening(BodiesT& bodies, Contact& contact, Scalar share);
+  Scalar share_to_open(const BodiesT& bodies, const Contact& contact) const;
   void carry_loads(BodiesT& bodies, bool dirty_only);
   bool is_worth(const BodiesT& bodies, const Contact& contact, Scalar share) const;
   void refresh(BodiesT& bodies, Contact& contact);

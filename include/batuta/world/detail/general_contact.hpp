@@ -125,9 +125,9 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
   answer.v_rel = velocity_between(sides, at.contact);
   answer.kind = classify(answer.v_rel, rest_speed());
   const bool is_deep = at.contact.gap < -query.contact_gap;
-  answer.is_overlap =
-      kSolves ? at.contact.gap < -PairsT::margin_of(bodies_, query, pair)
-              : is_deep || (candidate.outcome == Outcome::kTouching && !(at.contact.gap > Scalar(0)));
+  answer.is_overlap = kSolves ? at.contact.gap < -PairsT::margin_of(bodies_, query, pair)
+                              : is_deep || (candidate.outcome == Outcome::kTouching &&
+                                            !(at.contact.gap > Scalar(0)));
   const bool collides = answer.kind == ContactKind::kColliding;
   if (collides || kSolves) {
     // A pair that comes again and again in a step is between others, and settles.
@@ -151,6 +151,7 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
     if (answers_of_pair_ > 1 || !(answer.impulse > Scalar(0))) share_off(bodies_, a, b);
     // It came back once too often, and what opens gaps comes with the next step.
     if (is_deep) separate_pair(pair, query, at.contact, answer, false);
+    if (bodies_.states[a].group != BodiesT::kAlone) return;  // it was welded: nothing passes it on
     groups_.pass_on(bodies_, pairs_, pair, [this](ProxyPair next) { strike_neighbour(next); });
   } else if (is_resting || is_deep) {
     separate_pair(pair, query, at.contact, answer, is_resting);
