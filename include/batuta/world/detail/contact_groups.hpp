@@ -68,6 +68,17 @@ class ContactGroups {
     }
     return widest;
   }
+  /// Whether contacts that were solved lead from the body to something that is led. Bound: its
+  /// contacts.
+  bool is_held_up(std::size_t slot) const {
+    bool is_held = false;
+    for (int next = first_of_[slot]; next != 0;) {  // Bound: the contacts of a body
+      const Contact& contact = contacts_[next - 1];
+      is_held = is_held || (contact.is_solved && contact.is_held);
+      next = next_[static_cast<std::size_t>(next - 1)][a_of(contact) == slot ? 0 : 1];
+    }
+    return is_held;
+  }
   /// Forgets the contacts of a body.
   void remove(std::size_t slot);
   void copy(const ContactGroups& saved) { *this = saved; }
@@ -104,7 +115,7 @@ class ContactGroups {
   void give_at(BodiesT& bodies, const Contact& contact, const ContactPoint<Traits>& point,
                const PointImpulse<Scalar>& given);
   void open(BodiesT& bodies);
-  void find_below(const BodiesT& bodies);
+  void find_held(const BodiesT& bodies);
   Scalar visit_opening(BodiesT& bodies, Contact& contact, Scalar share);
   Scalar share_to_open(const BodiesT& bodies, const Contact& contact) const;
   void carry_loads(BodiesT& bodies, bool dirty_only);

@@ -174,6 +174,7 @@ Scalar_of<SceneT> ContactGroups<SceneT>::warm_up(const BodiesT& bodies, int firs
       push_share(contact, solved_[a_of(contact)], solved_[b_of(contact)], share);
     }
   };
+  constexpr Scalar kOfLift = Scalar(1) / 16;  // more than that throws up what they carry
   const Scalar slope = work();
   Scalar lift = 0;
   for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
@@ -182,7 +183,7 @@ Scalar_of<SceneT> ContactGroups<SceneT>::warm_up(const BodiesT& bodies, int firs
   give(Scalar(1));
   const Scalar bend = work() - slope;
   Scalar share = bend > Scalar(0) ? clamp(-slope / bend, Scalar(0), Scalar(1)) : Scalar(0);
-  if (slope + lift + bend / 2 < Scalar(0)) share = 1;
+  if (slope + lift + bend / 2 < kOfLift * lift) share = 1;
   if (share < Scalar(1)) give(share - 1);
   for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
     scale_impulses(contacts_[order_[static_cast<std::size_t>(k)]], share);
@@ -323,6 +324,7 @@ void ContactGroups<SceneT>::carry_loads(BodiesT& bodies, bool dirty_only) {
 template <class SceneT>
 void ContactGroups<SceneT>::open(BodiesT& bodies) {
   constexpr Scalar kNarrow = Scalar(0.4);  // of D
+  find_held(bodies);
   bool is_needed = false;
   for (int k = 0; k < solved_count_; ++k) {  // Bound: kMaxContacts
     const Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
@@ -333,7 +335,6 @@ void ContactGroups<SceneT>::open(BodiesT& bodies) {
     }
   }
   if (!is_needed) return;
-  find_below(bodies);
   constexpr Scalar kShare = Scalar(0.5);      // of what is missing, in a step
   constexpr Scalar kEnough = Scalar(1) / 32;  // of D, in the step
   for (int s = 0; s < kOpeningSweeps; ++s) {  // Bound: kOpeningSweeps
@@ -351,7 +352,7 @@ void ContactGroups<SceneT>::open(BodiesT& bodies) {
 /// In a group that something holds, what lies below counts as held while gaps are opened: its
 /// opening lifts all that lies on it (world.md, "Opening").
 template <class SceneT>
-void ContactGroups<SceneT>::find_below(const BodiesT& bodies) {
+void ContactGroups<SceneT>::find_held(const BodiesT& bodies) {
   unite(bodies, false);
   for (int k = 0; k < solved_count_; ++k) {  // Bound: kMaxContacts
     Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];

@@ -200,8 +200,17 @@ template <class SceneT>
     options.limit_A = room_of(a, pair, contact.normal_BA_W, shift);
     options.limit_B = room_of(b, pair, -contact.normal_BA_W, shift);
   }
-  const auto made = separate(contact, answer.v_rel, bodies_.actor(a).body.inverse_mass,
-                             bodies_.actor(b).body.inverse_mass, options);
+  Scalar soft_A = bodies_.actor(a).body.inverse_mass;
+  Scalar soft_B = bodies_.actor(b).body.inverse_mass;
+  if constexpr (kSolves) {
+    // What holds both takes the shift: who has no room for his share leaves it to the other.
+    const bool is_tight = min_of(options.limit_A, options.limit_B) < shift;
+    const bool is_held = groups_.is_held_up(a) || groups_.is_held_up(b);
+    if (is_tight && is_held && soft_A > Scalar(0) && soft_B > Scalar(0)) {
+      (options.limit_A < options.limit_B ? soft_A : soft_B) = 0;
+    }
+  }
+  const auto made = separate(contact, answer.v_rel, soft_A, soft_B, options);
   if (!made.ok()) {
     ++bodies_.report.resolutions_invalid;
     return bodies_.weld(a, b, bodies_.dt);

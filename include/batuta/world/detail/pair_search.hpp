@@ -91,7 +91,8 @@ void Pairs<SceneT>::search(BodiesT& bodies, CandidateType& candidate, const Last
   candidate.since = bodies.now;
   candidate.free_for = query.t_free();
   candidate.near_after = query.near_after();
-  if (candidate.outcome != Outcome::kFree) queries_.offer(candidate.pair, candidate.free_until());
+  const bool is_seen = candidate.outcome != Outcome::kFree && !query.is_early;
+  if (is_seen) queries_.offer(candidate.pair, candidate.free_until());
 }
 
 /// Radii smaller by `missing` together. @returns false: they are not that large
@@ -105,20 +106,14 @@ bool make_thinner(MovingPair<Scalar>& pair, Scalar missing) {
 }
 
 /// By how much a pair is to be thinner, so that it is clear of contact where it is and turns back
-/// before it overlaps by more than the margin: it has `share` of what is left to there. One that
-/// overlaps by as much may part, and come no closer than it is but for rounding; where it closes,
-/// it is in contact.
-/// @param closing  what of it counts as parting all the same, m
+/// before it overlaps by more than the margin: it has `share` of what is left to there.
 template <class Scalar>
-Scalar thinner_by(Scalar margin, Scalar contact_gap, Scalar gap, Scalar share, bool parts,
-                  Scalar closing) {
+Scalar thinner_by(Scalar margin, Scalar contact_gap, Scalar gap, Scalar share) {
   constexpr Scalar kContactGaps = 2;  // in a margin; the rest of it is rounding
   constexpr Scalar kOfRest = 4;       // a part of that is clear of it for one search
   const Scalar rounding = (margin - kContactGaps * contact_gap) / kOfRest;
   const Scalar left = margin - contact_gap + min_of(gap, Scalar(0));
-  const Scalar thinner = contact_gap + max_of(max_of(rounding, closing), share * left) - gap;
-  const bool is_let_go = parts && (gap < -margin || closing > Scalar(0));
-  return is_let_go ? thinner : min_of(thinner, margin);
+  return contact_gap + max_of(rounding, share * left) - gap;
 }
 
 template <class SceneT>
@@ -131,6 +126,7 @@ void Pairs<SceneT>::search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, S
     auto moving_pair =
         make_moving_pair(bodies.mover(pair.first, until), bodies.mover(pair.second, until));
     query.search.outcome = Outcome::kInvalid;
+    query.is_early = false;
     query.search.t_free = query.search.t_hit = 0;
     query.search.evaluations = 0;
     if (!moving_pair.ok()) return;
@@ -145,7 +141,7 @@ void Pairs<SceneT>::search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, S
     if (is_solved) make_thinner(moving_pair.value, so_far);
     search_with_seed(bodies, pair, moving_pair.value, query.search);
     if (SceneT::kResponse && query.outcome() == Outcome::kTouching) {
-      let_part(bodies, pair, moving_pair.value, lasts, query);
+      let_part(bodies, pair, moving_pair.value, so_far, query);
     }
     // What was found is told of the pair as it is.
     query.search.witness = capsule_gap(query.search.witness.axes, radius_A, radius_B);
@@ -153,33 +149,44 @@ void Pairs<SceneT>::search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, S
 }
 
 /// What touches and parts is searched as thinner, and told where it is in each other.
-/// One whose contact was solved counts as parting where it closes by no more than visits leave: an
-/// answer would leave the same again, at the same time.
-/// @param lasts  D of a pair whose contact was solved, and which is thinner already; else 0
+/// @param so_far  by how much it is thinner already: above zero where its contact was solved
 template <class SceneT>
 void Pairs<SceneT>::let_part(BodiesT& bodies, ProxyPair pair, MovingPair<Scalar>& moving_pair,
-                             Scalar lasts, PairQuery& query) {
+                             Scalar so_far, PairQuery& query) {
   // Where nothing is moved apart within a step, a pair may come back more than once.
   constexpr Scalar kShare = kLasts<SceneT> ? Scalar(0.5) : Scalar(1);
-  const Scalar so_far = kLasts<SceneT> && lasts > Scalar(0) ? query.contact_gap / 2 : Scalar(0);
-  const Scalar rate = max_of(query.search.gap_rate, rate_of_momenta(bodies, pair, query));
-  if (rate < slowest_closing(bodies, query, so_far > Scalar(0))) return;
   const Scalar margin = margin_of(bodies, query, pair);
   const Scalar gap = query.search.witness.gap - so_far;
-  if (gap < -margin) {
-    ++bodies.report.overlaps_at_start;
-    bodies.report.deepest_overlap = max_of(bodies.report.deepest_overlap, -gap);
-  }
-  Scalar residue = 0;  // how fast it may close and still count as parting, m/s
-  Scalar closing = 0;  // and how far, m
-  if constexpr (kLasts<SceneT>) {
-    constexpr Scalar kResidue = Scalar(1) / 2048;  // of D, in a whole step: twice what visits leave
-    residue = kResidue * lasts / bodies.dt;
-    closing = 2 * residue * (bodies.dt - bodies.now);
-  }
-  const Scalar thinner =
-      thinner_by(margin, query.contact_gap, gap, kShare, !(rate < -residue), closing);
+  if (gap < -margin) bodies.report.deepest_overlap = max_of(bodies.report.deepest_overlap, -gap);
+  const Scalar rate = max_of(query.search.gap_rate, rate_of_momenta(bodies, pair, query));
+  if (rate < slowest_closing(bodies, query, so_far > Scalar(0))) return;
+  if (gap < -margin) ++bodies.report.overlaps_at_start;
+  const Scalar thinner = thinner_by(margin, query.contact_gap, gap, kShare);
   search_thinner(bodies, moving_pair, query, thinner - so_far);
+  const Scalar beyond = thinner - max_of(margin, -gap);
+  if (SceneT::kMaxPairs > 1 && beyond > Scalar(0)) stop_early(moving_pair, query, beyond);
+}
+
+/// What is let part by more than the margin is answered before it has come back as deep, to first
+/// order (world.md, "Touching and parting").
+/// @param moving_pair  as it was searched
+/// @param beyond       by how much more than the margin it is thinner, m, > 0
+template <class SceneT>
+void Pairs<SceneT>::stop_early(const MovingPair<Scalar>& moving_pair, PairQuery& query,
+                               Scalar beyond) {
+  constexpr Scalar kTwice = 2;             // as it may come faster at its end
+  constexpr Scalar kMost = Scalar(3) / 4;  // of the time: the rest is progress
+  SearchResult<Scalar>& found = query.search;
+  Scalar sooner = 0;
+  if (found.outcome == Outcome::kContact && found.gap_rate < Scalar(0)) {
+    sooner = min_of(kTwice * beyond / -found.gap_rate, kMost * found.t_free);
+  } else if (found.outcome == Outcome::kFree &&
+             gap_at(moving_pair, moving_pair.duration).gap < beyond) {
+    found.outcome = Outcome::kContact;
+    sooner = kMost * found.t_free;
+  }
+  found.t_free -= sooner;
+  query.is_early = sooner > Scalar(0);
 }
 
 /// How fast the gap of what touches opens, m/s, by the momenta of the two where their planned turn

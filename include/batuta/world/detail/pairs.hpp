@@ -100,7 +100,7 @@ class Pairs : private SeedsOf<SceneT> {
   void collect(BodiesT& bodies, ProxyPair pair);
   template <class Lasts>
   void search(BodiesT& bodies, CandidateType& candidate, const Lasts& lasts);
-  void let_part(BodiesT& bodies, ProxyPair pair, MovingPair<Scalar>& moving_pair, Scalar lasts,
+  void let_part(BodiesT& bodies, ProxyPair pair, MovingPair<Scalar>& moving_pair, Scalar so_far,
                 PairQuery& query);
   void search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, Scalar lasts, PairQuery& query);
   void search_with_seed(const BodiesT& bodies, ProxyPair pair,
@@ -113,6 +113,7 @@ class Pairs : private SeedsOf<SceneT> {
   static Scalar slowest_closing(const BodiesT& bodies, const PairQuery& query, bool is_solved) {
     return is_solved ? -query.contact_gap / (bodies.dt - bodies.now) : Scalar(0);
   }
+  static void stop_early(const MovingPair<Scalar>& moving_pair, PairQuery& query, Scalar beyond);
   static Scalar rate_of_momenta(const BodiesT& bodies, ProxyPair pair, const PairQuery& query);
 
   SweepList<Scalar, BodiesT::kProxies, SceneT::kSweepAxis> sweep_;

@@ -33,6 +33,7 @@ struct TurningKinematics {
     Vec3<Scalar> origin_W = Vec3<Scalar>::Zero();
     Scalar scale = 0;        ///< S of the pair, m
     Scalar contact_gap = 0;  ///< the search may speak of contact up to this gap, m
+    bool is_early = false;   ///< t_free is before the time of what it saw
 
     Outcome outcome() const { return search.outcome; }
     Scalar t_free() const { return search.t_free; }
