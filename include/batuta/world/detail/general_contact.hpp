@@ -152,6 +152,7 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
     // It came back once too often, and what opens gaps comes with the next step.
     if (is_deep) separate_pair(pair, query, at.contact, answer, false);
     is_moved_ = is_deep;
+    if (bodies_.states[a].group != BodiesT::kAlone) return;  // it was welded: nothing passes it on
     struck_.push({pair, at.contact, query.contact_gap});
   } else if (is_resting || is_deep) {
     separate_pair(pair, query, at.contact, answer, is_resting);
