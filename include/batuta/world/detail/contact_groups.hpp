@@ -116,6 +116,9 @@ class ContactGroups {
   void find_held(const BodiesT& bodies);
   Scalar visit_opening(BodiesT& bodies, Contact& contact, Scalar share);
   void carry_loads(BodiesT& bodies, bool dirty_only);
+  Scalar may_close(const BodiesT& bodies, const Contact& contact, Scalar gap, Scalar share) const;
+  bool is_settled(const BodiesT& bodies, const Contact& contact, Scalar changed,
+                  Scalar share) const;
   bool is_worth(const BodiesT& bodies, const Contact& contact, Scalar share) const;
   void refresh(BodiesT& bodies, Contact& contact);
   void relax_now(BodiesT& bodies, Contact& contact, Scalar& energy);
