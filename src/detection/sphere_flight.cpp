@@ -55,11 +55,12 @@ SphereResult<Scalar> search_spheres(const SphereFlight<Scalar>& flight, Scalar c
   const Scalar closing = -start.dot(travel);
   SphereResult<Scalar> result;
   result.closing = closing;
+  result.gap = apart - radii;
   if (!is_finite(least * least) || !are_not_negative(radii, flight.duration, contact_tolerance))
     return result;
   const Scalar tau = max_of(contact_tolerance, least);
   result.outcome = Outcome::kTouching;
-  if (!(apart - radii > tau)) return result;
+  if (!(result.gap > tau)) return result;
 
   const Scalar rho = radii + tau / 2;
   const Scalar nearest = closing / square;

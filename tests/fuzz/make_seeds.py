@@ -5,6 +5,7 @@ that bytes.hpp reads. Findings (found_*) are kept beside them and are not made h
 
 usage: make_seeds.py [--compare] FOLDER    --compare: exit 1 unless FOLDER/<fuzzer> holds these
 """
+import hashlib
 import math
 import pathlib
 import struct
@@ -326,9 +327,18 @@ def duel_seeds():
     return files
 
 
+def laws_seeds():
+    """Two random scenes of each kind: digests, as unlike each other as the seeds of tests/laws."""
+    kinds = ("straight", "small_balls", "small_cramped", "heap", "drift", "cramped", "hands", "paper", "paper_led",
+             "paper_cramped", "blows", "blows_cramped", "blows_led")
+    return {f"{kind}_{i}": bytes([index]) + b"".join(
+                hashlib.sha256(f"{kind}/{i}/{part}".encode()).digest() for part in range(4))
+            for index, kind in enumerate(kinds) for i in range(2)}
+
+
 FUZZERS = {"distance": distance_seeds, "duel": duel_seeds, "search": search_seeds,
            "impulse": impulse_seeds, "world": world_seeds, "keyframes": keyframes_seeds,
-           "recording": recording_seeds, "pid": pid_seeds}
+           "recording": recording_seeds, "pid": pid_seeds, "laws": laws_seeds}
 
 
 def differing(folder, files):

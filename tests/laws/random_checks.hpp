@@ -49,9 +49,8 @@ TYPED_TEST_P(RandomScenes, Friction_StaysInItsCone) {
 }
 TYPED_TEST_P(RandomScenes, Frame_ChangesNothing) {
   for (int seed = 0; seed < kRandomSeeds; ++seed) {
-    EXPECT_LE(static_cast<double>(
-                  frame_breach<TypeParam>(static_cast<std::uint64_t>(seed), kRandomSteps)),
-              0)
+    const Choices choices(static_cast<std::uint64_t>(seed));
+    EXPECT_LE(static_cast<double>(frame_breach<TypeParam>(choices, kRandomSteps)), 0)
         << "seed " << seed;
   }
 }

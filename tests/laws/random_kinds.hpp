@@ -70,10 +70,10 @@ int contacts_of(RandomRun<SceneT>& run) {
 /// amplifies rounding; and only where nothing holds anybody.
 /// @returns how far relative places went apart beyond what may be: at most 0
 template <class SceneT>
-Real frame_breach(std::uint64_t seed, int steps) {
+Real frame_breach(const Choices& choices, int steps) {
   const Vec3<double> V(25, 0, 0);
-  RandomRun<SceneT> rests{Choices(seed)};
-  RandomRun<SceneT> flies{Choices(seed), V};
+  RandomRun<SceneT> rests{choices};
+  RandomRun<SceneT> flies{choices, V};
   if (!rests.is_closed()) return 0;
   const Real u = kRoundOff<typename SceneT::Scalar>;
   const Real share = u > 1e-10L ? 1e-5L : 1e-10L;

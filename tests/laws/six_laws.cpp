@@ -176,6 +176,7 @@ class Checker {
   /// contact of a chain; where contacts do not last, each that is separated to D. And each that is
   /// in the other, and told, is moved clear.
   Real opening() const {
+    if (!told_.shifts) return 0;
     Real sum = 0;
     Real margin = 0;
     for (const Pair& pair : pairs_) {

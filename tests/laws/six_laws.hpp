@@ -18,7 +18,10 @@ struct Told {
   Real tolerance = 0;  ///< contact_tolerance of the search
   bool settles = false;
   bool separates = false;
-  bool turns = true;  ///< angular momentum is a matter of bodies that turn, or are balls
+  /// Angular momentum is a matter of bodies that turn; and of balls that do not, as long as none
+  /// goes on together with another: what keeps those from turning takes it (world.md, "Together").
+  bool turns = true;
+  bool shifts = true;  ///< the world may move apart what is in each other
   int evaluations = 0;
   int impulses = 0;  ///< that were counted
   int separations = 0;
@@ -44,7 +47,9 @@ Told told_by(const World<SceneT>& world, double dt, const Vec3<double>& g) {
     told.tolerance = static_cast<Real>(world.settings().search.contact_tolerance);
   }
   told.settles = SceneT::kResting == RestingContact::kSettling;
-  told.turns = SceneT::kRotation || SceneT::Search::kForSpheres;
+  const bool is_welded = report.time_held > 0;
+  told.turns = SceneT::kRotation || (SceneT::Search::kForSpheres && !is_welded);
+  told.shifts = SceneT::kRotation;
   told.separates = SceneT::kResting == RestingContact::kSeparation;
   told.evaluations = static_cast<int>(report.evaluations);
   told.impulses = static_cast<int>(report.collisions);

@@ -26,6 +26,7 @@ struct SphereResult {
   Scalar t_free = 0;                    ///< s, collision-free up to there
   Scalar t_hit = 0;    ///< s, >= t_free: contact, or the closest point of a graze, as foreseen
   Scalar closing = 0;  ///< m^2: above zero where the two approach at t = 0
+  Scalar gap = 0;      ///< m, at t = 0
 };
 
 /// First contact in [0, duration]; none is missed. With S = |between| + |v| duration + radii:

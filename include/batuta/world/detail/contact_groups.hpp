@@ -18,7 +18,9 @@ class ContactGroups {
   using BodiesT = Bodies<SceneT>;
   using PairsT = Pairs<SceneT>;
   using Slot = std::uint16_t;
-  using Contact = LastingContact<Scalar>;
+  using Traits =
+      ContactTraits<Scalar, SceneT::kFriction, SceneT::kRollingResistance, SceneT::kLineContact>;
+  using Contact = LastingContact<Traits>;
   static constexpr int kNone = -1;
 
   /// Which pairs are near enough to last. Where there is no room for one, its bodies are welded.
@@ -110,11 +112,12 @@ class ContactGroups {
   Scalar visit(Contact& contact, Scalar& energy);
   void sweep(int first, int last, Scalar time, Scalar energy);
   void give(BodiesT& bodies, const Contact& contact);
-  void give_at(BodiesT& bodies, const Contact& contact, const ContactPoint<Scalar>& point,
+  void give_at(BodiesT& bodies, const Contact& contact, const ContactPoint<Traits>& point,
                const PointImpulse<Scalar>& given);
   void open(BodiesT& bodies);
   void find_held(const BodiesT& bodies);
   Scalar visit_opening(BodiesT& bodies, Contact& contact, Scalar share);
+  Scalar share_to_open(const BodiesT& bodies, const Contact& contact) const;
   void carry_loads(BodiesT& bodies, bool dirty_only);
   Scalar may_close(const BodiesT& bodies, const Contact& contact, Scalar gap, Scalar share) const;
   bool is_settled(const BodiesT& bodies, const Contact& contact, Scalar changed,
@@ -131,9 +134,13 @@ class ContactGroups {
     return bodies.states[a_of(contact)].group != BodiesT::kAlone ||
            bodies.states[b_of(contact)].group != BodiesT::kAlone;
   }
+  /// Its first point. @pre its points are those of where its bodies are
+  Vec3<Scalar> point_W(const Contact& contact) const {
+    return solved_[a_of(contact)].place_W + contact.points[0].arm_A_W;
+  }
   static bool is_loaded(const Contact& contact) {
-    return contact.points[0].normal > Scalar(0) ||
-           (contact.count > 1 && contact.points[1].normal > Scalar(0));
+    return contact.points.front().normal > Scalar(0) ||
+           (contact.count > 1 && contact.points.back().normal > Scalar(0));
   }
 
   FixedList<Contact, SceneT::kMaxContacts> contacts_;
@@ -258,7 +265,7 @@ void ContactGroups<SceneT>::find_near(BodiesT& bodies, PairsT& pairs) {
       continue;
     }
     contact->is_new = !contact->is_solved;
-    find_points(*contact, A_W, B_W, axes, SceneT::kLineContact);
+    find_points(*contact, A_W, B_W, axes, position_of(bodies.actor(a)));
   }
   drop_far(bodies);
 }
@@ -306,7 +313,7 @@ void ContactGroups<SceneT>::tell_begun(const Begun& begun) {
     if (contact.is_told || !is_loaded(contact)) continue;
     contact.is_told = true;
     const auto& point = contact.points[0];
-    begun(contact.pair, batuta::Contact<Scalar>{point.point_W, point.normal_W, point.gap},
+    begun(contact.pair, batuta::Contact<Scalar>{point_W(contact), point.normal_W, point.gap},
           point.normal);
   }
 }
@@ -332,7 +339,8 @@ void ContactGroups<SceneT>::archive(Archive& ar, const BodiesT& bodies) {
       return bodies.actors.at_index(BodiesT::body_of(proxy)) != nullptr;
     };
     const bool good = pair.first < pair.second && pair.second < BodiesT::kProxies &&
-                      contacts_[i].count <= 2 && is_there(pair.first) && is_there(pair.second);
+                      contacts_[i].count <= Contact::kPoints && is_there(pair.first) &&
+                      is_there(pair.second);
     ar.require(good);
     if (!good) contacts_.remove_swapping(i);
   }

@@ -152,6 +152,7 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
     // It came back once too often, and what opens gaps comes with the next step.
     if (is_deep) separate_pair(pair, query, at.contact, answer, false);
     is_moved_ = is_deep;
+    if (bodies_.states[a].group != BodiesT::kAlone) return;  // it was welded: nothing passes it on
     struck_.push({pair, at.contact, query.contact_gap});
   } else if (is_resting || is_deep) {
     separate_pair(pair, query, at.contact, answer, is_resting);
@@ -264,7 +265,8 @@ typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::room_of(std::size_t 
   return max_of(room, Scalar(0));
 }
 
-/// Bodies that do not turn: an impulse, after which they part, and what parts is free for good.
+/// Bodies that do not turn: an impulse, after which they part, and what parts is free for good. If
+/// they are in each other, the search that lets them part tells it.
 template <class SceneT>
 void GeneralWorld<SceneT>::answer_straight(const CandidateType& candidate) {
   const ProxyPair pair = candidate.pair;
@@ -282,7 +284,6 @@ void GeneralWorld<SceneT>::answer_straight(const CandidateType& candidate) {
   answer.kind = ContactKind::kColliding;
   answer.v_rel = hit.v_rel;
   answer.impulse = hit.impulse;
-  answer.is_overlap = candidate.outcome == Outcome::kTouching && !(at.contact.gap > Scalar(0));
   touches_.record(bodies_, pair, at, answer);
 }
 

@@ -113,7 +113,7 @@ class Pairs : private SeedsOf<SceneT> {
   static void search_thinner(const BodiesT& bodies, MovingPair<Scalar>& moving_pair,
                              PairQuery& query, Scalar missing);
   bool stays_apart(const BodiesT& bodies, ProxyPair pair) const;
-  static void stop_early(PairQuery& query, Scalar beyond);
+  static void stop_early(const MovingPair<Scalar>& moving_pair, PairQuery& query, Scalar beyond);
   static Scalar rate_of_momenta(const BodiesT& bodies, ProxyPair pair, const PairQuery& query);
 
   SweepList<Scalar, BodiesT::kProxies, SceneT::kSweepAxis> sweep_;

@@ -21,7 +21,7 @@ void SmallWorld<SceneT>::resolve(const Meeting& meeting) {
     return weld(a, b);
   }
   ++contacts_resolved_;
-  return are_alone ? hit(a, b, meeting.outcome) : weld(a, b);
+  return are_alone ? hit(a, b) : weld(a, b);
 }
 
 /// The two, and who goes with one of them already, go on together, with their common velocity;
@@ -60,25 +60,21 @@ void SmallWorld<SceneT>::weld(std::size_t a, std::size_t b) {
 }
 
 template <class SceneT>
-void SmallWorld<SceneT>::hit(std::size_t a, std::size_t b, Outcome outcome) {
+void SmallWorld<SceneT>::hit(std::size_t a, std::size_t b) {
   const ActorType& A = actors_.at(a);
   const ActorType& B = actors_.at(b);
   Scalar restitution = 0;
   if constexpr (SceneT::kRestitution) {
     restitution = pair_restitution(A.restitution, B.restitution);
   }
-  const auto contact = Kinematics::facing(A, B);
-  auto hit = strike(a, b, contact.normal_BA_W, restitution);
+  const Vec3<Scalar> normal_W = Kinematics::normal_BA(A, B);
+  auto hit = strike(a, b, normal_W, restitution);
   if constexpr (SceneT::kGravity) {
-    if (takes_load(a, b, contact.normal_BA_W)) {
-      hit.impulse += strike(a, b, contact.normal_BA_W, Scalar(0)).impulse;
+    if (takes_load(a, b, normal_W)) {
+      hit.impulse += strike(a, b, normal_W, Scalar(0)).impulse;
     }
   }
   if (hit.impulse > Scalar(0)) ++report_.collisions;
-  if (outcome == Outcome::kTouching && !(contact.gap > Scalar(0))) {
-    ++report_.overlaps_at_start;
-    report_.deepest_overlap = max_of(report_.deepest_overlap, -contact.gap);
-  }
 }
 
 /// A blow, with the velocities of now: momenta are those of the step's end.

@@ -112,14 +112,14 @@ class SmallWorld {
     return outcome == Outcome::kContact || outcome == Outcome::kTouching;
   }
   void begin_body(std::size_t slot);
-  void run_round();
+  void run_round(bool is_begin);
   void move(std::size_t slot, Scalar t);
-  Meeting first_meeting();
+  Meeting first_meeting(bool is_begin);
   bool may_pair(std::size_t a, std::size_t b) const;
   PairQuery search(std::size_t a, std::size_t b) const;
   void resolve(const Meeting& meeting);
   void weld(std::size_t a, std::size_t b);
-  void hit(std::size_t a, std::size_t b, Outcome outcome);
+  void hit(std::size_t a, std::size_t b);
   Scalar speed(std::size_t slot, int i) const;
   Vec3<Scalar> velocity(std::size_t slot) const {
     return {speed(slot, 0), speed(slot, 1), speed(slot, 2)};
@@ -153,7 +153,7 @@ Status SmallWorld<SceneT>::step(Scalar dt) {
   contacts_resolved_ = 0;
   for (std::size_t slot = 0; slot < kSlots; ++slot) begin_body(slot);      // Bound: kMaxBodies
   for (int round = 0; round < kMaxRounds && left_ > Scalar(0); ++round) {  // Bound: kMaxRounds
-    run_round();
+    run_round(round == 0);
   }
   BATUTA_INVARIANT(!(left_ > Scalar(0)));
   return Status::kOk;
@@ -210,8 +210,8 @@ void SmallWorld<SceneT>::begin_body(std::size_t slot) {
 
 /// To the first contact, the first search without an answer, or the end of the step.
 template <class SceneT>
-void SmallWorld<SceneT>::run_round() {
-  const Meeting meeting = first_meeting();
+void SmallWorld<SceneT>::run_round(bool is_begin) {
+  const Meeting meeting = first_meeting(is_begin);
   // No time, no way: a blow may have left a speed beyond the numbers, whose search is refused.
   const bool moves = meeting.t_free > Scalar(0);
   for (std::size_t slot = 0; moves && slot < kSlots; ++slot) {  // Bound: kMaxBodies
@@ -255,8 +255,9 @@ void SmallWorld<SceneT>::move(std::size_t slot, Scalar t) {
 
 /// The pair that is proven free for the shortest time; of contacts that are near already,
 /// the lowest, at that time (src/world/world.md, "Order").
+/// @param is_begin  the step begins: who is in each other is told, whether they approach or part
 template <class SceneT>
-typename SmallWorld<SceneT>::Meeting SmallWorld<SceneT>::first_meeting() {
+typename SmallWorld<SceneT>::Meeting SmallWorld<SceneT>::first_meeting(bool is_begin) {
   std::array<Scalar, kSlots * kSlots> near_after;
   Meeting first;
   first.t_free = left_;
@@ -266,6 +267,10 @@ typename SmallWorld<SceneT>::Meeting SmallWorld<SceneT>::first_meeting() {
     const PairQuery query = search(pair / kSlots, pair % kSlots);
     ++report_.pairs;
     report_.evaluations += query.evaluations();
+    if (is_begin && query.gap() < Scalar(0)) {
+      ++report_.overlaps_at_start;
+      report_.deepest_overlap = max_of(report_.deepest_overlap, -query.gap());
+    }
     if (is_of_contact(query.outcome())) near_after[pair] = query.near_after();
     if (query.outcome() != Outcome::kFree && query.t_free() < first.t_free) {
       first = {pair, query.outcome(), query.t_free()};
@@ -293,13 +298,21 @@ typename SmallWorld<SceneT>::PairQuery SmallWorld<SceneT>::search(std::size_t a,
   const ActorType& B = actors_.at(b);
   if constexpr (Search::kForSpheres) {
     SphereFlight<Scalar> flight;
+    Scalar pace = 0;               // as Kinematics::pace_of()
     for (int i = 0; i < 3; ++i) {  // Bound: 3
+      const Scalar v_A = speed(a, i);
+      const Scalar v_B = speed(b, i);
       flight.between[i] = B.body.p_W[i] - A.body.p_W[i];
-      flight.v[i] = speed(b, i) - speed(a, i);
+      flight.v[i] = v_B - v_A;
+      pace += std::abs(v_A) + std::abs(v_B);
+      if constexpr (SceneT::kGravity) {
+        pace += std::abs(inverse_mass_[a] * A.body.momentum_W[i]) +
+                std::abs(inverse_mass_[b] * B.body.momentum_W[i]);
+      }
     }
     flight.radii = A.radius + B.radius;
     flight.duration = left_;
-    return Kinematics::search_flight(flight, settings_.search);
+    return Kinematics::search_flight(flight, pace, settings_.search);
   } else {
     return Kinematics::search(Kinematics::mover(A, 0, {A.body.p_W, velocity(a), left_}),
                               Kinematics::mover(B, 0, {B.body.p_W, velocity(b), left_}),

@@ -24,10 +24,12 @@ struct StraightKinematics {
     static constexpr bool by_momentum = true;
   };
   struct StraightQuery {
+    static constexpr bool is_early = false;  // see TurningQuery
     Outcome outcome_ = Outcome::kInvalid;
     Scalar t_free_ = 0;
     Scalar t_hit_ = 0;
     std::uint32_t evaluations_ = 0;
+    Scalar gap_ = 0;
 
     Outcome outcome() const { return outcome_; }
     Scalar t_free() const { return t_free_; }
@@ -35,6 +37,8 @@ struct StraightKinematics {
     /// t_free as they go after it until they touch.
     Scalar near_after() const { return t_free_ - (t_hit_ - t_free_); }
     std::uint32_t evaluations() const { return evaluations_; }
+    /// At the start, m, of two that touch; above zero of others.
+    Scalar gap() const { return gap_; }
   };
   using PairQuery = StraightQuery;
   struct Mover {
@@ -105,56 +109,78 @@ struct StraightKinematics {
     }
   }
 
+  /// What the components of velocities may be rounded by depends on, m/s: their sizes, added up.
+  static Scalar pace_of(const Mover& mover) {
+    const StraightBody<Scalar>& body = mover.actor->body;
+    Scalar pace = 0;
+    for (int i = 0; i < 3; ++i) {  // Bound: 3
+      pace += std::abs(mover.motion.v_W[i]);
+      // Gravity is what a course is off the momentum.
+      if constexpr (SceneT::kGravity) pace += std::abs(body.inverse_mass * body.momentum_W[i]);
+    }
+    return pace;
+  }
+  /// How far two that touch may come closer and count as parting, m: what rounding makes of their
+  /// velocities, and no more than half of their gap. Convex bodies that do not turn have a distance
+  /// that is a convex function of time: the other half is left (world.md, "Touching and parting").
+  /// @param way  of both together, m
+  static Scalar slack(Scalar gap, Scalar way) {
+    constexpr Scalar kRoundings = 16;  // seven of the search, nine of the blow before it
+    const Scalar noise = kRoundings * kRoundOff<Scalar> * way;
+    return max_of(min_of(noise, gap / 2), Scalar(0));
+  }
+
   /// As search(), for balls.
-  static StraightQuery search_flight(const SphereFlight<Scalar>& flight,
+  /// @param pace  of both, m/s
+  static StraightQuery search_flight(const SphereFlight<Scalar>& flight, Scalar pace,
                                      const typename Search::Options& options) {
     const SphereResult<Scalar> resolution = Search::search(flight, options);
-    const bool parts =
-        resolution.outcome == Outcome::kTouching && !(resolution.closing > Scalar(0));
-    return {parts ? Outcome::kFree : resolution.outcome, resolution.t_free, resolution.t_hit, 1};
+    // The way along the line of centres is `closing` by their distance, which is more than `radii`
+    // where the gap is above zero.
+    const Scalar most = slack(resolution.gap, pace * flight.duration) * flight.radii;
+    const bool parts = resolution.outcome == Outcome::kTouching && !(resolution.closing > most);
+    return {parts ? Outcome::kFree : resolution.outcome, resolution.t_free, resolution.t_hit, 1,
+            resolution.gap};
   }
-  /// Convex bodies that do not turn and do not approach never meet, however near they are: their
-  /// distance is a convex function of time.
+  /// Bodies that touch and part never meet, however near they are or deep in each other.
   static StraightQuery search(const Mover& A, const Mover& B,
                               const typename Search::Options& options) {
+    const Scalar duration = A.motion.duration;
+    const Scalar pace = pace_of(A) + pace_of(B);
     if constexpr (kBalls) {
       const SphereFlight<Scalar> flight = {B.motion.p_W - A.motion.p_W, B.motion.v_W - A.motion.v_W,
-                                           A.actor->radius + B.actor->radius, A.motion.duration};
-      return search_flight(flight, options);
+                                           A.actor->radius + B.actor->radius, duration};
+      return search_flight(flight, pace, options);
     } else {
       const auto pair = make_straight_pair(part_of(*A.actor, A.part), A.motion,
                                            part_of(*B.actor, B.part), B.motion);
       if (!pair.ok()) return {};
       const SearchResult<Scalar> result =
           Search::search(pair.value, options, Vec3<Scalar>::Zero().eval());
-      const bool parts = result.outcome == Outcome::kTouching && !(result.gap_rate < Scalar(0));
+      const Scalar gap = result.witness.gap;
+      const Scalar most = slack(gap, pace * duration);
+      const bool parts =
+          result.outcome == Outcome::kTouching && !(-result.gap_rate * duration > most);
       return {parts ? Outcome::kFree : result.outcome, result.t_free, result.t_hit,
-              result.evaluations};
+              result.evaluations, gap};
     }
   }
 
-  /// How two of one part each face each other: all that an impulse asks for. Of balls that approach
+  /// The contact normal of two of one part each: all that a blow asks for. Of balls that approach
   /// and so have their centres apart.
-  struct Facing {
-    Vec3<Scalar> normal_BA_W = Vec3<Scalar>::UnitX();
-    Scalar gap = 0;
-  };
-  static Facing facing(const ActorType& A, const ActorType& B) {
+  static Vec3<Scalar> normal_BA(const ActorType& A, const ActorType& B) {
     if constexpr (kBalls) {
-      Facing facing;
+      Vec3<Scalar> normal_W;
       Scalar square = 0;
       for (int i = 0; i < 3; ++i) {  // Bound: 3; by component: expressions double the code
-        const Scalar to_A = A.body.p_W[i] - B.body.p_W[i];
-        facing.normal_BA_W[i] = to_A;
-        square += to_A * to_A;
+        normal_W[i] = A.body.p_W[i] - B.body.p_W[i];
+        square += normal_W[i] * normal_W[i];
       }
       const Scalar distance = std::sqrt(square);
-      facing.gap = distance - (A.radius + B.radius);
-      for (int i = 0; i < 3; ++i) facing.normal_BA_W[i] /= distance;  // Bound: 3
-      return facing;
+      for (int i = 0; i < 3; ++i) normal_W[i] /= distance;  // Bound: 3
+      return normal_W;
     } else {
-      const Contact<Scalar> contact = nearest(A, 0, B, 0).contact;
-      return {contact.normal_BA_W, contact.gap};
+      return nearest(A, 0, B, 0).contact.normal_BA_W;
     }
   }
 
