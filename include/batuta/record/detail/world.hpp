@@ -51,15 +51,19 @@ void archive(Archive& ar, StraightBody<Scalar>& body) {
 }
 
 inline void archive(Archive& ar, detail::ProxyPair& pair);
-/// Where it was, how hard it pressed, and in which directions that is written.
-template <class Scalar>
-void archive(Archive& ar, detail::ContactPoint<Scalar>& point) {
-  ar(point.normal_W, point.tangent_W, point.place, point.normal, point.along, point.across);
+/// Where it was, and how hard it pressed.
+template <class Traits>
+void archive(Archive& ar, detail::ContactPoint<Traits>& point) {
+  ar(point.normal_W, point.normal);
+  if constexpr (Traits::kFriction) ar(point.along, point.across);
+  if constexpr (Traits::kLine) ar(point.place);
 }
-template <class Scalar>
-void archive(Archive& ar, detail::LastingContact<Scalar>& contact) {
-  ar(contact.pair, contact.count, contact.is_solved, contact.is_told, contact.rest_gap,
-     contact.friction, contact.rolling, contact.points[0], contact.points[1]);
+template <class Traits>
+void archive(Archive& ar, detail::LastingContact<Traits>& contact) {
+  ar(contact.pair, contact.count, contact.is_solved, contact.is_told, contact.rest_gap);
+  if constexpr (Traits::kFriction) ar(contact.friction);
+  if constexpr (Traits::kRolling) ar(contact.rolling);
+  for (auto& point : contact.points) ar(point);  // Bound: 2
 }
 
 inline void archive(Archive& ar, detail::ProxyPair& pair) {

@@ -61,6 +61,19 @@ struct CandidateOrder {
     }
     return chosen;
   }
+  /// The lowest pair behind `last` that ties with the contact at `time`; kNone where there is none.
+  template <class Candidates, class Scalar, class HasHad>
+  static int next_tie(const Candidates& candidates, Scalar time, ProxyPair last,
+                      const HasHad& has_had) {
+    int next = kNone;
+    for (int i = 0; i < candidates.size(); ++i) {  // Bound: kMaxPairs
+      const auto& candidate = candidates[i];
+      if (!candidate.is_contact() || time < candidate.near_from()) continue;
+      if (!precedes(last, candidate.pair) || has_had(candidate.pair)) continue;
+      if (next == kNone || precedes(candidate.pair, candidates[next].pair)) next = i;
+    }
+    return next;
+  }
 
  private:
   template <class CandidateT>
@@ -115,6 +128,13 @@ class RepeatBook {
     }
     repeats_.push({pair, 1, now});
     return 1;
+  }
+  /// How many of those there were so far.
+  int answers_of(ProxyPair pair) const {
+    for (const Repeat& repeat : repeats_) {  // Bound: kMaxContacts
+      if (is_same(repeat.pair, pair)) return repeat.count;
+    }
+    return 0;
   }
   bool was_answered(ProxyPair pair, Scalar at) const {
     for (const Repeat& repeat : repeats_) {  // Bound: kMaxContacts

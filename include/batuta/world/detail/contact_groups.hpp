@@ -18,7 +18,9 @@ class ContactGroups {
   using BodiesT = Bodies<SceneT>;
   using PairsT = Pairs<SceneT>;
   using Slot = std::uint16_t;
-  using Contact = LastingContact<Scalar>;
+  using Traits =
+      ContactTraits<Scalar, SceneT::kFriction, SceneT::kRollingResistance, SceneT::kLineContact>;
+  using Contact = LastingContact<Traits>;
   static constexpr int kNone = -1;
 
   /// Which pairs are near enough to last. Where there is no room for one, its bodies are welded.
@@ -26,10 +28,10 @@ class ContactGroups {
   void find_near(BodiesT& bodies, PairsT& pairs);
   /// Solves what lasts, with the velocities of the step's end. Bound: kMaxSweeps sweeps.
   void solve(BodiesT& bodies);
-  /// After a blow of a pair: what lasts of it, and passes on. Marks who has changed.
+  /// After blows of pairs: what lasts of them, and passes on. Marks who has changed.
   /// Bound: kEventSweeps sweeps.
-  template <class Blow>
-  void pass_on(BodiesT& bodies, PairsT& pairs, ProxyPair pair, const Blow& blow);
+  template <class Struck, class Blow>
+  void pass_on(BodiesT& bodies, PairsT& pairs, const Struck& struck, const Blow& blow);
   /// Contacts of a body that wakes within a step are solved from now on.
   void wake(std::size_t slot);
   /// Groups of bodies that press on each other, for group_of() and is_held().
@@ -66,6 +68,17 @@ class ContactGroups {
     }
     return widest;
   }
+  /// Whether contacts that were solved lead from the body to something that is led. Bound: its
+  /// contacts.
+  bool is_held_up(std::size_t slot) const {
+    bool is_held = false;
+    for (int next = first_of_[slot]; next != 0;) {  // Bound: the contacts of a body
+      const Contact& contact = contacts_[next - 1];
+      is_held = is_held || (contact.is_solved && contact.is_held);
+      next = next_[static_cast<std::size_t>(next - 1)][a_of(contact) == slot ? 0 : 1];
+    }
+    return is_held;
+  }
   /// Forgets the contacts of a body.
   void remove(std::size_t slot);
   void copy(const ContactGroups& saved) { *this = saved; }
@@ -99,25 +112,32 @@ class ContactGroups {
   Scalar visit(Contact& contact, Scalar& energy);
   void sweep(int first, int last, Scalar time, Scalar energy);
   void give(BodiesT& bodies, const Contact& contact);
-  void give_at(BodiesT& bodies, const Contact& contact, const ContactPoint<Scalar>& point,
+  void give_at(BodiesT& bodies, const Contact& contact, const ContactPoint<Traits>& point,
                const PointImpulse<Scalar>& given);
   void open(BodiesT& bodies);
-  void find_below(const BodiesT& bodies);
+  void find_held(const BodiesT& bodies);
   Scalar visit_opening(BodiesT& bodies, Contact& contact, Scalar share);
+  Scalar share_to_open(const BodiesT& bodies, const Contact& contact) const;
   void carry_loads(BodiesT& bodies, bool dirty_only);
   bool is_worth(const BodiesT& bodies, const Contact& contact, Scalar share) const;
   void refresh(BodiesT& bodies, Contact& contact);
   void relax_now(BodiesT& bodies, Contact& contact, Scalar& energy);
   template <class Blow>
   void pass_blow(BodiesT& bodies, Contact& contact, const Blow& blow);
+  template <class Blow>
+  void pass_around(BodiesT& bodies, int parts, Scalar energy, const Blow& blow);
   void mark(BodiesT& bodies, std::size_t slot);
   bool is_welded(const BodiesT& bodies, const Contact& contact) const {
     return bodies.states[a_of(contact)].group != BodiesT::kAlone ||
            bodies.states[b_of(contact)].group != BodiesT::kAlone;
   }
+  /// Its first point. @pre its points are those of where its bodies are
+  Vec3<Scalar> point_W(const Contact& contact) const {
+    return solved_[a_of(contact)].place_W + contact.points[0].arm_A_W;
+  }
   static bool is_loaded(const Contact& contact) {
-    return contact.points[0].normal > Scalar(0) ||
-           (contact.count > 1 && contact.points[1].normal > Scalar(0));
+    return contact.points.front().normal > Scalar(0) ||
+           (contact.count > 1 && contact.points.back().normal > Scalar(0));
   }
 
   FixedList<Contact, SceneT::kMaxContacts> contacts_;
@@ -132,6 +152,7 @@ class ContactGroups {
   std::array<Scalar, static_cast<std::size_t>(SceneT::kMaxContacts)> seen_{};
   FixedList<Slot, SceneT::kMaxBodies> dirty_;
   std::array<bool, kSlots> is_dirty_{};
+  std::array<bool, static_cast<std::size_t>(SceneT::kMaxContacts)> is_struck_{};
   int solved_count_ = 0;
 };
 
@@ -241,7 +262,7 @@ void ContactGroups<SceneT>::find_near(BodiesT& bodies, PairsT& pairs) {
       continue;
     }
     contact->is_new = !contact->is_solved;
-    find_points(*contact, A_W, B_W, axes, SceneT::kLineContact);
+    find_points(*contact, A_W, B_W, axes, position_of(bodies.actor(a)));
   }
   drop_far(bodies);
 }
@@ -289,7 +310,7 @@ void ContactGroups<SceneT>::tell_begun(const Begun& begun) {
     if (contact.is_told || !is_loaded(contact)) continue;
     contact.is_told = true;
     const auto& point = contact.points[0];
-    begun(contact.pair, batuta::Contact<Scalar>{point.point_W, point.normal_W, point.gap},
+    begun(contact.pair, batuta::Contact<Scalar>{point_W(contact), point.normal_W, point.gap},
           point.normal);
   }
 }
@@ -315,7 +336,8 @@ void ContactGroups<SceneT>::archive(Archive& ar, const BodiesT& bodies) {
       return bodies.actors.at_index(BodiesT::body_of(proxy)) != nullptr;
     };
     const bool good = pair.first < pair.second && pair.second < BodiesT::kProxies &&
-                      contacts_[i].count <= 2 && is_there(pair.first) && is_there(pair.second);
+                      contacts_[i].count <= Contact::kPoints && is_there(pair.first) &&
+                      is_there(pair.second);
     ar.require(good);
     if (!good) contacts_.remove_swapping(i);
   }

@@ -34,8 +34,8 @@ void ContactGroups<SceneT>::refresh(BodiesT& bodies, Contact& contact) {
   const Capsule<Scalar> A_W = bodies.shape_W(contact.pair.first);
   const Capsule<Scalar> B_W = bodies.shape_W(contact.pair.second);
   contact.is_new = !contact.is_solved;
-  find_points(contact, A_W, B_W, closest_points(A_W.axis, B_W.axis), SceneT::kLineContact);
-  prepare(contact, solved_[a], solved_[b], bodies.place_now(a), bodies.place_now(b), left);
+  find_points(contact, A_W, B_W, closest_points(A_W.axis, B_W.axis), solved_[a].place_W);
+  prepare(contact, solved_[a], solved_[b], left);
   contact.is_solved = true;
 }
 
@@ -59,13 +59,25 @@ bool ContactGroups<SceneT>::is_worth(const BodiesT& bodies, const Contact& conta
     const auto& point = contact.points[static_cast<std::size_t>(i)];
     const Scalar u =
         point.normal_W.dot(velocity_across(point, solved_[a], solved_[b])) + point.room;
-    const Scalar opening = point.normal_W.dot(
-        (A.v_W - B.v_W) + (A.w_W.cross(point.arm_A_W) - B.w_W.cross(point.arm_B_W)));
+    const Scalar opening =
+        point.normal_W.dot((A.v_W - B.v_W) + (A.w_W.cross(point.arm_A_W) -
+                                              B.w_W.cross(arm_B(point, solved_[a], solved_[b]))));
     const Scalar may_close = min_of(most, max_of(kOfGap * point.gap, least));
     const bool pulls = u * left > most && point.normal > Scalar(0);
-    is_worth = is_worth || (u + opening) * left < -may_close || pulls;
+    is_worth = is_worth || (u + min_of(opening, Scalar(0))) * left < -may_close || pulls;
   }
   return is_worth;
+}
+
+/// Of what is missing to the gap of a contact, in a step: where two are in each other, all of it in
+/// what is left, or eight times as fast as in a whole step; else nothing (world.md, "Blows").
+template <class SceneT>
+Scalar_of<SceneT> ContactGroups<SceneT>::share_to_open(const BodiesT& bodies,
+                                                       const Contact& contact) const {
+  constexpr Scalar kFastest = 8;
+  const Scalar left = bodies.dt - bodies.now;
+  if (!(least_gap(contact) < Scalar(0)) || !(left > Scalar(0))) return Scalar(0);
+  return min_of(bodies.dt / left, kFastest);
 }
 
 /// One visit, and what it changes goes into the momenta.
@@ -83,7 +95,7 @@ void ContactGroups<SceneT>::relax_now(BodiesT& bodies, Contact& contact, Scalar&
     give_at(bodies, contact, contact.points[k],
             {after.J_W - before[k].J_W, after.rolling_W - before[k].rolling_W});
   }
-  visit_opening(bodies, contact, Scalar(0));
+  visit_opening(bodies, contact, share_to_open(bodies, contact));
 }
 
 /// A neighbour that is approached much faster than rest is struck in turn.
@@ -105,24 +117,44 @@ void ContactGroups<SceneT>::pass_blow(BodiesT& bodies, Contact& contact, const B
 }
 
 template <class SceneT>
-template <class Blow>
-void ContactGroups<SceneT>::pass_on(BodiesT& bodies, PairsT& pairs, ProxyPair pair,
+template <class Struck, class Blow>
+void ContactGroups<SceneT>::pass_on(BodiesT& bodies, PairsT& pairs, const Struck& struck,
                                     const Blow& blow) {
-  constexpr Scalar kLeast = Scalar(1) / 8;  // of D, in what is left of the step
-  constexpr Scalar kLeastOfStruck = Scalar(1) / 64;
   dirty_.clear();
   is_dirty_.fill(false);
+  is_struck_.fill(false);
   changed_.fill(0);
   seen_.fill(0);
-  Contact* struck = add(bodies, pair, pairs.rest_gap(bodies, pair));
-  if (struck == nullptr) {
-    ++bodies.report.contacts_dropped;
-    bodies.weld(BodiesT::body_of(pair.first), BodiesT::body_of(pair.second), bodies.dt);
-    return;
-  }
-  refresh(bodies, *struck);
   Scalar energy = 0;
-  relax_now(bodies, *struck, energy);
+  int last = kNone;
+  for (const auto& one : struck) {  // Bound: the blows of a round
+    Contact* contact = add(bodies, one.pair, pairs.rest_gap(bodies, one.pair));
+    if (contact == nullptr) {
+      ++bodies.report.contacts_dropped;
+      bodies.weld(BodiesT::body_of(one.pair.first), BodiesT::body_of(one.pair.second), bodies.dt);
+      continue;
+    }
+    if (is_welded(bodies, *contact)) continue;
+    last = find(one.pair);
+    is_struck_[static_cast<std::size_t>(last)] = true;
+    refresh(bodies, *contact);
+  }
+  if (last != kNone) relax_now(bodies, contacts_[last], energy);
+  pass_around(bodies, struck.size() > 1 ? kNone : last, energy, blow);
+  if constexpr (SceneT::kGravity) {
+    for (const Slot slot : dirty_) bodies.states[slot].loaded = false;  // Bound: kMaxBodies
+    carry_loads(bodies, true);
+  }
+}
+
+/// From body to body, until no contact of those that have changed has anything to answer.
+/// @param parts  the contact that was struck alone: it parts, and is not struck again; or kNone
+template <class SceneT>
+template <class Blow>
+void ContactGroups<SceneT>::pass_around(BodiesT& bodies, int parts, Scalar energy,
+                                        const Blow& blow) {
+  constexpr Scalar kLeast = Scalar(1) / 8;  // of D, in what is left of the step
+  constexpr Scalar kLeastOfStruck = Scalar(1) / 64;
   bool is_done = false;
   for (int s = 0; s < kEventSweeps && !is_done; ++s) {
     is_done = true;                            // Bound: kEventSweeps
@@ -131,25 +163,24 @@ void ContactGroups<SceneT>::pass_on(BodiesT& bodies, PairsT& pairs, ProxyPair pa
       int next = first_of_[slot];
       while (next != 0) {  // Bound: the contacts of a body
         const auto i = static_cast<std::size_t>(next - 1);
+        const bool has_parted = next - 1 == parts;
         Contact& contact = contacts_[next - 1];
         next = next_[i][a_of(contact) == slot ? 0 : 1];
         const Scalar changed = changed_[a_of(contact)] + changed_[b_of(contact)];
         if (!contact.is_solved || changed == seen_[i] || is_welded(bodies, contact)) continue;
         seen_[i] = changed;
-        const Scalar share = &contact == struck ? kLeastOfStruck : kLeast;
-        if (!is_worth(bodies, contact, share)) continue;
+        for (const std::size_t side : {a_of(contact), b_of(contact)}) {  // Bound: 2
+          solved_[side].place_W = bodies.place_now(side);
+        }
+        if (!is_worth(bodies, contact, is_struck_[i] ? kLeastOfStruck : kLeast)) continue;
         is_done = false;
         if (contact.since < bodies.now) refresh(bodies, contact);
         mark(bodies, a_of(contact));
         mark(bodies, b_of(contact));
-        if (&contact != struck) pass_blow(bodies, contact, blow);
+        if (!has_parted) pass_blow(bodies, contact, blow);
         relax_now(bodies, contact, energy);
       }
     }
-  }
-  if constexpr (SceneT::kGravity) {
-    for (const Slot slot : dirty_) bodies.states[slot].loaded = false;  // Bound: kMaxBodies
-    carry_loads(bodies, true);
   }
 }
 

@@ -11,16 +11,16 @@ void ContactGroups<SceneT>::load(const BodiesT& bodies, std::size_t slot) {
   SolvedBody<Scalar>& solved = solved_[slot];
   const auto& body = bodies.actor(slot).body;
   const auto& state = bodies.states[slot];
-  if (state.asleep) {
-    solved = {};
-  } else if (bodies.is_led(slot)) {
-    solved = {};
-    solved.v_W = state.plan.motion.twist.v_W;
-    solved.w_W = state.plan.motion.twist.w_W;
-  } else {
-    const Twist<Scalar> twist = twist_of(body);
-    solved = {twist.v_W, twist.w_W, inverse_inertia_W(body), body.inverse_mass};
-  }
+  solved = {};
+  solved.place_W = bodies.place_now(slot);
+  if (state.asleep) return;
+  const bool is_led = bodies.is_led(slot);
+  const Twist<Scalar> twist = is_led ? state.plan.motion.twist : twist_of(body);
+  solved.v_W = twist.v_W;
+  solved.w_W = twist.w_W;
+  if (is_led) return;
+  solved.inverse_inertia_W = inverse_inertia_W(body);
+  solved.inverse_mass = body.inverse_mass;
 }
 
 template <class SceneT>
@@ -49,8 +49,7 @@ void ContactGroups<SceneT>::choose(const BodiesT& bodies) {
     if (!contact.is_kept || (bodies.is_led(a) && bodies.is_led(b))) continue;
     if (bodies.states[a].group != BodiesT::kAlone || bodies.states[b].group != BodiesT::kAlone)
       continue;
-    prepare(contact, solved_[a], solved_[b], position_of(bodies.actor(a)),
-            position_of(bodies.actor(b)), bodies.dt);
+    prepare(contact, solved_[a], solved_[b], bodies.dt);
     Scalar approach = fastest_approach(contact, solved_[a], solved_[b]);
     if constexpr (SceneT::kGravity) {
       const Scalar fall = bodies.dt * contact.points[0].normal_W.dot(bodies.settings.gravity_W);
@@ -125,8 +124,8 @@ void ContactGroups<SceneT>::order(const BodiesT& bodies) {
     const std::size_t p = group_of(P);
     const std::size_t q = group_of(Q);
     if (p != q) return p < q;
-    const Scalar low_p = down_W.dot(P.points[0].point_W);
-    const Scalar low_q = down_W.dot(Q.points[0].point_W);
+    const Scalar low_p = down_W.dot(point_W(P));
+    const Scalar low_q = down_W.dot(point_W(Q));
     if (low_p > low_q || low_q > low_p) return low_p > low_q;
     return batuta::detail::precedes(P.pair, Q.pair);
   };
@@ -135,8 +134,8 @@ void ContactGroups<SceneT>::order(const BodiesT& bodies) {
   std::sort_heap(order_.begin(), end, precedes);
 }
 
-/// What gravity gave in the step and a contact takes back: what half of the step's fall makes of its
-/// impulse on the body that is not led, J; 0 where both or neither are.
+/// What gravity gave in the step and a contact takes back: what half of the step's fall makes of
+/// its impulse on the body that is not led, J; 0 where both or neither are.
 template <class SceneT>
 Scalar_of<SceneT> ContactGroups<SceneT>::lift_of(const BodiesT& bodies,
                                                  const Contact& contact) const {
@@ -147,7 +146,7 @@ Scalar_of<SceneT> ContactGroups<SceneT>::lift_of(const BodiesT& bodies,
     const Scalar half = led_a ? bodies.dt / 2 : -bodies.dt / 2;
     for (int i = 0; i < contact.count; ++i) {  // Bound: 2
       const auto& point = contact.points[static_cast<std::size_t>(i)];
-      lift += half * bodies.settings.gravity_W.dot(impulse_of(point));
+      lift += half * bodies.settings.gravity_W.dot(impulse_at(point).J_W);
     }
   }
   return lift;
@@ -164,7 +163,7 @@ Scalar_of<SceneT> ContactGroups<SceneT>::warm_up(const BodiesT& bodies, int firs
       for (int i = 0; i < contact.count; ++i) {  // Bound: 2
         const auto& point = contact.points[static_cast<std::size_t>(i)];
         const auto u = velocity_across(point, solved_[a_of(contact)], solved_[b_of(contact)]);
-        sum += impulse_of(point).dot(u) + point.normal * point.room;
+        sum += impulse_at(point).J_W.dot(u) + point.normal * point.room;
       }
     }
     return sum;
@@ -194,15 +193,13 @@ Scalar_of<SceneT> ContactGroups<SceneT>::warm_up(const BodiesT& bodies, int firs
 
 /// The change of a velocity that matters to a contact: so much of D in what is left of the step, or
 /// less where the gap is nearly closed, because the search would call what is left contact.
-template <class Scalar>
-Scalar least_change(const LastingContact<Scalar>& contact, Scalar time) {
+template <class Traits, class Scalar>
+Scalar least_change(const LastingContact<Traits>& contact, Scalar time) {
   constexpr Scalar kEnough = Scalar(1) / 32;   // of D
   constexpr Scalar kOfGap = Scalar(1) / 8;     // of the gap
   constexpr Scalar kLeast = Scalar(1) / 1024;  // of D
-  const Scalar gap = contact.count > 1 ? min_of(contact.points[0].gap, contact.points[1].gap)
-                                       : contact.points[0].gap;
   const Scalar D = contact.rest_gap;
-  return min_of(kEnough * D, max_of(kOfGap * gap, kLeast * D)) / time;
+  return min_of(kEnough * D, max_of(kOfGap * least_gap(contact), kLeast * D)) / time;
 }
 
 /// One visit; adds what it changed to what is known of both bodies.
@@ -219,8 +216,9 @@ Scalar_of<SceneT> ContactGroups<SceneT>::visit(Contact& contact, Scalar& energy)
   const Scalar change = relax(contact, solved_[slots[0]], solved_[slots[1]], energy);
   const auto& point = contact.points[0];
   for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2
-    const Scalar reach = (i == 0 ? point.arm_A_W : point.arm_B_W).cwiseAbs().sum();
     const auto& solved = solved_[slots[i]];
+    const Vec3<Scalar> arm_W = point.arm_A_W + (solved_[slots[0]].place_W - solved.place_W);
+    const Scalar reach = arm_W.cwiseAbs().sum();
     changed_[slots[i]] += (solved.v_W - before[2 * i]).cwiseAbs().sum() +
                           reach * (solved.w_W - before[2 * i + 1]).cwiseAbs().sum();
   }
@@ -290,7 +288,7 @@ void ContactGroups<SceneT>::give(BodiesT& bodies, const Contact& contact) {
 /// One impulse at one point, to both.
 template <class SceneT>
 void ContactGroups<SceneT>::give_at(BodiesT& bodies, const Contact& contact,
-                                    const ContactPoint<Scalar>& point,
+                                    const ContactPoint<Traits>& point,
                                     const PointImpulse<Scalar>& given) {
   const std::size_t a = a_of(contact);
   const std::size_t b = b_of(contact);
@@ -302,7 +300,7 @@ void ContactGroups<SceneT>::give_at(BodiesT& bodies, const Contact& contact,
   if (!bodies.is_led(b)) {
     auto& momentum = bodies.actor(b).body.momentum;
     momentum.linear_W -= given.J_W;
-    momentum.angular_W -= point.arm_B_W.cross(given.J_W) + given.rolling_W;
+    momentum.angular_W -= arm_B(point, solved_[a], solved_[b]).cross(given.J_W) + given.rolling_W;
   }
 }
 
@@ -326,6 +324,7 @@ void ContactGroups<SceneT>::carry_loads(BodiesT& bodies, bool dirty_only) {
 template <class SceneT>
 void ContactGroups<SceneT>::open(BodiesT& bodies) {
   constexpr Scalar kNarrow = Scalar(0.4);  // of D
+  find_held(bodies);
   bool is_needed = false;
   for (int k = 0; k < solved_count_; ++k) {  // Bound: kMaxContacts
     const Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
@@ -336,7 +335,6 @@ void ContactGroups<SceneT>::open(BodiesT& bodies) {
     }
   }
   if (!is_needed) return;
-  find_below(bodies);
   constexpr Scalar kShare = Scalar(0.5);      // of what is missing, in a step
   constexpr Scalar kEnough = Scalar(1) / 32;  // of D, in the step
   for (int s = 0; s < kOpeningSweeps; ++s) {  // Bound: kOpeningSweeps
@@ -354,7 +352,7 @@ void ContactGroups<SceneT>::open(BodiesT& bodies) {
 /// In a group that something holds, what lies below counts as held while gaps are opened: its
 /// opening lifts all that lies on it (world.md, "Opening").
 template <class SceneT>
-void ContactGroups<SceneT>::find_below(const BodiesT& bodies) {
+void ContactGroups<SceneT>::find_held(const BodiesT& bodies) {
   unite(bodies, false);
   for (int k = 0; k < solved_count_; ++k) {  // Bound: kMaxContacts
     Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];

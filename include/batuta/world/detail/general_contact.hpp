@@ -125,9 +125,9 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
   answer.v_rel = velocity_between(sides, at.contact);
   answer.kind = classify(answer.v_rel, rest_speed());
   const bool is_deep = at.contact.gap < -query.contact_gap;
-  answer.is_overlap =
-      kSolves ? at.contact.gap < -PairsT::margin_of(bodies_, query, pair)
-              : is_deep || (candidate.outcome == Outcome::kTouching && !(at.contact.gap > Scalar(0)));
+  answer.is_overlap = kSolves ? at.contact.gap < -PairsT::margin_of(bodies_, query, pair)
+                              : is_deep || (candidate.outcome == Outcome::kTouching &&
+                                            !(at.contact.gap > Scalar(0)));
   const bool collides = answer.kind == ContactKind::kColliding;
   if (collides || kSolves) {
     // A pair that comes again and again in a step is between others, and settles.
@@ -151,13 +151,16 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
     if (answers_of_pair_ > 1 || !(answer.impulse > Scalar(0))) share_off(bodies_, a, b);
     // It came back once too often, and what opens gaps comes with the next step.
     if (is_deep) separate_pair(pair, query, at.contact, answer, false);
-    groups_.pass_on(bodies_, pairs_, pair, [this](ProxyPair next) { strike_neighbour(next); });
+    is_moved_ = is_deep;
+    if (bodies_.states[a].group != BodiesT::kAlone) return;  // it was welded: nothing passes it on
+    struck_.push({pair, at.contact, query.contact_gap});
   } else if (is_resting || is_deep) {
     separate_pair(pair, query, at.contact, answer, is_resting);
   } else {
     tell_controllers(pair, answer.impulse, Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero());
   }
-  if constexpr (kBends<SceneT>) shorten_courses(bodies_, pair, at.contact, query.contact_gap);
+  if constexpr (kBends<SceneT> && !kSolves)
+    shorten_courses(bodies_, pair, at.contact, query.contact_gap);
 }
 
 /// Neither body can be pushed: where one is moved into the other, both stop.
@@ -199,8 +202,17 @@ template <class SceneT>
     options.limit_A = room_of(a, pair, contact.normal_BA_W, shift);
     options.limit_B = room_of(b, pair, -contact.normal_BA_W, shift);
   }
-  const auto made = separate(contact, answer.v_rel, bodies_.actor(a).body.inverse_mass,
-                             bodies_.actor(b).body.inverse_mass, options);
+  Scalar soft_A = bodies_.actor(a).body.inverse_mass;
+  Scalar soft_B = bodies_.actor(b).body.inverse_mass;
+  if constexpr (kSolves) {
+    // What holds both takes the shift: who has no room for his share leaves it to the other.
+    const bool is_tight = min_of(options.limit_A, options.limit_B) < shift;
+    const bool is_held = groups_.is_held_up(a) || groups_.is_held_up(b);
+    if (is_tight && is_held && soft_A > Scalar(0) && soft_B > Scalar(0)) {
+      (options.limit_A < options.limit_B ? soft_A : soft_B) = 0;
+    }
+  }
+  const auto made = separate(contact, answer.v_rel, soft_A, soft_B, options);
   if (!made.ok()) {
     ++bodies_.report.resolutions_invalid;
     return bodies_.weld(a, b, bodies_.dt);

@@ -93,7 +93,12 @@ void GeneralWorld<SceneT>::run_round() {
     return false;
   };
   if (pairs_.take_first(released, has_had, candidate, time)) {
+    if constexpr (kSolves) struck_.clear();
     resolve(candidate, time);
+    if constexpr (kSolves) {
+      if (SceneT::kMaxPairs > 1) answer_ties(candidate.pair);
+      pass_on();
+    }
   } else {
     release(released);
   }

@@ -17,6 +17,14 @@
 
 namespace batuta::detail {
 
+/// A contact that was answered, and is not passed on yet.
+template <class Scalar>
+struct StruckPair {
+  ProxyPair pair;
+  Contact<Scalar> contact;
+  Scalar contact_gap = 0;  ///< of its search, m
+};
+
 /// In the place of a collaborator that a scene does without.
 template <int kNumber>
 struct NoCollaborator {};
@@ -116,6 +124,7 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   using CandidateType = typename PairsT::CandidateType;
   static constexpr std::size_t kSlots = BodiesT::kSlots;
   static constexpr bool kSolves = kLasts<SceneT>;
+  static constexpr int kTies = 32;  ///< most contacts that are answered in one round
   static constexpr bool kSeparates = SceneT::kResting == RestingContact::kSeparation;
 
   /// What a blow sees of two bodies.
@@ -162,6 +171,9 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   }
   Scalar velocity_between(ProxyPair pair, const Contact<Scalar>& contact) const;
   bool takes_load(ProxyPair pair, const Contact<Scalar>& contact);
+  bool is_due(ProxyPair pair);
+  void answer_ties(ProxyPair last);
+  void pass_on();
   void separate_pair(ProxyPair pair, const PairQuery& query, const Contact<Scalar>& contact,
                      const Answer<Scalar>& answer, bool is_resting);
   Scalar room_of(std::size_t slot, ProxyPair pair, const Vec3<Scalar>& away_W, Scalar shift) const;
@@ -173,6 +185,9 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   std::conditional_t<kSolves, ContactGroups<SceneT>, NoCollaborator<0>> groups_;
   Touches<SceneT> touches_;
   std::conditional_t<SceneT::kSleep, Sleep<SceneT>, NoCollaborator<1>> sleep_;
+  /// Where contacts last: those that were answered in this round.
+  std::conditional_t<kSolves, FixedList<StruckPair<Scalar>, kTies>, NoCollaborator<2>> struck_;
+  bool is_moved_ = false;  ///< where contacts last: the last one answered was moved apart
   int contacts_answered_ = 0;
   int answers_of_pair_ = 0;  ///< where contacts last: of the pair being answered, in this step
   bool is_begin_ = false;    ///< nobody is planned in this step yet
@@ -182,3 +197,4 @@ class GeneralWorld : private RepeatsOf<SceneT> {
 
 #include "batuta/world/detail/general_contact.hpp"
 #include "batuta/world/detail/general_step.hpp"
+#include "batuta/world/detail/general_ties.hpp"

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "batuta/geometry/capsule.hpp"
+#include "batuta/world/actor.hpp"
 #include "batuta/world/detail/proxy_pair.hpp"
 
 namespace batuta::detail {
@@ -17,41 +18,72 @@ struct SolvedBody {
   Vec3<Scalar> v_W = Vec3<Scalar>::Zero();  ///< of the centre of mass, m/s
   Vec3<Scalar> w_W = Vec3<Scalar>::Zero();  ///< rad/s
   Mat3<Scalar> inverse_inertia_W = Mat3<Scalar>::Zero();
-  Scalar inverse_mass = 0;  ///< 0: nothing pushes it
+  Scalar inverse_mass = 0;                      ///< 0: nothing pushes it
+  Vec3<Scalar> place_W = Vec3<Scalar>::Zero();  ///< of the centre of mass, m
+};
+
+/// What a scene asks of its contacts: they hold nothing else.
+template <class ScalarT, bool kWithFriction, bool kWithRolling, bool kWithLine>
+struct ContactTraits {
+  using Scalar = ScalarT;
+  static constexpr bool kFriction = kWithFriction;
+  static constexpr bool kRolling = kWithRolling;  ///< rolling resistance; with friction alone
+  static constexpr bool kLine = kWithLine;        ///< there may be two points
+};
+
+/// Of a point with friction. Across the normal, along the two tangents_of() it.
+template <class Scalar>
+struct PointFriction {
+  std::array<Scalar, 3> softness_across{};  ///< K's tangential part: 11, 12, 22, 1/kg
+  Scalar along = 0;                         ///< impulse being solved, along the first, N s
+  Scalar across = 0;                        ///< and along the second
+  Scalar spent_along = 0;                   ///< see spent_normal
+  Scalar spent_across = 0;
+};
+/// Of a point with rolling resistance.
+template <class Scalar>
+struct PointRolling {
+  Vec3<Scalar> rolling_W = Vec3<Scalar>::Zero();  ///< impulsive torque being solved, N m s
+};
+/// Of a point that may be one of two.
+template <class Scalar>
+struct PointPlace {
+  Scalar place = 0;  ///< along the shorter axis, m
 };
 
 /// One point of a contact, ready to be solved.
-template <class Scalar>
-struct ContactPoint {
-  Vec3<Scalar> point_W = Vec3<Scalar>::Zero();
-  Vec3<Scalar> normal_W = Vec3<Scalar>::UnitX();   ///< out of B, towards A
-  Vec3<Scalar> tangent_W = Vec3<Scalar>::UnitY();  ///< the other one: normal x tangent
-  Scalar gap = 0;                                  ///< m
-  Vec3<Scalar> arm_A_W = Vec3<Scalar>::Zero();     ///< from A's centre of mass, m
-  Vec3<Scalar> arm_B_W = Vec3<Scalar>::Zero();
-  std::array<Vec3<Scalar>, 3> turn_A_W = {
-      Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero(),
-      Vec3<Scalar>::Zero()};  ///< I_A^-1 (arm x d), d: normal and both tangents
-  std::array<Vec3<Scalar>, 3> turn_B_W = {Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero(),
-                                          Vec3<Scalar>::Zero()};
-  Scalar stiffness = 0;          ///< 1 / (n . K n), kg
-  std::array<Scalar, 3> grip{};  ///< inverse of K's tangential part: 11, 12, 22
-  Scalar softest = 0;            ///< an upper bound of that part, 1/kg
-  Scalar room = 0;               ///< how fast it may still approach in this step, m/s
-  Scalar place = 0;              ///< along the shorter axis, m
-  Scalar normal = 0;             ///< impulse being solved, N s, >= 0
-  Scalar along = 0;              ///< the same, along the tangent
-  Scalar across = 0;             ///< and along the other one
+template <class Traits>
+struct ContactPoint : FeatureIf<Traits::kFriction, PointFriction<typename Traits::Scalar>, 20>,
+                      FeatureIf<Traits::kRolling, PointRolling<typename Traits::Scalar>, 21>,
+                      FeatureIf<Traits::kLine, PointPlace<typename Traits::Scalar>, 22> {
+  using Scalar = typename Traits::Scalar;
+  Vec3<Scalar> normal_W = Vec3<Scalar>::UnitX();  ///< out of B, towards A
+  Vec3<Scalar> arm_A_W = Vec3<Scalar>::Zero();    ///< from A's centre of mass, m
+  Scalar gap = 0;                                 ///< m
+  Scalar softness = 0;                            ///< n . K n, 1/kg
+  Scalar room = 0;    ///< how fast it may still approach in this step, m/s
+  Scalar normal = 0;  ///< impulse being solved, N s, >= 0
   /// Of this step, before what is being solved: cannot be taken back
   Scalar spent_normal = 0;
-  Vec3<Scalar> spent_tangent_W = Vec3<Scalar>::Zero();
-  Scalar opening = 0;                             ///< the same of the velocity that opens the gap
-  Vec3<Scalar> rolling_W = Vec3<Scalar>::Zero();  ///< impulsive torque of rolling resistance
+  Scalar opening = 0;  ///< what is being solved of the velocity that opens the gap, N s
+};
+
+/// Of a contact with friction, and with rolling resistance.
+template <class Scalar>
+struct ContactFriction {
+  Scalar friction = 0;
+};
+template <class Scalar>
+struct ContactRolling {
+  Scalar rolling = 0;  ///< m
 };
 
 /// Two capsules that touch: at one point or, side by side, at two.
-template <class Scalar>
-struct LastingContact {
+template <class Traits>
+struct LastingContact : FeatureIf<Traits::kFriction, ContactFriction<typename Traits::Scalar>, 23>,
+                        FeatureIf<Traits::kRolling, ContactRolling<typename Traits::Scalar>, 24> {
+  using Scalar = typename Traits::Scalar;
+  static constexpr std::size_t kPoints = Traits::kLine ? 2 : 1;
   ProxyPair pair;
   std::uint8_t count = 0;  ///< points, 1 or 2
   bool is_solved = false;  ///< belongs to the contacts that are solved in this step
@@ -62,65 +94,103 @@ struct LastingContact {
   bool is_held = false;    ///< something holds its group: only then openings turn bodies
   Scalar since = 0;        ///< in the step, s: its points are those of this time
   Scalar rest_gap = 0;     ///< D of the pair, m
-  Scalar friction = 0;
-  Scalar rolling = 0;  ///< m
-  std::array<ContactPoint<Scalar>, 2> points;
+  std::array<ContactPoint<Traits>, kPoints> points;
 };
 
-/// Sets the points of a contact from its capsules, and carries the impulses of the old points over.
-/// @param axes  the closest points of the two axes
-/// @param line  whether there may be two points
-/// Bound: four ends.
+/// Two directions across a normal, and square to each other.
 template <class Scalar>
-void find_points(LastingContact<Scalar>& contact, const Capsule<Scalar>& A_W,
-                 const Capsule<Scalar>& B_W, const ClosestPoints<Scalar>& axes, bool line);
+struct Tangents {
+  Vec3<Scalar> along_W;
+  Vec3<Scalar> across_W;
+};
+/// The same for the same normal, to the last bit.
+/// Source: Duff and others, "Building an Orthonormal Basis, Revisited", 2017. @pre |normal| = 1
+template <class Scalar>
+Tangents<Scalar> tangents_of(const Vec3<Scalar>& normal_W) {
+  const Vec3<Scalar>& n = normal_W;
+  const Scalar sign = n.z() < Scalar(0) ? Scalar(-1) : Scalar(1);
+  const Scalar a = -1 / (sign + n.z());
+  const Scalar b = n.x() * n.y() * a;
+  return {{1 + sign * n.x() * n.x() * a, sign * b, -sign * n.x()},
+          {b, sign + n.y() * n.y() * a, -n.y()}};
+}
+
+/// From B's centre of mass, m.
+template <class Traits, class Scalar>
+Vec3<Scalar> arm_B(const ContactPoint<Traits>& point, const SolvedBody<Scalar>& A,
+                   const SolvedBody<Scalar>& B) {
+  return point.arm_A_W + (A.place_W - B.place_W);
+}
+
+/// Sets the points of a contact from its capsules, and carries the impulses of the old points over.
+/// @param axes   the closest points of the two axes
+/// @param p_A_W  A's centre of mass
+/// Bound: four ends.
+template <class Traits, class Scalar>
+void find_points(LastingContact<Traits>& contact, const Capsule<Scalar>& A_W,
+                 const Capsule<Scalar>& B_W, const ClosestPoints<Scalar>& axes,
+                 const Vec3<Scalar>& p_A_W);
 
 /// Makes the points ready to be solved over the next `time` seconds.
-/// @pre the points are where they are now; time > 0
-template <class Scalar>
-void prepare(LastingContact<Scalar>& contact, const SolvedBody<Scalar>& A,
-             const SolvedBody<Scalar>& B, const Vec3<Scalar>& p_A_W, const Vec3<Scalar>& p_B_W,
-             Scalar time);
+/// @pre the points and both bodies are where they are now; time > 0
+template <class Traits, class Scalar>
+void prepare(LastingContact<Traits>& contact, const SolvedBody<Scalar>& A,
+             const SolvedBody<Scalar>& B, Scalar time);
 
 /// Velocity of A's point less that of B's, m/s.
-template <class Scalar>
-Vec3<Scalar> velocity_across(const ContactPoint<Scalar>& point, const SolvedBody<Scalar>& A,
-                             const SolvedBody<Scalar>& B);
+template <class Traits, class Scalar>
+Vec3<Scalar> velocity_across(const ContactPoint<Traits>& point, const SolvedBody<Scalar>& A,
+                             const SolvedBody<Scalar>& B) {
+  return (A.v_W - B.v_W) + (A.w_W.cross(point.arm_A_W) - B.w_W.cross(arm_B(point, A, B)));
+}
+
+/// Gives an impulse at a point to A, and the opposite to B.
+template <class Traits, class Scalar>
+void push_at(const ContactPoint<Traits>& point, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
+             const Vec3<Scalar>& J_W) {
+  A.v_W += A.inverse_mass * J_W;
+  B.v_W -= B.inverse_mass * J_W;
+  A.w_W += A.inverse_inertia_W * point.arm_A_W.cross(J_W);
+  B.w_W -= B.inverse_inertia_W * arm_B(point, A, B).cross(J_W);
+}
 
 /// The fastest approach along a normal of its points, m/s: negative where one approaches.
-template <class Scalar>
-Scalar fastest_approach(const LastingContact<Scalar>& contact, const SolvedBody<Scalar>& A,
+template <class Traits, class Scalar>
+Scalar fastest_approach(const LastingContact<Traits>& contact, const SolvedBody<Scalar>& A,
                         const SolvedBody<Scalar>& B);
 
+/// The least gap of its points, m. Bound: two points.
+template <class Traits>
+typename Traits::Scalar least_gap(const LastingContact<Traits>& contact) {
+  const auto& points = contact.points;
+  return contact.count > 1 ? min_of(points.front().gap, points.back().gap) : points.front().gap;
+}
+
 /// Gives both bodies `share` of the impulses being solved.
-template <class Scalar>
-void push_share(const LastingContact<Scalar>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
+template <class Traits, class Scalar>
+void push_share(const LastingContact<Traits>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
                 Scalar share);
 
 /// The impulses being solved become `share` of them, without rolling resistance.
-template <class Scalar>
-void scale_impulses(LastingContact<Scalar>& contact, Scalar share);
+template <class Traits, class Scalar>
+void scale_impulses(LastingContact<Traits>& contact, Scalar share);
 
-/// One visit: each point's impulses are made those that fit the present velocities. A visit that
-/// would add more energy than all before it have taken is left out (world.md, "Contacts that
-/// last").
+/// One visit: the impulses are made those that fit the present velocities; the normal ones of both
+/// points together. A visit that would add more energy than all before it have taken is left out
+/// (world.md, "Contacts that last").
 /// @param[in,out] energy  what all visits so far have added to the energy at most, J, <= 0
 /// @returns the largest change of a velocity along a normal, m/s. Bound: two points.
-template <class Scalar>
-Scalar relax(LastingContact<Scalar>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
+template <class Traits, class Scalar>
+Scalar relax(LastingContact<Traits>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
              Scalar& energy);
 
 /// One visit for the velocities that open gaps.
 /// @param A, B   these velocities
 /// @param share  of what is missing, to be made up over `time`; 0: nothing is opened, nor closed
 /// @returns the largest change of a velocity along a normal, m/s. Bound: two points.
-template <class Scalar>
-Scalar relax_opening(LastingContact<Scalar>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
+template <class Traits, class Scalar>
+Scalar relax_opening(LastingContact<Traits>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
                      Scalar time, Scalar share);
-
-/// The impulse on A of what is being solved at a point, N s.
-template <class Scalar>
-Vec3<Scalar> impulse_of(const ContactPoint<Scalar>& point);
 
 /// What a point gives: on A, and the opposite on B.
 template <class Scalar>
@@ -128,17 +198,31 @@ struct PointImpulse {
   Vec3<Scalar> J_W = Vec3<Scalar>::Zero();        ///< N s
   Vec3<Scalar> rolling_W = Vec3<Scalar>::Zero();  ///< impulsive torque, N m s
 };
-template <class Scalar>
-PointImpulse<Scalar> impulse_at(const ContactPoint<Scalar>& point) {
-  return {impulse_of(point), point.rolling_W};
+/// Of what is being solved.
+template <class Traits>
+PointImpulse<typename Traits::Scalar> impulse_at(const ContactPoint<Traits>& point) {
+  PointImpulse<typename Traits::Scalar> impulse;
+  impulse.J_W = point.normal * point.normal_W;
+  if constexpr (Traits::kFriction) {
+    const auto tangents = tangents_of(point.normal_W);
+    impulse.J_W += point.along * tangents.along_W + point.across * tangents.across_W;
+  }
+  if constexpr (Traits::kRolling) impulse.rolling_W = point.rolling_W;
+  return impulse;
 }
 
 /// Of the impulses solved, the share that belongs to the time that has passed is spent.
-template <class Scalar>
-void spend(LastingContact<Scalar>& contact, Scalar share);
+template <class Traits, class Scalar>
+void spend(LastingContact<Traits>& contact, Scalar share);
 
 /// At the end of a step: what was spent and what was left are what the next one starts from.
-template <class Scalar>
-void take_together(LastingContact<Scalar>& contact);
+template <class Traits>
+void take_together(LastingContact<Traits>& contact);
+
+/// The kinds of contacts that scenes may have: instantiate(Scalar, friction, rolling, line).
+#define BATUTA_FOR_EACH_CONTACT(instantiate, S)                            \
+  instantiate(S, false, false, false) instantiate(S, false, false, true)   \
+      instantiate(S, true, false, false) instantiate(S, true, false, true) \
+          instantiate(S, true, true, false) instantiate(S, true, true, true)
 
 }  // namespace batuta::detail

@@ -159,30 +159,38 @@ void Pairs<SceneT>::let_part(BodiesT& bodies, ProxyPair pair, MovingPair<Scalar>
                              Scalar so_far, PairQuery& query) {
   // Where nothing is moved apart within a step, a pair may come back more than once.
   constexpr Scalar kShare = kLasts<SceneT> ? Scalar(0.5) : Scalar(1);
-  const Scalar rate = max_of(query.search.gap_rate, rate_of_momenta(bodies, pair, query));
-  if (rate < slowest_closing(bodies, query, so_far > Scalar(0))) return;
   const Scalar margin = margin_of(bodies, query, pair);
   const Scalar gap = query.search.witness.gap - so_far;
-  if (gap < -margin) {
-    ++bodies.report.overlaps_at_start;
-    bodies.report.deepest_overlap = max_of(bodies.report.deepest_overlap, -gap);
-  }
+  if (gap < -margin) bodies.report.deepest_overlap = max_of(bodies.report.deepest_overlap, -gap);
+  const Scalar rate = max_of(query.search.gap_rate, rate_of_momenta(bodies, pair, query));
+  if (rate < slowest_closing(bodies, query, so_far > Scalar(0))) return;
+  if (gap < -margin) ++bodies.report.overlaps_at_start;
   const Scalar thinner = thinner_by(margin, query.contact_gap, gap, kShare);
   search_thinner(bodies, moving_pair, query, thinner - so_far);
-  if constexpr (SceneT::kMaxPairs > 1) stop_early(query, thinner - max_of(margin, -gap));
+  const Scalar beyond = thinner - max_of(margin, -gap);
+  if (SceneT::kMaxPairs > 1 && beyond > Scalar(0)) stop_early(moving_pair, query, beyond);
 }
 
-/// What is let part by more than the margin is answered before it can come back as deep, to first
+/// What is let part by more than the margin is answered before it has come back as deep, to first
 /// order (world.md, "Touching and parting").
-/// @param beyond  by how much, m
+/// @param moving_pair  as it was searched
+/// @param beyond       by how much more than the margin it is thinner, m, > 0
 template <class SceneT>
-void Pairs<SceneT>::stop_early(PairQuery& query, Scalar beyond) {
-  constexpr Scalar kTwice = 2;  // as it may come faster at its end
-  if (query.outcome() != Outcome::kContact || !(beyond > Scalar(0))) return;
-  if (!(query.search.gap_rate < Scalar(0))) return;
-  const Scalar sooner = kTwice * beyond / -query.search.gap_rate;
-  query.search.t_free -= min_of(sooner, query.search.t_free / 2);
-  query.is_early = true;
+void Pairs<SceneT>::stop_early(const MovingPair<Scalar>& moving_pair, PairQuery& query,
+                               Scalar beyond) {
+  constexpr Scalar kTwice = 2;             // as it may come faster at its end
+  constexpr Scalar kMost = Scalar(3) / 4;  // of the time: the rest is progress
+  SearchResult<Scalar>& found = query.search;
+  Scalar sooner = 0;
+  if (found.outcome == Outcome::kContact && found.gap_rate < Scalar(0)) {
+    sooner = min_of(kTwice * beyond / -found.gap_rate, kMost * found.t_free);
+  } else if (found.outcome == Outcome::kFree &&
+             gap_at(moving_pair, moving_pair.duration).gap < beyond) {
+    found.outcome = Outcome::kContact;
+    sooner = kMost * found.t_free;
+  }
+  found.t_free -= sooner;
+  query.is_early = sooner > Scalar(0);
 }
 
 /// How fast the gap of what touches opens, m/s, by the momenta of the two where their planned turn

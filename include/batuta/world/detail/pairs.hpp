@@ -50,6 +50,11 @@ class Pairs : private SeedsOf<SceneT> {
   PairQuery& seen(const BodiesT& bodies, ProxyPair pair, bool is_own_time);
   /// The gap from which a search lets parting bodies go (src/world/detail/margin.md).
   static Scalar margin_of(const BodiesT& bodies, const PairQuery& query, ProxyPair pair);
+  /// What the solution of a contact may leave, m/s, <= 0: no more in the rest of a step than what
+  /// the search cannot tell from contact; the opening of the gap makes up for it.
+  static Scalar slowest_closing(const BodiesT& bodies, const PairQuery& query, bool is_solved) {
+    return is_solved ? -query.contact_gap / (bodies.dt - bodies.now) : Scalar(0);
+  }
   /// The same before anybody is planned.
   Scalar margin(const BodiesT& bodies, ProxyPair pair) const;
   /// D of a pair: the one length that rules rest (world.md, "One length").
@@ -108,12 +113,7 @@ class Pairs : private SeedsOf<SceneT> {
   static void search_thinner(const BodiesT& bodies, MovingPair<Scalar>& moving_pair,
                              PairQuery& query, Scalar missing);
   bool stays_apart(const BodiesT& bodies, ProxyPair pair) const;
-  /// What the solution of a contact may leave, m/s, <= 0: no more in the rest of a step than what
-  /// the search cannot tell from contact; the opening of the gap makes up for it.
-  static Scalar slowest_closing(const BodiesT& bodies, const PairQuery& query, bool is_solved) {
-    return is_solved ? -query.contact_gap / (bodies.dt - bodies.now) : Scalar(0);
-  }
-  static void stop_early(PairQuery& query, Scalar beyond);
+  static void stop_early(const MovingPair<Scalar>& moving_pair, PairQuery& query, Scalar beyond);
   static Scalar rate_of_momenta(const BodiesT& bodies, ProxyPair pair, const PairQuery& query);
 
   SweepList<Scalar, BodiesT::kProxies, SceneT::kSweepAxis> sweep_;
