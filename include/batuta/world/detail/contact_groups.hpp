@@ -119,6 +119,9 @@ class ContactGroups {
   Scalar visit_opening(BodiesT& bodies, Contact& contact, Scalar share);
   Scalar share_to_open(const BodiesT& bodies, const Contact& contact) const;
   void carry_loads(BodiesT& bodies, bool dirty_only);
+  Scalar may_close(const BodiesT& bodies, const Contact& contact, Scalar gap, Scalar share) const;
+  bool is_settled(const BodiesT& bodies, const Contact& contact, Scalar changed,
+                  Scalar share) const;
   bool is_worth(const BodiesT& bodies, const Contact& contact, Scalar share) const;
   void refresh(BodiesT& bodies, Contact& contact);
   void relax_now(BodiesT& bodies, Contact& contact, Scalar& energy);
