@@ -108,7 +108,7 @@ void ContactGroups<SceneT>::relax_now(BodiesT& bodies, Contact& contact, Scalar&
     const auto k = static_cast<std::size_t>(i);
     before[k] = impulse_at(contact.points[k]);
   }
-  visit(contact, energy);
+  visit(contact, energy, carried_by(bodies, contact));
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
     const auto k = static_cast<std::size_t>(i);
     const PointImpulse<Scalar> after = impulse_at(contact.points[k]);
