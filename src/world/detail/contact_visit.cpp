@@ -290,10 +290,10 @@ Scalar relax_opening(LastingContact<Traits>& contact, SolvedBody<Scalar>& A, Sol
   return most * mass;
 }
 
-#define BATUTA_INSTANTIATE_CONTACT(S, F, R, L)                                                 \
-  template S relax(LastingContact<ContactTraits<S, F, R, L>>&, SolvedBody<S>&, SolvedBody<S>&, \
-                   S&, const Vec3<S>&);                                                        \
-  template S relax_opening(LastingContact<ContactTraits<S, F, R, L>>&, SolvedBody<S>&,         \
+#define BATUTA_INSTANTIATE_CONTACT(S, F, R, L)                                                     \
+  template S relax(LastingContact<ContactTraits<S, F, R, L>>&, SolvedBody<S>&, SolvedBody<S>&, S&, \
+                   const Vec3<S>&);                                                                \
+  template S relax_opening(LastingContact<ContactTraits<S, F, R, L>>&, SolvedBody<S>&,             \
                            SolvedBody<S>&, S, S);
 #define BATUTA_INSTANTIATE(S) BATUTA_FOR_EACH_CONTACT(BATUTA_INSTANTIATE_CONTACT, S)
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)

@@ -33,7 +33,7 @@ TYPED_TEST(BodiesOf, FallInPieces_EndsOnTheParabola) {
   rig.begin(0.1);
   for (const double t : {0.01, 0.035, 0.05, 0.051, 0.09}) {
     rig.bodies.now = S(t);
-    rig.bodies.bring(0);
+    rig.bodies.advance_to_now(0);
     EXPECT_EQ(rig.bodies.states[0].start, S(t));
     rig.bodies.plan(0);
   }
@@ -58,7 +58,7 @@ TYPED_TEST(BodiesOf, WithinAStep_ItIsOnTheChord_AndKnowsHowFarOff) {
   const Body<S> was = rig.body(0);
   rig.begin(0.1);
   rig.bodies.now = S(0.04);
-  rig.bodies.bring(0);
+  rig.bodies.advance_to_now(0);
   const Exact t = rig.bodies.now, dt = rig.bodies.dt, u = kRoundOff<S>;
   const ExactVec g = exact(rig.bodies.settings.gravity_W);
   const ExactVec v = exact(was.momentum.linear_W) * Exact(was.inverse_mass);

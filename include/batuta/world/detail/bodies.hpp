@@ -37,7 +37,7 @@ inline constexpr bool kBends = SceneT::kRotation&& SceneT::kResponse &&
 /// Of a body whose turn may be the chord of a bent one.
 template <class Scalar>
 struct BentState {
-  Scalar course_end = 0;  ///< in the step, s: until then its chord goes (bent_course.hpp)
+  Scalar plan_end = 0;  ///< in the step, s: until then its chord goes (bent_course.hpp)
 };
 /// Of a body whose contacts last.
 template <class Scalar>
@@ -77,10 +77,10 @@ class Bodies : public Proxies<SceneT> {
       !SceneT::kRotation || std::is_same_v<typename SceneT::Controller, FreeFlight<Scalar>>;
 
   /// What the step knows of a body besides the actor.
-  struct State : FeatureIf<SceneT::kGravity, FallState<Scalar>, 2>,
-                 FeatureIf<kLasts<SceneT>, OpeningState<Scalar>, 3>,
-                 FeatureIf<kBends<SceneT>, BentState<Scalar>, 4> {
-    [[gnu::noinline]] State() {}  // kept apart: some calls, and no copies
+  struct BodyState : FeatureIf<SceneT::kGravity, FallState<Scalar>, 2>,
+                     FeatureIf<kLasts<SceneT>, OpeningState<Scalar>, 3>,
+                     FeatureIf<kBends<SceneT>, BentState<Scalar>, 4> {
+    [[gnu::noinline]] BodyState() {}  // kept apart: some calls, and no copies
     typename Kinematics::PlanType plan;
     Scalar start = 0;           ///< in the step, s: the body's own pose is the one of this time
     Scalar held_until = 0;      ///< in the step, s: until then it goes with its group
@@ -107,7 +107,7 @@ class Bodies : public Proxies<SceneT> {
   /// Moves it on its planned motion, by `elapsed`, to now; from there it has to be planned anew.
   void advance(std::size_t slot, Scalar elapsed);
   /// To now.
-  void bring(std::size_t slot) {
+  void advance_to_now(std::size_t slot) {
     if (states[slot].start < now) advance(slot, now - states[slot].start);
   }
   /// The end of the step.
@@ -119,7 +119,7 @@ class Bodies : public Proxies<SceneT> {
   /// velocity's.
   bool falls(std::size_t slot) const {
     if constexpr (SceneT::kGravity) {
-      const State& state = states[slot];
+      const BodyState& state = states[slot];
       return state.plan.by_momentum && !state.loaded && !is_asleep(slot) &&
              actor(slot).body.inverse_mass > Scalar(0);
     } else {
@@ -133,13 +133,13 @@ class Bodies : public Proxies<SceneT> {
            Kinematics::is_immovable(actor(slot).body);
   }
   /// In the step, s: until then its planned motion goes.
-  Scalar course_end(std::size_t slot) const {
-    if constexpr (kBends<SceneT>) return states[slot].course_end;
+  Scalar plan_end(std::size_t slot) const {
+    if constexpr (kBends<SceneT>) return states[slot].plan_end;
     return dt;
   }
   /// @pre now < time
   void end_course(std::size_t slot, Scalar time) {
-    if constexpr (kBends<SceneT>) states[slot].course_end = time;
+    if constexpr (kBends<SceneT>) states[slot].plan_end = time;
   }
   /// Stands where it is, whatever happens to it.
   [[gnu::noinline]] bool is_wall(std::size_t slot) const {
@@ -155,7 +155,7 @@ class Bodies : public Proxies<SceneT> {
 
   /// Where its own point is now.
   Vec3<Scalar> place_now(std::size_t slot) const {
-    const State& state = states[slot];
+    const BodyState& state = states[slot];
     if (state.start < now && state.group == kAlone) {
       return state.plan.motion.X_WB.p_W + (now - state.start) * state.plan.motion.twist.v_W;
     }
@@ -170,7 +170,7 @@ class Bodies : public Proxies<SceneT> {
   WorldSettings<SceneT> settings;
   StepReport<Scalar> report;
   Pool<ActorType, SceneT::kMaxBodies> actors;
-  std::array<State, kSlots> states{};
+  std::array<BodyState, kSlots> states{};
   Scalar now = 0;           ///< in the step, s
   Scalar dt = 0;            ///< length of the step, s
   bool is_changed = false;  ///< somebody has to be planned anew
@@ -178,7 +178,7 @@ class Bodies : public Proxies<SceneT> {
 
 template <class SceneT>
 bool Bodies<SceneT>::begin(std::size_t slot) {
-  State& state = states[slot];
+  BodyState& state = states[slot];
   const bool stood = state.stands;
   state.present = state.stands = state.changed = state.fresh = false;
   state.group = kAlone;
@@ -218,7 +218,7 @@ bool Bodies<SceneT>::begin(std::size_t slot) {
 
 template <class SceneT>
 void Bodies<SceneT>::plan(std::size_t slot) {
-  State& state = states[slot];
+  BodyState& state = states[slot];
   state.start = now;
   if (state.group != kAlone) return;
   const ActorType& actor = this->actor(slot);
@@ -227,7 +227,7 @@ void Bodies<SceneT>::plan(std::size_t slot) {
     state.plan.motion = Kinematics::standing(actor.body, rest);
     return;
   }
-  Kinematics::ask(actor, now, course_end(slot) - now, state.plan);
+  Kinematics::ask(actor, now, plan_end(slot) - now, state.plan);
   const bool is_known = is_valid(state.plan.motion);
   if (!is_known) go_straight(*this, slot, rest);
   set_course(*this, slot);
@@ -236,7 +236,7 @@ void Bodies<SceneT>::plan(std::size_t slot) {
 
 template <class SceneT>
 void Bodies<SceneT>::advance(std::size_t slot, Scalar elapsed) {
-  State& state = states[slot];
+  BodyState& state = states[slot];
   if constexpr (SceneT::kGravity) {
     const Scalar whole = dt - state.start;
     const Scalar left = whole > Scalar(0) ? 1 - elapsed / whole : Scalar(0);
@@ -253,7 +253,7 @@ void Bodies<SceneT>::advance(std::size_t slot, Scalar elapsed) {
 template <class SceneT>
 void Bodies<SceneT>::finish(std::size_t slot) {
   if (states[slot].group != kAlone) part_group(slot);
-  const State& state = states[slot];
+  const BodyState& state = states[slot];
   ActorType& actor = this->actor(slot);
   if (!state.stands && state.start < dt) move_on(*this, slot, dt - state.start);
   if constexpr (!kIsFree) actor.controller.on_step_end(actor.body, dt);
@@ -261,7 +261,7 @@ void Bodies<SceneT>::finish(std::size_t slot) {
 
 template <class SceneT>
 auto Bodies<SceneT>::twist_now(std::size_t slot) const {
-  const State& state = states[slot];
+  const BodyState& state = states[slot];
   const auto& body = actor(slot).body;
   auto twist = Kinematics::twist_at(body, state.plan);
   if constexpr (SceneT::kGravity) {
@@ -272,7 +272,7 @@ auto Bodies<SceneT>::twist_now(std::size_t slot) const {
 
 template <class SceneT>
 typename KinematicsOf<SceneT>::Mover Bodies<SceneT>::mover(int proxy, Scalar until) const {
-  const State& state = states[body_of(proxy)];
+  const BodyState& state = states[body_of(proxy)];
   const ActorType& actor = this->actor(body_of(proxy));
   auto mover = Kinematics::mover(actor, part_at(proxy), state.plan.motion);
   Kinematics::skip(mover.motion, now - state.start, until - now);

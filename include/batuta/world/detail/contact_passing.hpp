@@ -13,7 +13,7 @@ void ContactGroups<SceneT>::mark(BodiesT& bodies, std::size_t slot) {
   is_dirty_[slot] = true;
   changed_[slot] += kNoticed;
   dirty_.push(static_cast<Slot>(slot));
-  bodies.bring(slot);
+  bodies.advance_to_now(slot);
   bodies.states[slot].changed = bodies.is_changed = true;
   load(bodies, slot);
 }
@@ -183,8 +183,8 @@ void ContactGroups<SceneT>::pass_around(BodiesT& bodies, int parts, Scalar energ
   constexpr Scalar kLeast = Scalar(1) / 8;  // of D, in what is left of the step
   constexpr Scalar kLeastOfStruck = Scalar(1) / 64;
   bool is_done = false;
-  for (int s = 0; s < kEventSweeps && !is_done; ++s) {
-    is_done = true;                            // Bound: kEventSweeps
+  for (int s = 0; s < kEventSweeps && !is_done; ++s) {  // Bound: kEventSweeps
+    is_done = true;
     for (int d = 0; d < dirty_.size(); ++d) {  // Bound: kMaxBodies
       const std::size_t slot = dirty_[d];
       int next = first_of_[slot];

@@ -235,7 +235,9 @@ template <class SceneT>
 void ContactGroups<SceneT>::sweep(int first, int last, Scalar time, Scalar energy) {
   constexpr Scalar kUnseen = Scalar(1) / 4;
   constexpr Scalar kNever = -std::numeric_limits<Scalar>::max();
-  for (int k = first; k < last; ++k) seen_[order_[static_cast<std::size_t>(k)]] = kNever;
+  for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
+    seen_[order_[static_cast<std::size_t>(k)]] = kNever;
+  }
   for (int s = 0; s < kMaxSweeps; ++s) {  // Bound: kMaxSweeps
     bool is_done = true;
     for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
@@ -268,7 +270,7 @@ void ContactGroups<SceneT>::solve(BodiesT& bodies) {
   };
   for (int first = 0; first < solved_count_;) {  // Bound: kMaxContacts
     int last = first + 1;
-    while (last < solved_count_ && group_at(last) == group_at(first)) ++last;
+    while (last < solved_count_ && group_at(last) == group_at(first)) ++last;  // Bound: as above
     sweep(first, last, bodies.dt, warm_up(bodies, first, last));
     first = last;
   }

@@ -23,10 +23,10 @@ class EventBook {
   /// The contact of the same two capsules that was told in this step, or null. Bound: kMaxEvents.
   ContactEvent<Scalar>* find_told(const ContactEvent<Scalar>& event) {
     for (int i = 0; i < events_.size(); ++i) {  // Bound: kMaxEvents
-      ContactEvent<Scalar>& told = events_[i];
-      if (told.body_A == event.body_A && told.body_B == event.body_B &&
-          told.part_A == event.part_A && told.part_B == event.part_B) {
-        return &told;
+      ContactEvent<Scalar>& reported = events_[i];
+      if (reported.body_A == event.body_A && reported.body_B == event.body_B &&
+          reported.part_A == event.part_A && reported.part_B == event.part_B) {
+        return &reported;
       }
     }
     return nullptr;

@@ -141,12 +141,12 @@ void GeneralWorld<SceneT>::strike_neighbour(ProxyPair pair) {
                               gap.axes.u};
   const auto hit = strike(pair, sides_of(pair), at.contact, restitution_of(pair));
   if (!hit.ok()) return;
-  Answer<Scalar> answer;
-  answer.kind = ContactKind::kColliding;
-  answer.v_rel = hit.value.v_rel;
-  answer.impulse = hit.value.magnitude;
-  touches_.record(bodies_, pair, at, answer);
-  tell_controllers(pair, answer.impulse, Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero());
+  Answer<Scalar> result;
+  result.kind = ContactKind::kColliding;
+  result.v_rel = hit.value.v_rel;
+  result.impulse = hit.value.magnitude;
+  touches_.record(bodies_, pair, at, result);
+  tell_controllers(pair, result.impulse, Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero());
 }
 
 template <class SceneT>

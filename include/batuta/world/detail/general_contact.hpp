@@ -22,7 +22,7 @@ void GeneralWorld<SceneT>::resolve(const CandidateType& candidate, Scalar time) 
   const bool has_room = contacts_answered_ < SceneT::kMaxContacts;
   if (!candidate.is_contact() || !has_room) return cut(candidate);
   ++contacts_answered_;
-  answer(candidate, is_own_time);
+  resolve_contact(candidate, is_own_time);
 }
 
 /// Within a step, what slept is at rest, and carried for the rest of it.
@@ -55,8 +55,8 @@ template <class SceneT>
 /// A body of a candidate, to now: by the time that its search found where that is the same, to the
 /// last bit. A wall stays what it is.
 template <class SceneT>
-void GeneralWorld<SceneT>::bring(const CandidateType& candidate, std::size_t slot,
-                                 bool is_own_time) {
+void GeneralWorld<SceneT>::advance_to_now(const CandidateType& candidate, std::size_t slot,
+                                          bool is_own_time) {
   if (bodies_.is_wall(slot)) return;
   const Scalar start = bodies_.states[slot].start;
   const bool is_of_search = is_own_time && start == candidate.since;
@@ -64,7 +64,7 @@ void GeneralWorld<SceneT>::bring(const CandidateType& candidate, std::size_t slo
 }
 
 template <class SceneT>
-void GeneralWorld<SceneT>::answer(const CandidateType& candidate, bool is_own_time) {
+void GeneralWorld<SceneT>::resolve_contact(const CandidateType& candidate, bool is_own_time) {
   const std::size_t a = BodiesT::body_of(candidate.pair.first);
   const std::size_t b = BodiesT::body_of(candidate.pair.second);
   bool is_welded = false;
@@ -81,8 +81,8 @@ void GeneralWorld<SceneT>::answer(const CandidateType& candidate, bool is_own_ti
     bodies_.weld(a, b, bodies_.dt);
     return;
   }
-  bring(candidate, a, is_own_time);
-  bring(candidate, b, is_own_time);
+  advance_to_now(candidate, a, is_own_time);
+  advance_to_now(candidate, b, is_own_time);
   if constexpr (SceneT::kRotation) {
     answer_turning(candidate, pairs_.seen(bodies_, candidate.pair, is_own_time));
   } else {
@@ -121,14 +121,14 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
                                   bodies_.shape_W(pair.second), at.contact,
                                   PairsT::margin_of(bodies_, query, pair));
   }
-  Answer<Scalar> answer;
-  answer.v_rel = velocity_between(sides, at.contact);
-  answer.kind = classify(answer.v_rel, rest_speed());
+  Answer<Scalar> result;
+  result.v_rel = velocity_between(sides, at.contact);
+  result.kind = classify(result.v_rel, rest_speed());
   const bool is_deep = at.contact.gap < -query.contact_gap;
-  answer.is_overlap = kSolves ? at.contact.gap < -PairsT::margin_of(bodies_, query, pair)
+  result.is_overlap = kSolves ? at.contact.gap < -PairsT::margin_of(bodies_, query, pair)
                               : is_deep || (candidate.outcome == Outcome::kTouching &&
                                             !(at.contact.gap > Scalar(0)));
-  const bool collides = answer.kind == ContactKind::kColliding;
+  const bool collides = result.kind == ContactKind::kColliding;
   if (collides || kSolves) {
     // A pair that comes again and again in a step is between others, and settles.
     const bool bounces = collides && answers_of_pair_ <= max_of(SceneT::kMaxSeparations / 2, 1);
@@ -138,26 +138,26 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
       bodies_.weld(a, b, bodies_.dt);
       return;
     }
-    answer.impulse = hit.value.magnitude;
+    result.impulse = hit.value.magnitude;
   }
   if (!kSolves && takes_load(pair, at.contact)) {
     const auto press = strike(pair, sides_of(pair), at.contact, Scalar(0));
-    if (press.ok()) answer.impulse += press.value.magnitude;
+    if (press.ok()) result.impulse += press.value.magnitude;
   }
-  touches_.record(bodies_, pair, at, answer);
-  const bool is_resting = kSeparates && answer.kind == ContactKind::kResting;
+  touches_.record(bodies_, pair, at, result);
+  const bool is_resting = kSeparates && result.kind == ContactKind::kResting;
   if constexpr (kSolves) {
-    tell_controllers(pair, answer.impulse, Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero());
-    if (answers_of_pair_ > 1 || !(answer.impulse > Scalar(0))) share_off(bodies_, a, b);
+    tell_controllers(pair, result.impulse, Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero());
+    if (answers_of_pair_ > 1 || !(result.impulse > Scalar(0))) share_off(bodies_, a, b);
     // It came back once too often, and what opens gaps comes with the next step.
-    if (is_deep) separate_pair(pair, query, at.contact, answer, false);
+    if (is_deep) separate_pair(pair, query, at.contact, result, false);
     is_moved_ = is_deep;
     if (bodies_.states[a].group != BodiesT::kAlone) return;  // it was welded: nothing passes it on
     struck_.push({pair, at.contact, query.contact_gap});
   } else if (is_resting || is_deep) {
-    separate_pair(pair, query, at.contact, answer, is_resting);
+    separate_pair(pair, query, at.contact, result, is_resting);
   } else {
-    tell_controllers(pair, answer.impulse, Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero());
+    tell_controllers(pair, result.impulse, Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero());
   }
   if constexpr (kBends<SceneT> && !kSolves)
     shorten_courses(bodies_, pair, at.contact, query.contact_gap);
@@ -168,12 +168,12 @@ template <class SceneT>
 [[gnu::cold]] void GeneralWorld<SceneT>::block(const CandidateType& candidate,
                                                const PairQuery& query,
                                                const Nearest<Scalar>& nearest) {
-  Answer<Scalar> answer;
-  answer.v_rel = query.search.gap_rate;
-  answer.kind = classify(answer.v_rel, rest_speed());
-  answer.is_overlap = candidate.outcome == Outcome::kTouching && !(nearest.contact.gap > Scalar(0));
+  Answer<Scalar> result;
+  result.v_rel = query.search.gap_rate;
+  result.kind = classify(result.v_rel, rest_speed());
+  result.is_overlap = candidate.outcome == Outcome::kTouching && !(nearest.contact.gap > Scalar(0));
   ++bodies_.report.blocked;
-  touches_.record(bodies_, candidate.pair, nearest, answer);
+  touches_.record(bodies_, candidate.pair, nearest, result);
   bodies_.weld(BodiesT::body_of(candidate.pair.first), BodiesT::body_of(candidate.pair.second),
                bodies_.dt);
 }
@@ -183,7 +183,7 @@ template <class SceneT>
 template <class SceneT>
 [[gnu::cold]] void GeneralWorld<SceneT>::separate_pair(ProxyPair pair, const PairQuery& query,
                                                        const Contact<Scalar>& contact,
-                                                       const Answer<Scalar>& answer,
+                                                       const Answer<Scalar>& result,
                                                        bool is_resting) {
   const std::size_t a = BodiesT::body_of(pair.first);
   const std::size_t b = BodiesT::body_of(pair.second);
@@ -212,14 +212,14 @@ template <class SceneT>
       (options.limit_A < options.limit_B ? soft_A : soft_B) = 0;
     }
   }
-  const auto made = separate(contact, answer.v_rel, soft_A, soft_B, options);
+  const auto made = separate(contact, result.v_rel, soft_A, soft_B, options);
   if (!made.ok()) {
     ++bodies_.report.resolutions_invalid;
     return bodies_.weld(a, b, bodies_.dt);
   }
   bodies_.actor(a).body.X_WB.p_W += made.value.shift_A_W;
   bodies_.actor(b).body.X_WB.p_W += made.value.shift_B_W;
-  tell_controllers(pair, answer.impulse, made.value.shift_A_W, made.value.shift_B_W);
+  tell_controllers(pair, result.impulse, made.value.shift_A_W, made.value.shift_B_W);
   if constexpr (SceneT::kMaxBodies > 2 || SceneT::kCapsulesPerBody > 1) {
     const Vec3<Scalar> parted_W = made.value.shift_A_W - made.value.shift_B_W;
     const bool is_deeper = contact.gap + contact.normal_BA_W.dot(parted_W) < -margin;
@@ -280,11 +280,11 @@ void GeneralWorld<SceneT>::answer_straight(const CandidateType& candidate) {
   if (takes_load(pair, at.contact)) {
     hit.impulse += strike_straight(a, b, normal_W, Scalar(0)).impulse;
   }
-  Answer<Scalar> answer;
-  answer.kind = ContactKind::kColliding;
-  answer.v_rel = hit.v_rel;
-  answer.impulse = hit.impulse;
-  touches_.record(bodies_, pair, at, answer);
+  Answer<Scalar> result;
+  result.kind = ContactKind::kColliding;
+  result.v_rel = hit.v_rel;
+  result.impulse = hit.impulse;
+  touches_.record(bodies_, pair, at, result);
 }
 
 /// Without response: the contact is told once, and everybody moves on.
@@ -292,23 +292,23 @@ template <class SceneT>
 void GeneralWorld<SceneT>::report_only(const CandidateType& candidate) {
   if (!candidate.is_contact() || contacts_answered_ == SceneT::kMaxContacts) return cut(candidate);
   ++contacts_answered_;
-  Answer<Scalar> answer;
+  Answer<Scalar> result;
   if constexpr (SceneT::kRotation) {
     const PairQuery& query = pairs_.seen(bodies_, candidate.pair, false);
     const CapsuleGap<Scalar>& witness = query.search.witness;
-    answer.v_rel = query.search.gap_rate;
-    answer.kind = classify(answer.v_rel, bodies_.settings.rest_speed);
-    answer.is_overlap = candidate.outcome == Outcome::kTouching && !(witness.gap > Scalar(0));
+    result.v_rel = query.search.gap_rate;
+    result.kind = classify(result.v_rel, bodies_.settings.rest_speed);
+    result.is_overlap = candidate.outcome == Outcome::kTouching && !(witness.gap > Scalar(0));
     touches_.record(bodies_, candidate.pair,
                     {contact_from(witness, query.origin_W), witness.axes.s, witness.axes.u},
-                    answer);
+                    result);
   } else {
     const Nearest<Scalar> at =
         BodiesT::Kinematics::nearest(bodies_.actor(BodiesT::body_of(candidate.pair.first)),
                                      BodiesT::part_at(candidate.pair.first),
                                      bodies_.actor(BodiesT::body_of(candidate.pair.second)),
                                      BodiesT::part_at(candidate.pair.second));
-    touches_.record(bodies_, candidate.pair, at, answer);
+    touches_.record(bodies_, candidate.pair, at, result);
   }
 }
 

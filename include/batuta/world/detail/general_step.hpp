@@ -11,7 +11,7 @@ Status GeneralWorld<SceneT>::step(Scalar dt) {
   if (!is_positive(dt)) return Status::kInvalidArgument;
   begin_step(dt);
   if constexpr (kSolves) solve_lasting();
-  for (int round = 0; round < kMaxRounds && bodies_.now < bodies_.dt; ++round) {
+  for (int i = 0; i < kMaxRounds && bodies_.now < bodies_.dt; ++i) {  // Bound: kMaxRounds
     run_round();
   }
   BATUTA_INVARIANT(!(bodies_.now < bodies_.dt));
@@ -127,7 +127,7 @@ typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::next_release() const
   }
   if constexpr (kBends<SceneT>) {
     for (const auto& state : bodies_.states) {  // Bound: kMaxBodies
-      if (state.present) time = min_of(time, state.course_end);
+      if (state.present) time = min_of(time, state.plan_end);
     }
   }
   return time;
@@ -139,8 +139,8 @@ void GeneralWorld<SceneT>::release(Scalar time) {
   if (!(time < bodies_.dt)) return;
   if constexpr (kBends<SceneT>) {
     for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-      if (!bodies_.states[slot].present || time < bodies_.course_end(slot)) continue;
-      bodies_.bring(slot);
+      if (!bodies_.states[slot].present || time < bodies_.plan_end(slot)) continue;
+      bodies_.advance_to_now(slot);
       bodies_.end_course(slot, bodies_.dt);
     }
   }

@@ -146,7 +146,7 @@ class GeneralWorld : private RepeatsOf<SceneT> {
 
   // A contact: general_contact.hpp; a blow: general_blow.hpp.
   void resolve(const CandidateType& candidate, Scalar time);
-  void answer(const CandidateType& candidate, bool is_own_time);
+  void resolve_contact(const CandidateType& candidate, bool is_own_time);
   void answer_turning(const CandidateType& candidate, const PairQuery& query);
   void answer_straight(const CandidateType& candidate);
   void report_only(const CandidateType& candidate);
@@ -154,7 +154,7 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   void cut(const CandidateType& candidate);
   void block(const CandidateType& candidate, const PairQuery& query,
              const Nearest<Scalar>& nearest);
-  void bring(const CandidateType& candidate, std::size_t slot, bool is_own_time);
+  void advance_to_now(const CandidateType& candidate, std::size_t slot, bool is_own_time);
   bool uses_up_answers(ProxyPair pair);
   Scalar rest_speed() const;
   Scalar restitution_of(ProxyPair pair) const;
@@ -175,7 +175,7 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   void answer_ties(ProxyPair last);
   void pass_on();
   void separate_pair(ProxyPair pair, const PairQuery& query, const Contact<Scalar>& contact,
-                     const Answer<Scalar>& answer, bool is_resting);
+                     const Answer<Scalar>& result, bool is_resting);
   Scalar room_of(std::size_t slot, ProxyPair pair, const Vec3<Scalar>& away_W, Scalar shift) const;
   void tell_controllers(ProxyPair pair, Scalar impulse, const Vec3<Scalar>& shift_A_W,
                         const Vec3<Scalar>& shift_B_W);

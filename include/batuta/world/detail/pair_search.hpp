@@ -82,8 +82,8 @@ void Pairs<SceneT>::search(BodiesT& bodies, CandidateType& candidate, const Last
       if (state.group != BodiesT::kAlone) until = min_of(until, state.held_until);
     }
   }
-  until = min_of(until, min_of(bodies.course_end(body_of(candidate.pair.first)),
-                               bodies.course_end(body_of(candidate.pair.second))));
+  until = min_of(until, min_of(bodies.plan_end(body_of(candidate.pair.first)),
+                               bodies.plan_end(body_of(candidate.pair.second))));
   PairQuery& query = queries_.spare();
   search_pair(bodies, candidate.pair, until, lasts(candidate.pair), query);
   bodies.report.evaluations += query.evaluations();

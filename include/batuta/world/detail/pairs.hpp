@@ -207,7 +207,8 @@ void Pairs<SceneT>::collect_all(BodiesT& bodies) {
 template <class SceneT>
 void Pairs<SceneT>::refresh(BodiesT& bodies, bool is_begin) {
   constexpr std::size_t kSlots = BodiesT::kSlots;
-  for (int pass = 0; bodies.is_changed && pass <= SceneT::kMaxBodies; ++pass) {
+  constexpr int kMaxPasses = SceneT::kMaxBodies + 1;
+  for (int pass = 0; bodies.is_changed && pass < kMaxPasses; ++pass) {  // Bound: kMaxPasses
     bodies.is_changed = false;
     drop_changed(bodies);
     for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies

@@ -35,7 +35,7 @@ void SmallWorld<SceneT>::weld(std::size_t a, std::size_t b) {
   };
   Scalar mass = 0;
   Vec3<Scalar> sum_W = Vec3<Scalar>::Zero();
-  FallSums fall;
+  SmallFallSums fall;
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
     if (!is_in(slot)) continue;
     mass += 1 / inverse_mass_[slot];

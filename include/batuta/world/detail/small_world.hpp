@@ -94,7 +94,7 @@ class SmallWorld {
   };
 
   /// Of a group that falls: lag times mass.
-  struct FallSums {
+  struct SmallFallSums {
     Scalar lag = 0;
     bool loaded = false;
   };
@@ -218,7 +218,9 @@ void SmallWorld<SceneT>::run_round(bool is_begin) {
     if (inverse_mass_[slot] > Scalar(0)) move(slot, meeting.t_free);
   }
   if constexpr (SceneT::kGravity) {
-    for (std::size_t slot = 0; slot < kSlots; ++slot) lag(slot, meeting.t_free);  // kMaxBodies
+    for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+      lag(slot, meeting.t_free);
+    }
   }
   left_ -= meeting.t_free;
   if (meeting.outcome != Outcome::kFree) resolve(meeting);

@@ -28,7 +28,7 @@ class Touches : private EventsOf<SceneT> {
   const EventList& events() const { return this->list(); }
   /// A contact that was answered: begins, or goes on.
   void record(BodiesT& bodies, ProxyPair pair, const Nearest<Scalar>& nearest,
-              const Answer<Scalar>& answer);
+              const Answer<Scalar>& result);
   /// A contact that lasts: told when it begins.
   void record_lasting(BodiesT& bodies, ProxyPair pair, const Contact<Scalar>& contact,
                       Scalar impulse);
@@ -80,11 +80,11 @@ void Touches<SceneT>::tell(BodiesT& bodies, ContactEvent<Scalar>& event, ProxyPa
     event.kind = EventKind::kBegin;
     if (!this->begin_touch(pair)) ++bodies.report.contacts_untracked;
   } else if (kLasts<SceneT>) {
-    if (ContactEvent<Scalar>* told = this->find_told(event)) {
-      event.kind = told->kind;
-      event.impulse += told->impulse;
-      if (event.v_rel < told->v_rel) *told = event;
-      told->impulse = event.impulse;
+    if (ContactEvent<Scalar>* reported = this->find_told(event)) {
+      event.kind = reported->kind;
+      event.impulse += reported->impulse;
+      if (event.v_rel < reported->v_rel) *reported = event;
+      reported->impulse = event.impulse;
       return;
     }
   }
@@ -93,18 +93,18 @@ void Touches<SceneT>::tell(BodiesT& bodies, ContactEvent<Scalar>& event, ProxyPa
 
 template <class SceneT>
 void Touches<SceneT>::record(BodiesT& bodies, ProxyPair pair, const Nearest<Scalar>& nearest,
-                             const Answer<Scalar>& answer) {
-  if (answer.impulse > Scalar(0)) ++bodies.report.collisions;
-  if (answer.is_overlap) {
+                             const Answer<Scalar>& result) {
+  if (result.impulse > Scalar(0)) ++bodies.report.collisions;
+  if (result.is_overlap) {
     ++bodies.report.overlaps_at_start;
     bodies.report.deepest_overlap = max_of(bodies.report.deepest_overlap, -nearest.contact.gap);
   }
   if constexpr (SceneT::kMaxEvents > 0) {
     ContactEvent<Scalar> event = event_of(pair, nearest);
-    event.contact_kind = answer.kind;
+    event.contact_kind = result.kind;
     event.time = bodies.now;
-    event.v_rel = answer.v_rel;
-    event.impulse = answer.impulse;
+    event.v_rel = result.v_rel;
+    event.impulse = result.impulse;
     tell(bodies, event, pair);
   }
 }

@@ -40,7 +40,7 @@ class Welds {
 
  private:
   using Kinematics = KinematicsOf<SceneT>;
-  using State = typename BodiesT::State;
+  using BodyState = typename BodiesT::BodyState;
 
   Slot name_of(std::size_t slot) const {
     const Slot group = bodies_.states[slot].group;
@@ -49,11 +49,11 @@ class Welds {
   bool stop(std::size_t slot);
   void take_in(std::size_t slot, Slot name);
   GroupSums<SceneT> sums_of(Slot name) const;
-  typename Kinematics::MotionType course_of(const GroupSums<SceneT>& sums, Scalar duration) const;
+  typename Kinematics::MotionType plan_of(const GroupSums<SceneT>& sums, Scalar duration) const;
   void start_group(const GroupSums<SceneT>& sums, Slot name, Scalar until);
   void settle(Slot group);
-  void settle_turning(const State& whole);
-  void settle_straight(const State& whole);
+  void settle_turning(const BodyState& whole);
+  void settle_straight(const BodyState& whole);
   bool is_pushed_in(Slot group, std::size_t slot) const;
   void end_fall(std::size_t slot);
 
@@ -91,10 +91,10 @@ template <class SceneT>
 /// moved
 template <class SceneT>
 [[gnu::cold]] bool Welds<SceneT>::stop(std::size_t slot) {
-  const State& state = bodies_.states[slot];
+  const BodyState& state = bodies_.states[slot];
   if (state.group == BodiesT::kAlone) {
     if (bodies_.is_wall(slot)) return true;
-    bodies_.bring(slot);
+    bodies_.advance_to_now(slot);
     return false;
   }
   const bool stands = state.is_led_group && Kinematics::is_still(state.plan.motion);
@@ -109,7 +109,7 @@ template <class SceneT>
   if (group == BodiesT::kAlone) {
     if (!bodies_.is_wall(slot)) bodies_.states[slot].group = name;
   } else if constexpr (SceneT::kMaxBodies > 2) {
-    for (State& other : bodies_.states) {  // Bound: kMaxBodies
+    for (BodyState& other : bodies_.states) {  // Bound: kMaxBodies
       if (other.group == group) other.group = name;
     }
   }
@@ -145,7 +145,7 @@ template <class SceneT>
 
 /// Where a group goes that nothing stops.
 template <class SceneT>
-[[gnu::cold]] typename KinematicsOf<SceneT>::MotionType Welds<SceneT>::course_of(
+[[gnu::cold]] typename KinematicsOf<SceneT>::MotionType Welds<SceneT>::plan_of(
     const GroupSums<SceneT>& sums, Scalar duration) const {
   if constexpr (!BodiesT::kIsFree) {
     if (sums.led > 0) {
@@ -171,13 +171,13 @@ template <class SceneT>
   auto motion = Kinematics::standing_at(position_of(bodies_.actor(name)), rest);
   bool stands = sums.stands;
   if (!stands) {
-    const auto course = course_of(sums, rest);
-    stands = !is_valid(course);
-    if (!stands) motion = course;
+    const auto planned = plan_of(sums, rest);
+    stands = !is_valid(planned);
+    if (!stands) motion = planned;
   }
   const bool is_led = stands || sums.led > 0;
   for (std::size_t slot = 0; slot < BodiesT::kSlots; ++slot) {  // Bound: kMaxBodies
-    State& state = bodies_.states[slot];
+    BodyState& state = bodies_.states[slot];
     if (state.group != name) continue;
     state.is_led_group = is_led;
     state.held_until = until;
@@ -198,7 +198,7 @@ template <class SceneT>
 [[gnu::cold]] void Welds<SceneT>::part_group(std::size_t slot) {
   const Slot group = bodies_.states[slot].group;
   settle(group);
-  for (State& state : bodies_.states) {  // Bound: kMaxBodies
+  for (BodyState& state : bodies_.states) {  // Bound: kMaxBodies
     if (state.group == group) state.group = BodiesT::kAlone;
   }
 }
@@ -208,14 +208,14 @@ template <class SceneT>
 [[gnu::cold]] void Welds<SceneT>::settle(Slot group) {
   std::size_t first = 0;
   while (bodies_.states[first].group != group) ++first;  // Bound: kMaxBodies: who asks is in it
-  const State& whole = bodies_.states[first];
+  const BodyState& whole = bodies_.states[first];
   if constexpr (SceneT::kRotation) {
     settle_turning(whole);
   } else {
     settle_straight(whole);
   }
   for (std::size_t slot = first; slot < BodiesT::kSlots; ++slot) {  // Bound: kMaxBodies
-    State& state = bodies_.states[slot];
+    BodyState& state = bodies_.states[slot];
     if (state.group != group) continue;
     if constexpr (SceneT::kGravity) end_fall(slot);
     state.held_until = 0;
@@ -228,7 +228,7 @@ template <class SceneT>
 
 /// What rounding leaves of the sums goes to the heaviest.
 template <class SceneT>
-[[gnu::cold]] void Welds<SceneT>::settle_turning(const State& whole) {
+[[gnu::cold]] void Welds<SceneT>::settle_turning(const BodyState& whole) {
   const GroupSums<SceneT> sums = sums_of(whole.group);
   const Pose<Scalar> X_WG = pose_at(whole.plan.motion, bodies_.now - whole.start);
   Momentum<Scalar> left = sums.group.momentum;
@@ -250,7 +250,7 @@ template <class SceneT>
 }
 
 template <class SceneT>
-[[gnu::cold]] void Welds<SceneT>::settle_straight(const State& whole) {
+[[gnu::cold]] void Welds<SceneT>::settle_straight(const BodyState& whole) {
   const GroupSums<SceneT> sums = sums_of(whole.group);
   Vec3<Scalar> left_W = sums.group.momentum_W;
   Vec3<Scalar> v_W = whole.plan.motion.v_W;
@@ -269,7 +269,7 @@ template <class SceneT>
 /// Whether a body is of a group, and its momentum is the group's.
 template <class SceneT>
 bool Welds<SceneT>::is_pushed_in(Slot group, std::size_t slot) const {
-  const State& state = bodies_.states[slot];
+  const BodyState& state = bodies_.states[slot];
   if (state.group != group || !(bodies_.actor(slot).body.inverse_mass > Scalar(0))) return false;
   return BodiesT::kIsFree || !state.is_led_group || state.plan.by_momentum;
 }
@@ -278,7 +278,7 @@ bool Welds<SceneT>::is_pushed_in(Slot group, std::size_t slot) const {
 /// led carried begins to fall.
 template <class SceneT>
 [[gnu::cold]] void Welds<SceneT>::end_fall(std::size_t slot) {
-  State& state = bodies_.states[slot];
+  BodyState& state = bodies_.states[slot];
   auto& body = bodies_.actor(slot).body;
   const Scalar span = bodies_.dt - state.start;
   const Scalar elapsed = bodies_.now - state.start;

@@ -90,10 +90,14 @@ double duration(Case which) {
 
 Plan plan_of(Case which) {
   switch (which) {
-    case Case::kBounce: return bounce();
-    case Case::kRow: return row();
-    case Case::kTumble: return tumble();
-    case Case::kStack: return stack();
+    case Case::kBounce:
+      return bounce();
+    case Case::kRow:
+      return row();
+    case Case::kTumble:
+      return tumble();
+    case Case::kStack:
+      return stack();
   }
   return {};
 }

@@ -96,8 +96,7 @@ double bounces(double dt) {
   const int count = static_cast<int>(std::lround(10 / dt));
   for (int i = 0; i < count; ++i) {
     (void)stage.world->step(static_cast<S>(dt));
-    const double energy =
-        kG * (stage.place().z() - kRadius) + stage.velocity().squaredNorm() / 2;
+    const double energy = kG * (stage.place().z() - kRadius) + stage.velocity().squaredNorm() / 2;
     worst = std::max(worst, std::abs(energy / kG - 1));
   }
   return worst;
