@@ -173,19 +173,23 @@ class Checker {
   }
 
   /// What opening may shift somebody by in a step: half of what is missing to D / 2, at each
-  /// contact of a chain; where contacts do not last, each that is separated to D. And each that is
-  /// in the other, and told, is moved clear.
+  /// contact of a chain, and at each that is answered where the two are in each other; where
+  /// contacts do not last, each that is separated to D. And each that is in the other, and told, is
+  /// moved clear.
   Real opening() const {
     if (!told_.shifts) return 0;
     Real sum = 0;
     Real margin = 0;
+    Real D = 0;
     for (const Pair& pair : pairs_) {
       margin = std::max(margin, pair.margin);
+      D = std::max(D, pair.D);
       if (told_.settles && pair.was < 0.4L * pair.D) sum += (pair.D / 2 - pair.was) / 2;
       if (!told_.settles && pair.was < -pair.margin / 2) sum += pair.margin - pair.was;
     }
     // From a margin's depth to as far apart, or to D.
     const Real to = told_.settles ? 2 * margin : std::max(told_.D, margin);
+    if (told_.settles) sum += static_cast<Real>(told_.impulses) * (D / 2 + margin);
     return sum + static_cast<Real>(told_.overlaps) * 2 * margin +
            static_cast<Real>(told_.separations) * to;
   }

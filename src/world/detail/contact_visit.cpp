@@ -220,7 +220,7 @@ struct BeforeVisit {
 
 template <class Traits, class Scalar>
 Scalar relax(LastingContact<Traits>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
-             Scalar& energy) {
+             Scalar& energy, const Vec3<Scalar>& carried_W) {
   const BeforeVisit<Traits, Scalar> before = {contact.points, {A.v_W, A.w_W, B.v_W, B.w_W}};
   NormalSides<Traits> sides;
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
@@ -237,6 +237,7 @@ Scalar relax(LastingContact<Traits>& contact, SolvedBody<Scalar>& A, SolvedBody<
     const auto k = static_cast<std::size_t>(i);
     auto& point = contact.points[k];
     point.normal += sides[k].change;
+    gain -= sides[k].change * point.room;  // what counts is energy
     most = max_of(most, std::abs(sides[k].change));
     if constexpr (Traits::kFriction) {
       if (contact.friction > Scalar(0)) gain += relax_friction(point, A, B, contact.friction);
@@ -244,6 +245,12 @@ Scalar relax(LastingContact<Traits>& contact, SolvedBody<Scalar>& A, SolvedBody<
     if constexpr (Traits::kRolling) {
       if (contact.rolling > Scalar(0)) gain += relax_rolling(point, A, B, contact.rolling);
     }
+  }
+  if (!is_zero(carried_W)) {
+    const bool is_A = A.inverse_mass > Scalar(0);
+    const Vec3<Scalar> dv_W = is_A ? A.v_W - before.velocities[0] : before.velocities[2] - B.v_W;
+    const Scalar soft = A.inverse_mass + B.inverse_mass;
+    if (soft > Scalar(0)) gain += carried_W.dot(dv_W) / soft;
   }
   if (gain > Scalar(0) && energy + gain > Scalar(0)) {
     contact.points = before.points;
@@ -285,7 +292,7 @@ Scalar relax_opening(LastingContact<Traits>& contact, SolvedBody<Scalar>& A, Sol
 
 #define BATUTA_INSTANTIATE_CONTACT(S, F, R, L)                                                 \
   template S relax(LastingContact<ContactTraits<S, F, R, L>>&, SolvedBody<S>&, SolvedBody<S>&, \
-                   S&);                                                                        \
+                   S&, const Vec3<S>&);                                                        \
   template S relax_opening(LastingContact<ContactTraits<S, F, R, L>>&, SolvedBody<S>&,         \
                            SolvedBody<S>&, S, S);
 #define BATUTA_INSTANTIATE(S) BATUTA_FOR_EACH_CONTACT(BATUTA_INSTANTIATE_CONTACT, S)

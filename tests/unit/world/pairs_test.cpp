@@ -113,21 +113,20 @@ TEST(CandidateOrder, EveryOrderOfStoring_ChoosesTheSamePair) {
   EXPECT_EQ(orders, 24);
 }
 
-TEST(CandidateOrder, Ties_ComeInTheOrderOfTheirPairs) {
+TEST(CandidateOrder, FurtherContacts_ComeInTheOrderOfTheirPairs) {
   FixedList<CandidatePair<double>, 6> candidates;
   candidates.push(contact_at({3, 4}, 0.5, 0.5));
-  candidates.push(contact_at({1, 2}, 0.7, 0.55));  // near too late
   candidates.push(contact_at({2, 3}, 0.6, 0.4));
   candidates.push(contact_at({0, 9}, 0.6, 0.4));  // before the last one
   candidates.push(contact_at({1, 7}, 0.6, 0.4));  // had its answer
   candidates.push(contact_at({2, 8}, 0.6, 0.4));
-  candidates[5].outcome = Outcome::kBudget;
+  candidates[4].outcome = Outcome::kBudget;
   const auto has_had = [](ProxyPair pair) { return is_same(pair, {1, 7}); };
-  const int first = CandidateOrder::next_tie(candidates, 0.5, {0, 9}, has_had);
-  ASSERT_EQ(first, 2);
-  const int second = CandidateOrder::next_tie(candidates, 0.5, candidates[first].pair, has_had);
+  const int first = CandidateOrder::next_contact(candidates, {0, 9}, has_had);
+  ASSERT_EQ(first, 1);
+  const int second = CandidateOrder::next_contact(candidates, candidates[first].pair, has_had);
   ASSERT_EQ(second, 0);
-  EXPECT_EQ(CandidateOrder::next_tie(candidates, 0.5, {3, 4}, has_had), CandidateOrder::kNone);
+  EXPECT_EQ(CandidateOrder::next_contact(candidates, {3, 4}, has_had), CandidateOrder::kNone);
 }
 
 }  // namespace

@@ -61,16 +61,15 @@ struct CandidateOrder {
     }
     return chosen;
   }
-  /// The lowest pair behind `last` that ties with the contact at `time`; kNone where there is none.
-  template <class Candidates, class Scalar, class HasHad>
-  static int next_tie(const Candidates& candidates, Scalar time, ProxyPair last,
-                      const HasHad& has_had) {
+  /// The lowest pair behind `last` that comes to contact in the step; kNone where there is none.
+  template <class Candidates, class HasHad>
+  static int next_contact(const Candidates& candidates, ProxyPair last, const HasHad& has_had) {
     int next = kNone;
     for (int i = 0; i < candidates.size(); ++i) {  // Bound: kMaxPairs
       const auto& candidate = candidates[i];
-      if (!candidate.is_contact() || time < candidate.near_from()) continue;
-      if (!precedes(last, candidate.pair) || has_had(candidate.pair)) continue;
-      if (next == kNone || precedes(candidate.pair, candidates[next].pair)) next = i;
+      if (!candidate.is_contact() || !precedes(last, candidate.pair)) continue;
+      if (next != kNone && !precedes(candidate.pair, candidates[next].pair)) continue;
+      if (!has_had(candidate.pair)) next = i;
     }
     return next;
   }

@@ -107,9 +107,9 @@ class ContactGroups {
   void order(const BodiesT& bodies);
   std::size_t root_of(std::size_t slot);
   void unite(const BodiesT& bodies, bool loaded_only);
-  Scalar lift_of(const BodiesT& bodies, const Contact& contact) const;
   Scalar warm_up(const BodiesT& bodies, int first, int last);
-  Scalar visit(Contact& contact, Scalar& energy);
+  Scalar visit(Contact& contact, Scalar& energy, const Vec3<Scalar>& carried_W);
+  Vec3<Scalar> carried_by(const BodiesT& bodies, const Contact& contact) const;
   void sweep(int first, int last, Scalar time, Scalar energy);
   void give(BodiesT& bodies, const Contact& contact);
   void give_at(BodiesT& bodies, const Contact& contact, const ContactPoint<Traits>& point,
@@ -119,6 +119,9 @@ class ContactGroups {
   Scalar visit_opening(BodiesT& bodies, Contact& contact, Scalar share);
   Scalar share_to_open(const BodiesT& bodies, const Contact& contact) const;
   void carry_loads(BodiesT& bodies, bool dirty_only);
+  Scalar may_close(const BodiesT& bodies, const Contact& contact, Scalar gap, Scalar share) const;
+  bool is_settled(const BodiesT& bodies, const Contact& contact, Scalar changed,
+                  Scalar share) const;
   bool is_worth(const BodiesT& bodies, const Contact& contact, Scalar share) const;
   void refresh(BodiesT& bodies, Contact& contact);
   void relax_now(BodiesT& bodies, Contact& contact, Scalar& energy);

@@ -39,17 +39,37 @@ void ContactGroups<SceneT>::refresh(BodiesT& bodies, Contact& contact) {
   contact.is_solved = true;
 }
 
+/// How far a point may close in what is left of the step, m: `share` of D; or less where the gap is
+/// nearly closed, because the search would call what is left contact at once (world.md, "Blows").
+template <class SceneT>
+Scalar_of<SceneT> ContactGroups<SceneT>::may_close(const BodiesT& bodies, const Contact& contact,
+                                                   Scalar gap, Scalar share) const {
+  constexpr Scalar kOfGap = Scalar(1) / 4;
+  constexpr Scalar kLeast = Scalar(1) / 4096;  // of D, in a whole step
+  const Scalar least = kLeast * contact.rest_gap * ((bodies.dt - bodies.now) / bodies.dt);
+  return min_of(share * contact.rest_gap, max_of(kOfGap * gap, least));
+}
+
+/// Whether the bodies of a contact that was looked at have changed by so little since then that it
+/// need not be looked at again.
+/// @param changed  what visits changed of both since then, m/s
+template <class SceneT>
+bool ContactGroups<SceneT>::is_settled(const BodiesT& bodies, const Contact& contact,
+                                       Scalar changed, Scalar share) const {
+  constexpr Scalar kUnseen = Scalar(1) / 4;
+  const Scalar gap = contact.count > 1 ? min_of(contact.points[0].gap, contact.points[1].gap)
+                                       : contact.points[0].gap;
+  return changed * (bodies.dt - bodies.now) < kUnseen * may_close(bodies, contact, gap, share);
+}
+
 /// Whether a contact is approached, or pulls, by more than matters in what is left of the step:
 /// `share` of D; or less where the gap is nearly closed, because the search would call what is left
 /// contact at once (world.md, "Blows").
 template <class SceneT>
 bool ContactGroups<SceneT>::is_worth(const BodiesT& bodies, const Contact& contact,
                                      Scalar share) const {
-  constexpr Scalar kOfGap = Scalar(1) / 4;
-  constexpr Scalar kLeast = Scalar(1) / 4096;  // of D, in a whole step
   const Scalar left = bodies.dt - bodies.now;
   const Scalar most = share * contact.rest_gap;
-  const Scalar least = kLeast * contact.rest_gap * (left / bodies.dt);
   const std::size_t a = a_of(contact);
   const std::size_t b = b_of(contact);
   const Twist<Scalar>& A = bodies.states[a].opening;
@@ -62,7 +82,7 @@ bool ContactGroups<SceneT>::is_worth(const BodiesT& bodies, const Contact& conta
     const Scalar opening =
         point.normal_W.dot((A.v_W - B.v_W) + (A.w_W.cross(point.arm_A_W) -
                                               B.w_W.cross(arm_B(point, solved_[a], solved_[b]))));
-    const Scalar may_close = min_of(most, max_of(kOfGap * point.gap, least));
+    const Scalar may_close = this->may_close(bodies, contact, point.gap, share);
     const bool pulls = u * left > most && point.normal > Scalar(0);
     is_worth = is_worth || (u + min_of(opening, Scalar(0))) * left < -may_close || pulls;
   }
@@ -88,7 +108,7 @@ void ContactGroups<SceneT>::relax_now(BodiesT& bodies, Contact& contact, Scalar&
     const auto k = static_cast<std::size_t>(i);
     before[k] = impulse_at(contact.points[k]);
   }
-  visit(contact, energy);
+  visit(contact, energy, carried_by(bodies, contact));
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
     const auto k = static_cast<std::size_t>(i);
     const PointImpulse<Scalar> after = impulse_at(contact.points[k]);
@@ -168,11 +188,14 @@ void ContactGroups<SceneT>::pass_around(BodiesT& bodies, int parts, Scalar energ
         next = next_[i][a_of(contact) == slot ? 0 : 1];
         const Scalar changed = changed_[a_of(contact)] + changed_[b_of(contact)];
         if (!contact.is_solved || changed == seen_[i] || is_welded(bodies, contact)) continue;
+        const Scalar share = is_struck_[i] ? kLeastOfStruck : kLeast;
+        const bool was_seen = seen_[i] > Scalar(0);
+        if (was_seen && is_settled(bodies, contact, changed - seen_[i], share)) continue;
         seen_[i] = changed;
         for (const std::size_t side : {a_of(contact), b_of(contact)}) {  // Bound: 2
           solved_[side].place_W = bodies.place_now(side);
         }
-        if (!is_worth(bodies, contact, is_struck_[i] ? kLeastOfStruck : kLeast)) continue;
+        if (!is_worth(bodies, contact, share)) continue;
         is_done = false;
         if (contact.since < bodies.now) refresh(bodies, contact);
         mark(bodies, a_of(contact));

@@ -134,22 +134,20 @@ void ContactGroups<SceneT>::order(const BodiesT& bodies) {
   std::sort_heap(order_.begin(), end, precedes);
 }
 
-/// What gravity gave in the step and a contact takes back: what half of the step's fall makes of
-/// its impulse on the body that is not led, J; 0 where both or neither are.
+/// What gravity makes in half of what is left of the step, m/s, of what a contact gives to A, where
+/// one of the two is led: between two that fall it is nothing.
 template <class SceneT>
-Scalar_of<SceneT> ContactGroups<SceneT>::lift_of(const BodiesT& bodies,
-                                                 const Contact& contact) const {
-  Scalar lift = 0;
+Vec3<Scalar_of<SceneT>> ContactGroups<SceneT>::carried_by(
+    [[maybe_unused]] const BodiesT& bodies, [[maybe_unused]] const Contact& contact) const {
+  Vec3<Scalar> carried_W = Vec3<Scalar>::Zero();
   if constexpr (SceneT::kGravity) {
-    const bool led_a = bodies.is_led(a_of(contact));
-    if (led_a == bodies.is_led(b_of(contact))) return lift;
-    const Scalar half = led_a ? bodies.dt / 2 : -bodies.dt / 2;
-    for (int i = 0; i < contact.count; ++i) {  // Bound: 2
-      const auto& point = contact.points[static_cast<std::size_t>(i)];
-      lift += half * bodies.settings.gravity_W.dot(impulse_at(point).J_W);
+    const bool led_A = bodies.is_led(a_of(contact));
+    const Scalar half = (bodies.dt - bodies.now) / 2;
+    if (led_A != bodies.is_led(b_of(contact))) {
+      carried_W = (led_A ? half : -half) * bodies.settings.gravity_W;
     }
   }
-  return lift;
+  return carried_W;
 }
 
 /// The impulses of the last step, as far as they take energy: along their ray the energy is a
@@ -178,7 +176,11 @@ Scalar_of<SceneT> ContactGroups<SceneT>::warm_up(const BodiesT& bodies, int firs
   const Scalar slope = work();
   Scalar lift = 0;
   for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
-    lift += lift_of(bodies, contacts_[order_[static_cast<std::size_t>(k)]]);
+    const Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
+    const Vec3<Scalar> carried_W = carried_by(bodies, contact);
+    for (int i = 0; i < contact.count; ++i) {  // Bound: 2
+      lift += carried_W.dot(impulse_at(contact.points[static_cast<std::size_t>(i)]).J_W);
+    }
   }
   give(Scalar(1));
   const Scalar bend = work() - slope;
@@ -206,14 +208,15 @@ Scalar least_change(const LastingContact<Traits>& contact, Scalar time) {
 /// @param energy  what was added to that of the group so far, J, <= 0: the visit adds its part
 /// @returns the largest change along a normal, m/s
 template <class SceneT>
-Scalar_of<SceneT> ContactGroups<SceneT>::visit(Contact& contact, Scalar& energy) {
+Scalar_of<SceneT> ContactGroups<SceneT>::visit(Contact& contact, Scalar& energy,
+                                               const Vec3<Scalar>& carried_W) {
   const std::array<std::size_t, 2> slots = {a_of(contact), b_of(contact)};
   std::array<Vec3<Scalar>, 4> before;
   for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2
     before[2 * i] = solved_[slots[i]].v_W;
     before[2 * i + 1] = solved_[slots[i]].w_W;
   }
-  const Scalar change = relax(contact, solved_[slots[0]], solved_[slots[1]], energy);
+  const Scalar change = relax(contact, solved_[slots[0]], solved_[slots[1]], energy, carried_W);
   const auto& point = contact.points[0];
   for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2
     const auto& solved = solved_[slots[i]];
@@ -243,7 +246,7 @@ void ContactGroups<SceneT>::sweep(int first, int last, Scalar time, Scalar energ
       const Scalar changed = changed_[a_of(contact)] + changed_[b_of(contact)];
       if (!(changed - seen_[i] > kUnseen * enough)) continue;
       seen_[i] = changed;
-      const Scalar change = visit(contact, energy);
+      const Scalar change = visit(contact, energy, Vec3<Scalar>::Zero());
       is_done = is_done && !(change > enough);
     }
     if (is_done) return;

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// GeneralWorld: contacts that tie with the first of a round, where contacts last: all of them are
-// answered before anybody is planned anew (src/world/world.md, "Order"). Included by
+// GeneralWorld: contacts that are near when the first of a round happens, where contacts last: all
+// of them are answered before anybody is planned anew (src/world/world.md, "Order"). Included by
 // general_world.hpp.
 
 #include "batuta/world/detail/general_world.hpp"
 
 namespace batuta::detail {
 
-/// Whether a pair that ties has something to answer now: it approaches, by the momenta as they are.
-/// What does not stays a candidate, or is collected anew where one of its bodies has changed.
+/// Whether a pair that comes to contact in the step ties: it is near already, and has something to
+/// answer, because it approaches by the momenta as they are. What does not stays a candidate, or is
+/// collected anew where one of its bodies has changed.
 template <class SceneT>
 bool GeneralWorld<SceneT>::is_due(ProxyPair pair) {
+  constexpr Scalar kNear = Scalar(1) / 2;  // of D: where contacts last, they are as near
   const std::size_t a = BodiesT::body_of(pair.first);
   const std::size_t b = BodiesT::body_of(pair.second);
   const bool is_alone =
@@ -20,6 +22,7 @@ bool GeneralWorld<SceneT>::is_due(ProxyPair pair) {
   if (!is_alone || !has_room || this->answers_of(pair) >= SceneT::kMaxSeparations) return false;
   const PairQuery& query = pairs_.seen(bodies_, pair, false);
   const auto& witness = query.search.witness;
+  if (witness.gap > kNear * pairs_.rest_gap(bodies_, pair)) return false;
   const auto velocity = [&](std::size_t slot, const Vec3<Scalar>& surface_P) {
     const Twist<Scalar> twist = bodies_.twist_now(slot);
     const Vec3<Scalar> arm_W = surface_P + query.origin_W - bodies_.place_now(slot);
@@ -35,7 +38,7 @@ template <class SceneT>
 void GeneralWorld<SceneT>::answer_ties(ProxyPair last) {
   const auto has_had = [this](ProxyPair pair) { return this->was_answered(pair, bodies_.now); };
   while (!struck_.empty() && struck_.size() < kTies && !is_moved_) {  // Bound: kMaxPairs
-    const int i = CandidateOrder::next_tie(pairs_.candidates, bodies_.now, last, has_had);
+    const int i = CandidateOrder::next_contact(pairs_.candidates, last, has_had);
     if (i == CandidateOrder::kNone) return;
     const CandidateType candidate = pairs_.candidates[i];
     last = candidate.pair;

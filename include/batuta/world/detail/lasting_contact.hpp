@@ -179,10 +179,12 @@ void scale_impulses(LastingContact<Traits>& contact, Scalar share);
 /// points together. A visit that would add more energy than all before it have taken is left out
 /// (world.md, "Contacts that last").
 /// @param[in,out] energy  what all visits so far have added to the energy at most, J, <= 0
+/// @param carried_W  what counts as energy for each newton second that A gets, m/s: within a step,
+///   where one of the two is led, what half of the fall that is left makes of it
 /// @returns the largest change of a velocity along a normal, m/s. Bound: two points.
 template <class Traits, class Scalar>
 Scalar relax(LastingContact<Traits>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
-             Scalar& energy);
+             Scalar& energy, const Vec3<Scalar>& carried_W = Vec3<Scalar>::Zero());
 
 /// One visit for the velocities that open gaps.
 /// @param A, B   these velocities

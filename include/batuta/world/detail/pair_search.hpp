@@ -110,10 +110,11 @@ bool make_thinner(MovingPair<Scalar>& pair, Scalar missing) {
 template <class Scalar>
 Scalar thinner_by(Scalar margin, Scalar contact_gap, Scalar gap, Scalar share) {
   constexpr Scalar kContactGaps = 2;  // in a margin; the rest of it is rounding
-  constexpr Scalar kOfRest = 4;       // a part of that is clear of it for one search
+  constexpr Scalar kOfRest = 4;       // a part of that, and of a contact gap, is clear of it
   const Scalar rounding = (margin - kContactGaps * contact_gap) / kOfRest;
   const Scalar left = margin - contact_gap + min_of(gap, Scalar(0));
-  return contact_gap + max_of(rounding, share * left) - gap;
+  const Scalar clear = max_of(rounding, contact_gap / kOfRest);
+  return contact_gap + max_of(clear, share * left) - gap;
 }
 
 template <class SceneT>
@@ -168,7 +169,10 @@ void Pairs<SceneT>::let_part(BodiesT& bodies, ProxyPair pair, MovingPair<Scalar>
   const Scalar thinner = thinner_by(margin, query.contact_gap, gap, kShare);
   search_thinner(bodies, moving_pair, query, thinner - so_far);
   const Scalar beyond = thinner - max_of(margin, -gap);
-  if (SceneT::kMaxPairs > 1 && beyond > Scalar(0)) stop_early(moving_pair, query, beyond);
+  // Elsewhere nothing is opened, and what comes back is moved clear or goes together.
+  if (kLasts<SceneT> && SceneT::kMaxPairs > 1 && beyond > Scalar(0)) {
+    stop_early(moving_pair, query, beyond);
+  }
 }
 
 /// What is let part by more than the margin is answered before it has come back as deep, to first
