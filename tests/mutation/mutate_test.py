@@ -220,7 +220,7 @@ class PlantedFaults(unittest.TestCase):
         for fault in laws_faults.FAULTS:
             text = (source / fault.file).read_text()
             self.assertNotEqual(laws_faults.planted(text, fault), text, fault.name)
-            self.assertTrue((source / fault.unit).is_file(), fault.name)
+            self.assertTrue((source / (fault.unit or fault.file)).is_file(), fault.name)
             self.assertRaises(ValueError, laws_faults.planted, "", fault)
 
 

@@ -28,11 +28,11 @@ FAULTS = [
     Fault("momentum scaled in a hold", MOTION, "  add(all.linear_W, Scalar(1), own.linear_W);",
           "  add(all.linear_W, Scalar(1) + Scalar(1) / 1024, own.linear_W);", "Lasting/*Momentum*"),
     Fault("a weld without its spin", MOTION, "  add(all.angular_W, Scalar(1), own.angular_W);", "", "Lasting/*Momentum*"),
-    Fault("friction with the old normal impulse", "src/world/detail/lasting_contact.cpp",
-          "    if (contact.friction > Scalar(0)) gain += relax_friction(point, A, B, contact.friction);",
-          "    point.normal -= change;\n"
-          "    if (contact.friction > Scalar(0)) gain += relax_friction(point, A, B, contact.friction);\n"
-          "    point.normal += change;", "Lasting/*Friction*"),
+    Fault("friction with the old normal impulse", "src/world/detail/contact_visit.cpp",
+          "if (contact.friction > Scalar(0)) gain += relax_friction(point, A, B, contact.friction);",
+          "point.normal -= sides[k].change;\n"
+          "if (contact.friction > Scalar(0)) gain += relax_friction(point, A, B, contact.friction);\n"
+          "point.normal += sides[k].change;", "Lasting/*Friction*"),
 ]
 
 
