@@ -118,7 +118,7 @@ TYPED_TEST(RackOf, StackThatStands_EveryStepIsComplete) {
   for (const double dt : {1e-3, 1.0 / 60}) {
     auto world = std::make_unique<World<typename TestFixture::SceneT>>();
     stack(*world);
-    const Room most = run(*world, dt, 0.5);
+    const Room most = run(*world, dt, 2);
     EXPECT_EQ(most.asleep, 56) << dt;
   }
 }

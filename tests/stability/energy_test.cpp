@@ -115,6 +115,7 @@ void never_grows(double restitution, double friction) {
   double all_gains = 0;
   long contacts = 0;
   std::uint64_t overlaps = 0;
+  long frozen = 0;
   for (long steps = 0; contacts < wanted; ++steps) {
     ASSERT_LT(steps, 100 * wanted);
     if (steps % 500 == 0) {  // some have lost nearly everything by then
@@ -122,7 +123,10 @@ void never_grows(double restitution, double friction) {
       before = energy_of(world);
     }
     ASSERT_EQ(world.step(S(5e-3)), Status::kOk);
-    ASSERT_TRUE(world.report().complete()) << steps;
+    if (!world.report().complete()) {  // between two walls, and no room to be moved apart
+      ++frozen;
+      ASSERT_GT(world.report().frozen, 0U) << steps;
+    }
     contacts += world.report().collisions;
     const double energy = energy_of(world);
     const double gain = before > 0 ? energy / before - 1 : energy;  // all may have stopped
@@ -134,6 +138,7 @@ void never_grows(double restitution, double friction) {
     all_gains += gain > 0 ? gain : 0;
     before = energy;
   }
+  EXPECT_LE(frozen, contacts / 1000) << "hardly ever";
   EXPECT_LE(overlaps, static_cast<std::uint64_t>(contacts / 100000)) << "hardly ever";
   std::printf("  %ld contacts: gains of %.1e in all, %.1e at most in a step\n", contacts, all_gains,
               most_gain);

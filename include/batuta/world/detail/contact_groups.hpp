@@ -122,7 +122,7 @@ class ContactGroups {
   Scalar may_close(const BodiesT& bodies, const Contact& contact, Scalar gap, Scalar share) const;
   bool is_settled(const BodiesT& bodies, const Contact& contact, Scalar changed,
                   Scalar share) const;
-  bool is_worth(const BodiesT& bodies, const Contact& contact, Scalar share) const;
+  bool is_worth(const BodiesT& bodies, const Contact& contact, Scalar share, bool is_struck) const;
   void refresh(BodiesT& bodies, Contact& contact);
   void relax_now(BodiesT& bodies, Contact& contact, Scalar& energy);
   template <class Blow>

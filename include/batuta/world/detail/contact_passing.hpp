@@ -64,10 +64,11 @@ bool ContactGroups<SceneT>::is_settled(const BodiesT& bodies, const Contact& con
 
 /// Whether a contact is approached, or pulls, by more than matters in what is left of the step:
 /// `share` of D; or less where the gap is nearly closed, because the search would call what is left
-/// contact at once (world.md, "Blows").
+/// contact at once (world.md, "Blows"). One that was struck is not excused by an opening that holds
+/// it apart: each answer would find the same approach.
 template <class SceneT>
-bool ContactGroups<SceneT>::is_worth(const BodiesT& bodies, const Contact& contact,
-                                     Scalar share) const {
+bool ContactGroups<SceneT>::is_worth(const BodiesT& bodies, const Contact& contact, Scalar share,
+                                     bool is_struck) const {
   const Scalar left = bodies.dt - bodies.now;
   const Scalar most = share * contact.rest_gap;
   const std::size_t a = a_of(contact);
@@ -84,7 +85,8 @@ bool ContactGroups<SceneT>::is_worth(const BodiesT& bodies, const Contact& conta
                                               B.w_W.cross(arm_B(point, solved_[a], solved_[b]))));
     const Scalar may_close = this->may_close(bodies, contact, point.gap, share);
     const bool pulls = u * left > most && point.normal > Scalar(0);
-    is_worth = is_worth || (u + min_of(opening, Scalar(0))) * left < -may_close || pulls;
+    const Scalar by_opening = is_struck ? min_of(opening, Scalar(0)) : opening;
+    is_worth = is_worth || (u + by_opening) * left < -may_close || pulls;
   }
   return is_worth;
 }
@@ -202,7 +204,7 @@ void ContactGroups<SceneT>::pass_around(BodiesT& bodies, int parts, Scalar energ
         for (const std::size_t side : {a_of(contact), b_of(contact)}) {  // Bound: 2
           solved_[side].place_W = bodies.place_now(side);
         }
-        if (!is_worth(bodies, contact, share)) continue;
+        if (!is_worth(bodies, contact, share, is_struck_[i])) continue;
         is_done = false;
         if (contact.since < bodies.now) refresh(bodies, contact);
         mark(bodies, a_of(contact));

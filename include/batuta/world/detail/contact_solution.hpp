@@ -197,7 +197,7 @@ Scalar_of<SceneT> ContactGroups<SceneT>::warm_up(const BodiesT& bodies, int firs
 /// less where the gap is nearly closed, because the search would call what is left contact.
 template <class Traits, class Scalar>
 Scalar least_change(const LastingContact<Traits>& contact, Scalar time) {
-  constexpr Scalar kEnough = Scalar(1) / 32;   // of D
+  constexpr Scalar kEnough = Scalar(1) / 64;   // of D
   constexpr Scalar kOfGap = Scalar(1) / 8;     // of the gap
   constexpr Scalar kLeast = Scalar(1) / 1024;  // of D
   const Scalar D = contact.rest_gap;
