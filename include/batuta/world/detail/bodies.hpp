@@ -174,6 +174,9 @@ class Bodies : public Proxies<SceneT> {
   Scalar now = 0;           ///< in the step, s
   Scalar dt = 0;            ///< length of the step, s
   bool is_changed = false;  ///< somebody has to be planned anew
+
+ private:
+  void begin_motion(std::size_t slot);
 };
 
 template <class SceneT>
@@ -196,9 +199,26 @@ bool Bodies<SceneT>::begin(std::size_t slot) {
   }
   state.present = true;
   const bool stayed = stood && Kinematics::is_at_start(actor.body, state.plan.motion);
+  begin_motion(slot);
+  if constexpr (SceneT::kGravity) {
+    if (falls(slot)) {
+      Kinematics::linear_momentum(actor.body) +=
+          (dt / actor.body.inverse_mass) * settings.gravity_W;
+    }
+  }
+  return stayed;
+}
+
+/// The motion of a body that begins a step, before contacts that last are solved.
+template <class SceneT>
+void Bodies<SceneT>::begin_motion(std::size_t slot) {
+  [[maybe_unused]] ActorType& actor = actors.at(slot);
+  BodyState& state = states[slot];
   if (is_asleep(slot)) {
     state.plan.motion = Kinematics::standing(actor.body, dt);
-  } else if constexpr (kIsFree && kLasts<SceneT>) {
+    return;
+  }
+  if constexpr (kIsFree && kLasts<SceneT>) {
     state.plan.by_momentum = true;
     state.plan.motion = Kinematics::free_motion(actor.body, dt);
   } else if constexpr (kLasts<SceneT> || SceneT::kGravity) {
@@ -207,13 +227,6 @@ bool Bodies<SceneT>::begin(std::size_t slot) {
   if constexpr (kLasts<SceneT>) {
     if (!is_valid(state.plan.motion)) go_straight(*this, slot, dt);
   }
-  if constexpr (SceneT::kGravity) {
-    if (falls(slot)) {
-      Kinematics::linear_momentum(actor.body) +=
-          (dt / actor.body.inverse_mass) * settings.gravity_W;
-    }
-  }
-  return stayed;
 }
 
 template <class SceneT>

@@ -95,18 +95,28 @@ class ContactGroups {
 
   static std::size_t a_of(const Contact& contact) { return BodiesT::body_of(contact.pair.first); }
   static std::size_t b_of(const Contact& contact) { return BodiesT::body_of(contact.pair.second); }
+  /// A pair where it is.
+  struct NearPair {
+    ClosestPoints<Scalar> axes;
+    Capsule<Scalar> A_W;
+    Capsule<Scalar> B_W;
+  };
   bool is_near(const BodiesT& bodies, PairsT& pairs, ProxyPair pair, Scalar D,
-               ClosestPoints<Scalar>& axes, Capsule<Scalar>& A_W, Capsule<Scalar>& B_W) const;
+               NearPair& near) const;
   Contact* add(const BodiesT& bodies, ProxyPair pair, Scalar D);
   void drop_far(const BodiesT& bodies);
   void link_all();
   void link(int i);
   void load(const BodiesT& bodies, std::size_t slot);
   void choose(const BodiesT& bodies);
+  bool may_last(const BodiesT& bodies, const Contact& contact) const;
+  bool bounces(const BodiesT& bodies, const Contact& contact, Scalar rest) const;
   Scalar rest_speed(const BodiesT& bodies) const;
   void order(const BodiesT& bodies);
   std::size_t root_of(std::size_t slot);
   void unite(const BodiesT& bodies, bool loaded_only);
+  void join(const BodiesT& bodies, const Contact& contact);
+  void hold(const BodiesT& bodies, const Contact& contact);
   Scalar warm_up(const BodiesT& bodies, int first, int last);
   Scalar visit(Contact& contact, Scalar& energy, const Vec3<Scalar>& carried_W);
   Vec3<Scalar> carried_by(const BodiesT& bodies, const Contact& contact) const;
@@ -115,10 +125,12 @@ class ContactGroups {
   void give_at(BodiesT& bodies, const Contact& contact, const ContactPoint<Traits>& point,
                const PointImpulse<Scalar>& given);
   void open(BodiesT& bodies);
+  bool is_opening_needed() const;
   void find_held(const BodiesT& bodies);
   Scalar visit_opening(BodiesT& bodies, Contact& contact, Scalar share);
   Scalar share_to_open(const BodiesT& bodies, const Contact& contact) const;
   void carry_loads(BodiesT& bodies, bool dirty_only);
+  void carry_load(BodiesT& bodies, std::size_t slot, bool dirty_only);
   Scalar may_close(const BodiesT& bodies, const Contact& contact, Scalar gap, Scalar share) const;
   bool is_settled(const BodiesT& bodies, const Contact& contact, Scalar changed,
                   Scalar share) const;
@@ -129,6 +141,7 @@ class ContactGroups {
   void pass_blow(BodiesT& bodies, Contact& contact, const Blow& blow);
   template <class Blow>
   void pass_around(BodiesT& bodies, int parts, Scalar energy, const Blow& blow);
+  bool is_due(BodiesT& bodies, std::size_t i);
   void mark(BodiesT& bodies, std::size_t slot);
   bool is_welded(const BodiesT& bodies, const Contact& contact) const {
     return bodies.states[a_of(contact)].group != BodiesT::kAlone ||
@@ -200,9 +213,10 @@ void ContactGroups<SceneT>::link_all() {
 /// The normal that was known may tell already that a pair is not near.
 template <class SceneT>
 bool ContactGroups<SceneT>::is_near(const BodiesT& bodies, PairsT& pairs, ProxyPair pair, Scalar D,
-                                    ClosestPoints<Scalar>& axes, Capsule<Scalar>& A_W,
-                                    Capsule<Scalar>& B_W) const {
+                                    NearPair& near) const {
   constexpr Scalar kBeyondRounding = Scalar(1.01);
+  Capsule<Scalar>& A_W = near.A_W;
+  Capsule<Scalar>& B_W = near.B_W;
   A_W = bodies.shape_W(pair.first);
   B_W = bodies.shape_W(pair.second);
   const Vec3<Scalar> n = pairs.seed(pair);
@@ -212,9 +226,9 @@ bool ContactGroups<SceneT>::is_near(const BodiesT& bodies, PairsT& pairs, ProxyP
     const Scalar high = max_of(Scalar(0), n.dot(A_W.axis.b - o));
     if (low - high - A_W.radius - B_W.radius > kBeyondRounding * D) return false;
   }
-  axes = closest_points(A_W.axis, B_W.axis);
-  pairs.keep_seed(pair, axes.normal_AB);
-  return !(axes.distance - A_W.radius - B_W.radius > D);
+  near.axes = closest_points(A_W.axis, B_W.axis);
+  pairs.keep_seed(pair, near.axes.normal_AB);
+  return !(near.axes.distance - A_W.radius - B_W.radius > D);
 }
 
 /// Null: there is no room.
@@ -249,11 +263,9 @@ void ContactGroups<SceneT>::find_near(BodiesT& bodies, PairsT& pairs) {
     const std::size_t a = BodiesT::body_of(pair.first);
     const std::size_t b = BodiesT::body_of(pair.second);
     const Scalar D = pairs.rest_gap(bodies, pair);
-    ClosestPoints<Scalar> axes;
-    Capsule<Scalar> A_W;
-    Capsule<Scalar> B_W;
-    if (!is_near(bodies, pairs, pair, D, axes, A_W, B_W)) continue;
-    const Scalar gap = axes.distance - A_W.radius - B_W.radius;
+    NearPair near;
+    if (!is_near(bodies, pairs, pair, D, near)) continue;
+    const Scalar gap = near.axes.distance - near.A_W.radius - near.B_W.radius;
     if (gap < Scalar(0) && gap < -pairs.margin(bodies, pair)) {
       ++bodies.report.overlaps_at_start;
       bodies.report.deepest_overlap = max_of(bodies.report.deepest_overlap, -gap);
@@ -265,7 +277,7 @@ void ContactGroups<SceneT>::find_near(BodiesT& bodies, PairsT& pairs) {
       continue;
     }
     contact->is_new = !contact->is_solved;
-    find_points(*contact, A_W, B_W, axes, position_of(bodies.actor(a)));
+    find_points(*contact, near.A_W, near.B_W, near.axes, position_of(bodies.actor(a)));
   }
   drop_far(bodies);
 }

@@ -176,41 +176,49 @@ void ContactGroups<SceneT>::pass_on(BodiesT& bodies, PairsT& pairs, const Struck
   }
 }
 
+/// Whether a contact has anything to answer; remembers that it was looked at.
+template <class SceneT>
+bool ContactGroups<SceneT>::is_due(BodiesT& bodies, std::size_t i) {
+  constexpr Scalar kLeast = Scalar(1) / 8;  // of D, in what is left of the step
+  constexpr Scalar kLeastOfStruck = Scalar(1) / 64;
+  const Contact& contact = contacts_[static_cast<int>(i)];
+  const Scalar changed = changed_[a_of(contact)] + changed_[b_of(contact)];
+  if (!contact.is_solved || changed == seen_[i] || is_welded(bodies, contact)) return false;
+  const Scalar share = is_struck_[i] ? kLeastOfStruck : kLeast;
+  const bool was_seen = seen_[i] > Scalar(0);
+  if (was_seen && is_settled(bodies, contact, changed - seen_[i], share)) return false;
+  seen_[i] = changed;
+  for (const std::size_t side : {a_of(contact), b_of(contact)}) {  // Bound: 2
+    solved_[side].place_W = bodies.place_now(side);
+  }
+  return is_worth(bodies, contact, share, is_struck_[i]);
+}
+
 /// From body to body, until no contact of those that have changed has anything to answer.
 /// @param parts  the contact that was struck alone: it parts, and is not struck again; or kNone
 template <class SceneT>
 template <class Blow>
 void ContactGroups<SceneT>::pass_around(BodiesT& bodies, int parts, Scalar energy,
                                         const Blow& blow) {
-  constexpr Scalar kLeast = Scalar(1) / 8;  // of D, in what is left of the step
-  constexpr Scalar kLeastOfStruck = Scalar(1) / 64;
   bool is_done = false;
+  const auto pass = [&](int i) {
+    Contact& contact = contacts_[i];
+    is_done = false;
+    if (contact.since < bodies.now) refresh(bodies, contact);
+    mark(bodies, a_of(contact));
+    mark(bodies, b_of(contact));
+    if (i != parts) pass_blow(bodies, contact, blow);
+    relax_now(bodies, contact, energy);
+  };
   for (int s = 0; s < kEventSweeps && !is_done; ++s) {  // Bound: kEventSweeps
     is_done = true;
     for (int d = 0; d < dirty_.size(); ++d) {  // Bound: kMaxBodies
       const std::size_t slot = dirty_[d];
       int next = first_of_[slot];
       while (next != 0) {  // Bound: the contacts of a body
-        const auto i = static_cast<std::size_t>(next - 1);
-        const bool has_parted = next - 1 == parts;
-        Contact& contact = contacts_[next - 1];
-        next = next_[i][a_of(contact) == slot ? 0 : 1];
-        const Scalar changed = changed_[a_of(contact)] + changed_[b_of(contact)];
-        if (!contact.is_solved || changed == seen_[i] || is_welded(bodies, contact)) continue;
-        const Scalar share = is_struck_[i] ? kLeastOfStruck : kLeast;
-        const bool was_seen = seen_[i] > Scalar(0);
-        if (was_seen && is_settled(bodies, contact, changed - seen_[i], share)) continue;
-        seen_[i] = changed;
-        for (const std::size_t side : {a_of(contact), b_of(contact)}) {  // Bound: 2
-          solved_[side].place_W = bodies.place_now(side);
-        }
-        if (!is_worth(bodies, contact, share, is_struck_[i])) continue;
-        is_done = false;
-        if (contact.since < bodies.now) refresh(bodies, contact);
-        mark(bodies, a_of(contact));
-        mark(bodies, b_of(contact));
-        if (!has_parted) pass_blow(bodies, contact, blow);
-        relax_now(bodies, contact, energy);
+        const int i = next - 1;
+        next = next_[static_cast<std::size_t>(i)][a_of(contacts_[i]) == slot ? 0 : 1];
+        if (is_due(bodies, static_cast<std::size_t>(i))) pass(i);
       }
     }
   }

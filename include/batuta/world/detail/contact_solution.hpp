@@ -32,11 +32,41 @@ Scalar_of<SceneT> ContactGroups<SceneT>::rest_speed(const BodiesT& bodies) const
   return speed;
 }
 
+/// Whether a contact is between two of which one can be moved, and that go alone.
+template <class SceneT>
+bool ContactGroups<SceneT>::may_last(const BodiesT& bodies, const Contact& contact) const {
+  if (!contact.is_kept || is_welded(bodies, contact)) return false;
+  return !bodies.is_led(a_of(contact)) || !bodies.is_led(b_of(contact));
+}
+
 /// A contact lasts unless it is a blow: by the velocities before gravity, faster than rest. One
 /// that lasted goes on unless it is faster than that by kSurely.
+/// @param rest  what counts as rest, m/s. @pre the contact is prepared
+template <class SceneT>
+bool ContactGroups<SceneT>::bounces([[maybe_unused]] const BodiesT& bodies,
+                                    [[maybe_unused]] const Contact& contact,
+                                    [[maybe_unused]] Scalar rest) const {
+  if constexpr (SceneT::kRestitution) {
+    constexpr Scalar kSurely = 4;
+    const std::size_t a = a_of(contact);
+    const std::size_t b = b_of(contact);
+    Scalar approach = fastest_approach(contact, solved_[a], solved_[b]);
+    if constexpr (SceneT::kGravity) {
+      const Scalar fall = bodies.dt * contact.points[0].normal_W.dot(bodies.settings.gravity_W);
+      if (bodies.falls(a)) approach -= fall;
+      if (bodies.falls(b)) approach += fall;
+    }
+    const Scalar limit = contact.is_new ? rest : kSurely * rest;
+    return approach < -limit &&
+           pair_restitution(bodies.actor(a).restitution, bodies.actor(b).restitution) > Scalar(0);
+  } else {
+    return false;
+  }
+}
+
+/// Which contacts are solved.
 template <class SceneT>
 void ContactGroups<SceneT>::choose(const BodiesT& bodies) {
-  constexpr Scalar kSurely = 4;
   const Scalar rest = rest_speed(bodies);
   solved_count_ = 0;
   for (int i = 0; i < contacts_.size(); ++i) {  // Bound: kMaxContacts
@@ -46,23 +76,9 @@ void ContactGroups<SceneT>::choose(const BodiesT& bodies) {
     contact.is_solved = false;
     contact.below = 0;
     contact.is_held = false;
-    if (!contact.is_kept || (bodies.is_led(a) && bodies.is_led(b))) continue;
-    if (bodies.states[a].group != BodiesT::kAlone || bodies.states[b].group != BodiesT::kAlone)
-      continue;
+    if (!may_last(bodies, contact)) continue;
     prepare(contact, solved_[a], solved_[b], bodies.dt);
-    Scalar approach = fastest_approach(contact, solved_[a], solved_[b]);
-    if constexpr (SceneT::kGravity) {
-      const Scalar fall = bodies.dt * contact.points[0].normal_W.dot(bodies.settings.gravity_W);
-      if (bodies.falls(a)) approach -= fall;
-      if (bodies.falls(b)) approach += fall;
-    }
-    bool bounces = false;
-    if constexpr (SceneT::kRestitution) {
-      const Scalar limit = contact.is_new ? rest : kSurely * rest;
-      bounces = approach < -limit && pair_restitution(bodies.actor(a).restitution,
-                                                      bodies.actor(b).restitution) > Scalar(0);
-    }
-    contact.is_solved = !bounces;
+    contact.is_solved = !bounces(bodies, contact, rest);
     if (contact.is_solved) {
       order_[static_cast<std::size_t>(solved_count_++)] = static_cast<Slot>(i);
     } else {
@@ -92,20 +108,27 @@ void ContactGroups<SceneT>::unite(const BodiesT& bodies, bool loaded_only) {
     for (int i = 0; i < contacts_.size(); ++i) {  // Bound: kMaxContacts
       const Contact& contact = contacts_[i];
       if (!contact.is_solved || (loaded_only && !is_loaded(contact))) continue;
-      const std::size_t a = a_of(contact);
-      const std::size_t b = b_of(contact);
-      const bool led_a = bodies.is_led(a);
-      const bool led_b = bodies.is_led(b);
-      if (pass == 1) {
-        if (led_a) held_[root_of(b)] = true;
-        if (led_b) held_[root_of(a)] = true;
-      } else if (!led_a && !led_b) {
-        const std::size_t p = root_of(a);
-        const std::size_t q = root_of(b);
-        root_[max_of(p, q)] = static_cast<Slot>(min_of(p, q));
+      if (pass == 0) {
+        join(bodies, contact);
+      } else {
+        hold(bodies, contact);
       }
     }
   }
+}
+
+template <class SceneT>
+void ContactGroups<SceneT>::join(const BodiesT& bodies, const Contact& contact) {
+  if (bodies.is_led(a_of(contact)) || bodies.is_led(b_of(contact))) return;
+  const std::size_t p = root_of(a_of(contact));
+  const std::size_t q = root_of(b_of(contact));
+  root_[max_of(p, q)] = static_cast<Slot>(min_of(p, q));
+}
+
+template <class SceneT>
+void ContactGroups<SceneT>::hold(const BodiesT& bodies, const Contact& contact) {
+  if (bodies.is_led(a_of(contact))) held_[root_of(b_of(contact))] = true;
+  if (bodies.is_led(b_of(contact))) held_[root_of(a_of(contact))] = true;
 }
 
 /// Group by group, from the ground up; heap sort, because it neither recurses nor asks for room.
@@ -317,19 +340,22 @@ void ContactGroups<SceneT>::carry_loads(BodiesT& bodies, bool dirty_only) {
     for (int i = 0; i < contacts_.size(); ++i) {  // Bound: kMaxContacts
       const Contact& contact = contacts_[i];
       if (!contact.is_solved || !is_loaded(contact)) continue;
-      for (const std::size_t slot : {a_of(contact), b_of(contact)}) {  // Bound: 2
-        if (dirty_only && !is_dirty_[slot]) continue;
-        if (!bodies.is_led(slot) && held_[root_of(slot)]) bodies.states[slot].loaded = true;
-      }
+      carry_load(bodies, a_of(contact), dirty_only);
+      carry_load(bodies, b_of(contact), dirty_only);
     }
   }
 }
 
-/// A velocity for one step that opens the gaps of contacts that press.
 template <class SceneT>
-void ContactGroups<SceneT>::open(BodiesT& bodies) {
+void ContactGroups<SceneT>::carry_load(BodiesT& bodies, std::size_t slot, bool dirty_only) {
+  if (dirty_only && !is_dirty_[slot]) return;
+  if (!bodies.is_led(slot) && held_[root_of(slot)]) bodies.states[slot].loaded = true;
+}
+
+/// Whether a contact that was solved is too narrow.
+template <class SceneT>
+bool ContactGroups<SceneT>::is_opening_needed() const {
   constexpr Scalar kNarrow = Scalar(0.4);  // of D
-  find_held(bodies);
   bool is_needed = false;
   for (int k = 0; k < solved_count_; ++k) {  // Bound: kMaxContacts
     const Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
@@ -339,7 +365,14 @@ void ContactGroups<SceneT>::open(BodiesT& bodies) {
       is_needed = is_needed || point.gap < limit;
     }
   }
-  if (!is_needed) return;
+  return is_needed;
+}
+
+/// A velocity for one step that opens the gaps of contacts that press.
+template <class SceneT>
+void ContactGroups<SceneT>::open(BodiesT& bodies) {
+  find_held(bodies);
+  if (!is_opening_needed()) return;
   constexpr Scalar kShare = Scalar(0.5);      // of what is missing, in a step
   constexpr Scalar kEnough = Scalar(1) / 32;  // of D, in the step
   for (int s = 0; s < kOpeningSweeps; ++s) {  // Bound: kOpeningSweeps

@@ -100,6 +100,7 @@ class Pairs : private SeedsOf<SceneT> {
   Scalar twice_margin(const BodiesT& bodies, Scalar scale, Scalar turned) const;
   Scalar own_rest_gap(const BodiesT& bodies, int proxy) const;
   bool may_pair(const BodiesT& bodies, std::size_t a, std::size_t b) const;
+  void plan(BodiesT& bodies, std::size_t slot, bool is_begin);
   void drop_changed(const BodiesT& bodies);
   void collect_fresh(BodiesT& bodies);
   void collect(BodiesT& bodies, ProxyPair pair);
@@ -202,6 +203,19 @@ void Pairs<SceneT>::collect_all(BodiesT& bodies) {
   sweep_.for_each_pair([this, &bodies](ProxyPair pair) { collect(bodies, pair); });
 }
 
+template <class SceneT>
+void Pairs<SceneT>::plan(BodiesT& bodies, std::size_t slot, bool is_begin) {
+  auto& state = bodies.states[slot];
+  const bool stayed = state.stands;
+  state.changed = false;
+  bodies.plan(slot);
+  state.fresh = true;
+  state.stands = is_begin && BodiesT::Kinematics::is_still(state.plan.motion);
+  const bool idle = stayed && state.stands;
+  if (idle && state.boxed && sweep_.is_idle(BodiesT::proxy_of(slot, 0))) return;
+  put_boxes(bodies, slot, idle);
+}
+
 /// A pair that finds no room goes on together, which changes its bodies in turn: each time there is
 /// one body or group less.
 template <class SceneT>
@@ -212,16 +226,7 @@ void Pairs<SceneT>::refresh(BodiesT& bodies, bool is_begin) {
     bodies.is_changed = false;
     drop_changed(bodies);
     for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-      auto& state = bodies.states[slot];
-      if (!state.changed) continue;
-      const bool stayed = state.stands;
-      state.changed = false;
-      bodies.plan(slot);
-      state.fresh = true;
-      state.stands = is_begin && pass == 0 && BodiesT::Kinematics::is_still(state.plan.motion);
-      const bool idle = stayed && state.stands;
-      if (idle && state.boxed && sweep_.is_idle(BodiesT::proxy_of(slot, 0))) continue;
-      put_boxes(bodies, slot, idle);
+      if (bodies.states[slot].changed) plan(bodies, slot, is_begin && pass == 0);
     }
     // Of two bodies, nothing is known any more that is not found now.
     if (SceneT::kMaxBodies == 2 || (is_begin && pass == 0)) {

@@ -45,6 +45,9 @@ class Sleep {
 
   bool is_disturbed(const BodiesT& bodies, std::size_t slot) const;
   bool is_moving(const BodiesT& bodies, std::size_t slot) const;
+  void wake_pressed(BodiesT& bodies, const GroupsT& groups);
+  bool count_quiet(BodiesT& bodies, const GroupsT& groups);
+  void find_sleepers(const BodiesT& bodies, GroupsT& groups);
   void fall_asleep(BodiesT& bodies);
   bool has_left(const BodiesT& bodies, const GroupsT& groups, std::size_t slot) const;
   bool may_sleep(const BodiesT& bodies, std::size_t slot) const {
@@ -92,6 +95,12 @@ void Sleep<SceneT>::begin_step(BodiesT& bodies, const GroupsT& groups) {
     if (bodies.states[slot].asleep) wake(bodies, groups, slot, [](std::size_t) {});
     wake_neighbours(slot);
   }
+  wake_pressed(bodies, groups);
+}
+
+/// Those that something touches which moves.
+template <class SceneT>
+void Sleep<SceneT>::wake_pressed(BodiesT& bodies, const GroupsT& groups) {
   for (int i = 0; i < groups.size(); ++i) {  // Bound: kMaxContacts
     const std::size_t a = BodiesT::body_of(groups[i].pair.first);
     const std::size_t b = BodiesT::body_of(groups[i].pair.second);
@@ -147,8 +156,9 @@ bool Sleep<SceneT>::has_left(const BodiesT& bodies, const GroupsT& groups, std::
   return left;
 }
 
+/// How long each has not left its place. @returns whether that is long enough for somebody
 template <class SceneT>
-void Sleep<SceneT>::end_step(BodiesT& bodies, GroupsT& groups) {
+bool Sleep<SceneT>::count_quiet(BodiesT& bodies, const GroupsT& groups) {
   const auto time = static_cast<Scalar>(SceneT::kSleepTime);
   bool is_any = false;
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
@@ -160,19 +170,29 @@ void Sleep<SceneT>::end_step(BodiesT& bodies, GroupsT& groups) {
     }
     is_any = is_any || !(rests_[slot].quiet < time);
   }
-  if (is_any) {
-    groups.group_all(bodies);
-    awake_.fill(false);
-    for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-      if (may_sleep(bodies, slot) && rests_[slot].quiet < time) {
-        awake_[groups.group_of(slot)] = true;
-      }
-    }
-    for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-      const std::size_t group = groups.group_of(slot);
-      if (!may_sleep(bodies, slot) || awake_[group] || !groups.is_held(group)) continue;
-      sleeps_[slot] = true;
-    }
+  return is_any;
+}
+
+/// Groups that something holds, of which each has been quiet for long enough.
+template <class SceneT>
+void Sleep<SceneT>::find_sleepers(const BodiesT& bodies, GroupsT& groups) {
+  const auto time = static_cast<Scalar>(SceneT::kSleepTime);
+  groups.group_all(bodies);
+  awake_.fill(false);
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    if (may_sleep(bodies, slot) && rests_[slot].quiet < time) awake_[groups.group_of(slot)] = true;
+  }
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    const std::size_t group = groups.group_of(slot);
+    if (!may_sleep(bodies, slot) || awake_[group] || !groups.is_held(group)) continue;
+    sleeps_[slot] = true;
+  }
+}
+
+template <class SceneT>
+void Sleep<SceneT>::end_step(BodiesT& bodies, GroupsT& groups) {
+  if (count_quiet(bodies, groups)) {
+    find_sleepers(bodies, groups);
     fall_asleep(bodies);
   }
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies

@@ -45,6 +45,8 @@ class Touches : private EventsOf<SceneT> {
  private:
   ContactEvent<Scalar> event_of(ProxyPair pair, const Nearest<Scalar>& nearest) const;
   void tell(BodiesT& bodies, ContactEvent<Scalar>& event, ProxyPair pair);
+  void end_if_open(BodiesT& bodies, int i, Scalar rest_gap);
+  static bool is_there(const BodiesT& bodies, ProxyPair pair);
   static bool has_part(const BodiesT& bodies, int proxy) {
     const std::size_t slot = BodiesT::body_of(proxy);
     return bodies.actors.at_index(slot) != nullptr &&
@@ -123,32 +125,47 @@ void Touches<SceneT>::record_lasting(BodiesT& bodies, ProxyPair pair,
   }
 }
 
+/// Whether both parts of a touch are there still: the caller may have taken one off.
+template <class SceneT>
+bool Touches<SceneT>::is_there([[maybe_unused]] const BodiesT& bodies,
+                               [[maybe_unused]] ProxyPair pair) {
+  if constexpr (BodiesT::kParts > 1) {
+    return has_part(bodies, pair.first) && has_part(bodies, pair.second);
+  } else {
+    return true;
+  }
+}
+
+/// The end of a touch, if it has opened far enough.
+template <class SceneT>
+void Touches<SceneT>::end_if_open(BodiesT& bodies, int i, Scalar rest_gap) {
+  const ProxyPair pair = this->touch(i);
+  const Nearest<Scalar> now = nearest(bodies, pair);
+  if (!(now.contact.gap > Scalar(2) * rest_gap)) return;
+  ContactEvent<Scalar> event = event_of(pair, now);
+  event.kind = EventKind::kEnd;
+  event.contact_kind = ContactKind::kReceding;
+  event.time = bodies.dt;
+  if (!this->push(event)) ++bodies.report.events_dropped;
+  this->end_touch(i);
+}
+
 /// Also those that began in the step.
 template <class SceneT>
 template <class GapOf, class Presses>
 void Touches<SceneT>::end_step(BodiesT& bodies, const GapOf& rest_gap, const Presses& presses) {
   if constexpr (SceneT::kMaxEvents > 0) {
+    const auto rests = [&bodies](int proxy) {
+      const auto& state = bodies.states[BodiesT::body_of(proxy)];
+      return state.asleep || state.stands;
+    };
     for (int i = this->touches() - 1; i >= 0; --i) {  // Bound: kMaxPairs
       const ProxyPair pair = this->touch(i);
-      if constexpr (BodiesT::kParts > 1) {
-        if (!has_part(bodies, pair.first) || !has_part(bodies, pair.second)) {
-          this->end_touch(i);  // the caller took it off
-          continue;
-        }
+      if (!is_there(bodies, pair)) {
+        this->end_touch(i);
+      } else if (!(rests(pair.first) && rests(pair.second)) && !presses(pair)) {
+        end_if_open(bodies, i, rest_gap(pair));
       }
-      const auto rests = [&](int proxy) {
-        const auto& state = bodies.states[BodiesT::body_of(proxy)];
-        return state.asleep || state.stands;
-      };
-      if ((rests(pair.first) && rests(pair.second)) || presses(pair)) continue;
-      const Nearest<Scalar> now = nearest(bodies, pair);
-      if (!(now.contact.gap > Scalar(2) * rest_gap(pair))) continue;
-      ContactEvent<Scalar> event = event_of(pair, now);
-      event.kind = EventKind::kEnd;
-      event.contact_kind = ContactKind::kReceding;
-      event.time = bodies.dt;
-      if (!this->push(event)) ++bodies.report.events_dropped;
-      this->end_touch(i);
     }
   }
 }
