@@ -42,8 +42,8 @@ BATUTA_RARE Vec3<Scalar> solved(const std::array<Vec3<Scalar>, 3>& A, const Vec3
 }
 
 /// w with I w = L, to the rounding of L: solved twice, the second time for what the first left, in
-/// units in which the trace of I is one, because the cube of a small moment would vanish. An inertia
-/// that is thinner than rounding about an axis counts as that.
+/// units in which the trace of I is one, because the cube of a small moment would vanish. An
+/// inertia that is thinner than rounding about an axis counts as that.
 template <class Scalar>
 BATUTA_RARE Vec3<Scalar> spin_of(const RigidGroup<Scalar>& group, const Vec3<Scalar>& L_W) {
   constexpr int kTimes = 2;

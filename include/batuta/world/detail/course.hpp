@@ -53,8 +53,8 @@ template <class SceneT>
 }
 
 /// Moves a body on its planned motion. An opening turns it as no momentum does: where that would
-/// add energy, what turns it is less (what holds its group takes the rest); where it takes some, the
-/// flight that it was on is over.
+/// add energy, what turns it is less (what holds its group takes the rest); where it takes some,
+/// the flight that it was on is over.
 template <class SceneT>
 void move_on(Bodies<SceneT>& bodies, std::size_t slot, Scalar_of<SceneT> elapsed) {
   using Kinematics = KinematicsOf<SceneT>;
