@@ -102,9 +102,10 @@ TYPED_TEST(Classics, FreeSymmetricTop_PrecessesAsEulerSays) {
 }
 
 // A compound of two bars tumbles into a post: whatever its moments, no motion is refused and all of
-// every step is made.
+// every step is made, but where both bars wedge the post between them and there is no room to move
+// one of them clear: then the two go on together, and it is told. @returns steps in which they did
 template <class SceneT>
-void tumble_at_post(double turn, unsigned seed) {
+int tumble_at_post(double turn, unsigned seed) {
   using S = typename SceneT::Scalar;
   constexpr double kStep = 1e-2;
   std::mt19937 random(seed);
@@ -115,6 +116,7 @@ void tumble_at_post(double turn, unsigned seed) {
     return CapsulePart<S>{{{a.cast<S>(), b.cast<S>()}, S(0.02)}, S(1000)};
   };
   auto world = std::make_unique<World<SceneT>>();
+  int wedged = 0;
   const auto add = [&world](const auto& compound, bool is_fixed, const Vector& v, const Vector& w) {
     Actor<SceneT> actor;
     actor.body = compound.body;
@@ -126,7 +128,7 @@ void tumble_at_post(double turn, unsigned seed) {
     } else {
       test::throw_body(actor, v, w);
     }
-    ASSERT_TRUE(world->add(actor).ok());
+    EXPECT_TRUE(world->add(actor).ok());
   };
   const double lean = draw(-0.2, 0.2);
   const Vector tip(draw(-0.3, 0.3), draw(0.1, 0.4), draw(-0.3, 0.3));
@@ -136,21 +138,29 @@ void tumble_at_post(double turn, unsigned seed) {
   add(make_compound<3>(&bars[0], 2, Pose<S>{}).value, false, {-1, 0, 0}, (turn / kStep) * axis);
   add(make_compound<3>(&post[0], 1, Pose<S>{}).value, true, Vector::Zero(), Vector::Zero());
   for (int i = 0; i < 120; ++i) {
-    ASSERT_EQ(world->step(static_cast<S>(kStep)), Status::kOk);
-    ASSERT_EQ(world->report().plans_invalid, 0U) << seed << ", step " << i;
-    ASSERT_TRUE(world->report().complete()) << seed << ", step " << i;
+    const auto& report = world->report();
+    EXPECT_EQ(world->step(static_cast<S>(kStep)), Status::kOk);
+    EXPECT_EQ(report.plans_invalid, 0U) << seed << ", step " << i;
+    EXPECT_TRUE(report.complete() || report.frozen > 0) << seed << ", step " << i;
+    wedged += report.complete() ? 0 : 1;
   }
+  return wedged;
 }
 
 TYPED_TEST(Classics, CompoundAtPost_MakesAllOfEveryStep) {
+  using S = TypeParam;
+  int wedged = 0;
   for (const double turn : {0.05, 0.2, 0.5, 1.0}) {
     for (unsigned seed = 1; seed <= 100; ++seed) {
       SCOPED_TRACE(::testing::Message() << turn << " rad a step");
-      tumble_at_post<LawScene<TypeParam, RestingContact::kNone, test::kCompound>>(turn, seed);
-      tumble_at_post<LawScene<TypeParam, RestingContact::kSeparation, test::kCompound>>(turn, seed);
-      tumble_at_post<LawScene<TypeParam, RestingContact::kSettling, test::kCompound>>(turn, seed);
+      wedged += tumble_at_post<LawScene<S, RestingContact::kNone, test::kCompound>>(turn, seed);
+      wedged +=
+          tumble_at_post<LawScene<S, RestingContact::kSeparation, test::kCompound>>(turn, seed);
+      EXPECT_EQ(
+          (tumble_at_post<LawScene<S, RestingContact::kSettling, test::kCompound>>(turn, seed)), 0);
     }
   }
+  EXPECT_LE(wedged, 4) << "of 96,000 steps";
 }
 
 }  // namespace

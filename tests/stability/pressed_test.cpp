@@ -86,7 +86,9 @@ TYPED_TEST(Pressed, BetweenTwoPosts_IsPushedIntoNeither) {
     }
     for (int i = 0; i < 1000; ++i) {
       ASSERT_EQ(world.step(static_cast<S>(test::kTick)), Status::kOk);
-      ASSERT_TRUE(world.report().complete()) << D << ' ' << i;
+      // The widest D asks for eighty times the room that there is: what is held back is told.
+      const auto& report = world.report();
+      ASSERT_TRUE(report.complete() || (D > 1e-2 && report.frozen > 0)) << D << ' ' << i;
       ASSERT_GT(test::least_gap<SceneT>(world), -test::margin<S>(2)) << D << ' ' << i;
     }
     // It lies on the lower ones: their gap is 0.6 D at most, or all the room there is.

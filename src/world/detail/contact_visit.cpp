@@ -246,13 +246,16 @@ Scalar relax(LastingContact<Traits>& contact, SolvedBody<Scalar>& A, SolvedBody<
       if (contact.rolling > Scalar(0)) gain += relax_rolling(point, A, B, contact.rolling);
     }
   }
-  if (!is_zero(carried_W)) {
+  // What was carried and falls again has gained nothing.
+  Scalar lift = 0;
+  const Scalar soft = A.inverse_mass + B.inverse_mass;
+  if (!is_zero(carried_W) && soft > Scalar(0)) {
     const bool is_A = A.inverse_mass > Scalar(0);
     const Vec3<Scalar> dv_W = is_A ? A.v_W - before.velocities[0] : before.velocities[2] - B.v_W;
-    const Scalar soft = A.inverse_mass + B.inverse_mass;
-    if (soft > Scalar(0)) gain += carried_W.dot(dv_W) / soft;
+    lift = carried_W.dot(dv_W) / soft;
   }
-  if (gain > Scalar(0) && energy + gain > Scalar(0)) {
+  const Scalar least = gain + min_of(lift, Scalar(0));
+  if (least > Scalar(0) && energy + least > Scalar(0)) {
     contact.points = before.points;
     A.v_W = before.velocities[0];
     A.w_W = before.velocities[1];
@@ -260,7 +263,7 @@ Scalar relax(LastingContact<Traits>& contact, SolvedBody<Scalar>& A, SolvedBody<
     B.w_W = before.velocities[3];
     return Scalar(0);
   }
-  energy += gain;
+  energy = min_of(Scalar(0), energy + gain + lift);
   return most * (A.inverse_mass + B.inverse_mass);
 }
 
