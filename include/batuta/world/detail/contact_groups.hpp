@@ -361,5 +361,6 @@ void ContactGroups<SceneT>::archive(Archive& ar, const BodiesT& bodies) {
 
 }  // namespace batuta::detail
 
+#include "batuta/world/detail/contact_opening.hpp"
 #include "batuta/world/detail/contact_passing.hpp"
 #include "batuta/world/detail/contact_solution.hpp"
