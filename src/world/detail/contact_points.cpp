@@ -166,16 +166,16 @@ void find_points(LastingContact<Traits>& contact, const Capsule<Scalar>& A_W,
     const Vec3<Scalar> along =
         size > Scalar(0) ? Vec3<Scalar>(shorter / size) : Vec3<Scalar>(Vec3<Scalar>::Zero());
     nearest.place = along.dot(nearest.point_W - A_W.axis.a);
+    LineEnds<Scalar> ends;
     if (may_be_line(A_W, B_W, contact.rest_gap)) {
-      LineEnds<Scalar> ends;
       for (int which = 0; which < 4; ++which) {  // Bound: four ends
         offer_end(ends, A_W, B_W, which, max_of(gap, Scalar(0)) + contact.rest_gap, along);
       }
-      if (ends.found) ends.offer(nearest);
-      if (ends.found && ends.span() > min_of(A_W.radius, B_W.radius) / 16) {
-        ends.dip_to(nearest, along);
-        return put_points(contact, ends.ends, 2, p_A_W);
-      }
+    }
+    if (ends.found) ends.offer(nearest);
+    if (ends.found && ends.span() > min_of(A_W.radius, B_W.radius) / 16) {
+      ends.dip_to(nearest, along);
+      return put_points(contact, ends.ends, 2, p_A_W);
     }
   }
   put_points<Traits, Scalar>(contact, {nearest, nearest}, 1, p_A_W);

@@ -216,6 +216,43 @@ struct BeforeVisit {
   std::array<Vec3<Scalar>, 4> velocities;
 };
 
+/// What a visit has made of what gravity makes in half of what is left of the step, J (carried_W).
+template <class Traits, class Scalar>
+Scalar lift_of(const BeforeVisit<Traits, Scalar>& before, const SolvedBody<Scalar>& A,
+               const SolvedBody<Scalar>& B, const Vec3<Scalar>& carried_W) {
+  const Scalar soft = A.inverse_mass + B.inverse_mass;
+  if (is_zero(carried_W) || !(soft > Scalar(0))) return Scalar(0);
+  const bool is_A = A.inverse_mass > Scalar(0);
+  const Vec3<Scalar> dv_W = is_A ? A.v_W - before.velocities[0] : before.velocities[2] - B.v_W;
+  return carried_W.dot(dv_W) / soft;
+}
+
+/// The state of before the visit.
+template <class Traits, class Scalar>
+void take_back(const BeforeVisit<Traits, Scalar>& before, LastingContact<Traits>& contact,
+               SolvedBody<Scalar>& A, SolvedBody<Scalar>& B) {
+  contact.points = before.points;
+  A.v_W = before.velocities[0];
+  A.w_W = before.velocities[1];
+  B.v_W = before.velocities[2];
+  B.w_W = before.velocities[3];
+}
+
+/// Friction and rolling resistance at a point. @returns `gain`, and what they add at most, J
+template <class Traits, class Scalar>
+Scalar relax_along([[maybe_unused]] const LastingContact<Traits>& contact,
+                   [[maybe_unused]] ContactPoint<Traits>& point,
+                   [[maybe_unused]] SolvedBody<Scalar>& A, [[maybe_unused]] SolvedBody<Scalar>& B,
+                   Scalar gain) {
+  if constexpr (Traits::kFriction) {
+    if (contact.friction > Scalar(0)) gain += relax_friction(point, A, B, contact.friction);
+  }
+  if constexpr (Traits::kRolling) {
+    if (contact.rolling > Scalar(0)) gain += relax_rolling(point, A, B, contact.rolling);
+  }
+  return gain;
+}
+
 }  // namespace
 
 template <class Traits, class Scalar>
@@ -239,28 +276,13 @@ Scalar relax(LastingContact<Traits>& contact, SolvedBody<Scalar>& A, SolvedBody<
     point.normal += sides[k].change;
     gain -= sides[k].change * point.room;  // what counts is energy
     most = max_of(most, std::abs(sides[k].change));
-    if constexpr (Traits::kFriction) {
-      if (contact.friction > Scalar(0)) gain += relax_friction(point, A, B, contact.friction);
-    }
-    if constexpr (Traits::kRolling) {
-      if (contact.rolling > Scalar(0)) gain += relax_rolling(point, A, B, contact.rolling);
-    }
+    gain = relax_along(contact, point, A, B, gain);
   }
   // What was carried and falls again has gained nothing.
-  Scalar lift = 0;
-  const Scalar soft = A.inverse_mass + B.inverse_mass;
-  if (!is_zero(carried_W) && soft > Scalar(0)) {
-    const bool is_A = A.inverse_mass > Scalar(0);
-    const Vec3<Scalar> dv_W = is_A ? A.v_W - before.velocities[0] : before.velocities[2] - B.v_W;
-    lift = carried_W.dot(dv_W) / soft;
-  }
+  const Scalar lift = lift_of(before, A, B, carried_W);
   const Scalar least = gain + min_of(lift, Scalar(0));
   if (least > Scalar(0) && energy + least > Scalar(0)) {
-    contact.points = before.points;
-    A.v_W = before.velocities[0];
-    A.w_W = before.velocities[1];
-    B.v_W = before.velocities[2];
-    B.w_W = before.velocities[3];
+    take_back(before, contact, A, B);
     return Scalar(0);
   }
   energy = min_of(Scalar(0), energy + gain + lift);

@@ -66,16 +66,21 @@ void GeneralWorld<SceneT>::solve_lasting() {
     touches_.record_lasting(bodies_, pair, contact, impulse);
   });
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    auto& state = bodies_.states[slot];
-    if (!state.present || state.changed) continue;
-    bodies_.plan(slot);
-    state.stands = Kinematics::is_still(state.plan.motion);
-    if (state.stands) continue;
-    const bool idle = pairs_.boxes().is_idle(BodiesT::proxy_of(slot, 0));
-    if (idle || !pairs_.holds_course(bodies_, slot)) {
-      state.changed = bodies_.is_changed = true;
-    }
+    const auto& state = bodies_.states[slot];
+    if (state.present && !state.changed) plan_solved(slot);
   }
+}
+
+/// From what contacts that last have left of its velocity. Whom its wide boxes do not hold is
+/// planned anew.
+template <class SceneT>
+void GeneralWorld<SceneT>::plan_solved(std::size_t slot) {
+  auto& state = bodies_.states[slot];
+  bodies_.plan(slot);
+  state.stands = Kinematics::is_still(state.plan.motion);
+  if (state.stands) return;
+  const bool idle = pairs_.boxes().is_idle(BodiesT::proxy_of(slot, 0));
+  if (idle || !pairs_.holds_course(bodies_, slot)) state.changed = bodies_.is_changed = true;
 }
 
 /// To the next thing that happens: a contact, a search that ended without an answer, the end of a
@@ -133,22 +138,26 @@ typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::next_release() const
   return time;
 }
 
+/// Whose course was cut short, and ends now.
+template <class SceneT>
+void GeneralWorld<SceneT>::end_courses(Scalar time) {
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    if (!bodies_.states[slot].present || time < bodies_.plan_end(slot)) continue;
+    bodies_.advance_to_now(slot);
+    bodies_.end_course(slot, bodies_.dt);
+  }
+}
+
 template <class SceneT>
 void GeneralWorld<SceneT>::release(Scalar time) {
   bodies_.now = time;
   if (!(time < bodies_.dt)) return;
-  if constexpr (kBends<SceneT>) {
-    for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-      if (!bodies_.states[slot].present || time < bodies_.plan_end(slot)) continue;
-      bodies_.advance_to_now(slot);
-      bodies_.end_course(slot, bodies_.dt);
-    }
-  }
+  if constexpr (kBends<SceneT>) end_courses(time);
   if constexpr (kSeparates) {
     for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
       const auto& state = bodies_.states[slot];
-      const bool is_over = state.group != BodiesT::kAlone && !(time < state.held_until);
-      if (state.present && is_over) bodies_.part_group(slot);
+      const bool is_held = state.present && state.group != BodiesT::kAlone;
+      if (is_held && !(time < state.held_until)) bodies_.part_group(slot);
     }
   }
 }

@@ -137,9 +137,11 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   void begin_step(Scalar dt);
   void begin_bodies();
   void solve_lasting();
+  void plan_solved(std::size_t slot);
   void run_round();
   Scalar lasts(ProxyPair pair) const;
   Scalar next_release() const;
+  void end_courses(Scalar time);
   void release(Scalar time);
   void end_step();
   void take_stand(std::size_t slot, bool stands, bool asleep);

@@ -45,8 +45,7 @@ void SmallWorld<SceneT>::weld(std::size_t a, std::size_t b) {
       fall.loaded = fall.loaded || falls_.loaded[slot];
     }
   }
-  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    if (!is_in(slot)) continue;
+  const auto take_in = [&](std::size_t slot) {
     const Scalar share = goes ? 1 / (mass * inverse_mass_[slot]) : Scalar(0);
     for (int i = 0; i < 3; ++i) actors_.at(slot).body.momentum_W[i] = share * sum_W[i];  // Bound: 3
     if constexpr (SceneT::kGravity) {
@@ -55,6 +54,9 @@ void SmallWorld<SceneT>::weld(std::size_t a, std::size_t b) {
     }
     group_[slot] = both;
     if (!goes) inverse_mass_[slot] = 0;
+  };
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    if (is_in(slot)) take_in(slot);
   }
   report_.time_held = max_of(report_.time_held, left_);
 }
