@@ -141,6 +141,8 @@ class ContactGroups {
   void pass_blow(BodiesT& bodies, Contact& contact, const Blow& blow);
   template <class Blow>
   void pass_around(BodiesT& bodies, int parts, Scalar energy, const Blow& blow);
+  template <class Blow>
+  void pass_at(BodiesT& bodies, int i, int parts, Scalar& energy, const Blow& blow);
   bool is_due(BodiesT& bodies, std::size_t i);
   void mark(BodiesT& bodies, std::size_t slot);
   bool is_welded(const BodiesT& bodies, const Contact& contact) const {

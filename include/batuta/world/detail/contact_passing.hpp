@@ -194,6 +194,19 @@ bool ContactGroups<SceneT>::is_due(BodiesT& bodies, std::size_t i) {
   return is_worth(bodies, contact, share, is_struck_[i]);
 }
 
+/// What a contact passes on. @param parts  as for pass_around()
+template <class SceneT>
+template <class Blow>
+void ContactGroups<SceneT>::pass_at(BodiesT& bodies, int i, int parts, Scalar& energy,
+                                    const Blow& blow) {
+  Contact& contact = contacts_[i];
+  if (contact.since < bodies.now) refresh(bodies, contact);
+  mark(bodies, a_of(contact));
+  mark(bodies, b_of(contact));
+  if (i != parts) pass_blow(bodies, contact, blow);
+  relax_now(bodies, contact, energy);
+}
+
 /// From body to body, until no contact of those that have changed has anything to answer.
 /// @param parts  the contact that was struck alone: it parts, and is not struck again; or kNone
 template <class SceneT>
@@ -201,15 +214,6 @@ template <class Blow>
 void ContactGroups<SceneT>::pass_around(BodiesT& bodies, int parts, Scalar energy,
                                         const Blow& blow) {
   bool is_done = false;
-  const auto pass = [&](int i) {
-    Contact& contact = contacts_[i];
-    is_done = false;
-    if (contact.since < bodies.now) refresh(bodies, contact);
-    mark(bodies, a_of(contact));
-    mark(bodies, b_of(contact));
-    if (i != parts) pass_blow(bodies, contact, blow);
-    relax_now(bodies, contact, energy);
-  };
   for (int s = 0; s < kEventSweeps && !is_done; ++s) {  // Bound: kEventSweeps
     is_done = true;
     for (int d = 0; d < dirty_.size(); ++d) {  // Bound: kMaxBodies
@@ -218,7 +222,9 @@ void ContactGroups<SceneT>::pass_around(BodiesT& bodies, int parts, Scalar energ
       while (next != 0) {  // Bound: the contacts of a body
         const int i = next - 1;
         next = next_[static_cast<std::size_t>(i)][a_of(contacts_[i]) == slot ? 0 : 1];
-        if (is_due(bodies, static_cast<std::size_t>(i))) pass(i);
+        if (!is_due(bodies, static_cast<std::size_t>(i))) continue;
+        is_done = false;
+        pass_at(bodies, i, parts, energy, blow);
       }
     }
   }

@@ -124,43 +124,69 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
   Answer<Scalar> result;
   result.v_rel = velocity_between(sides, at.contact);
   result.kind = classify(result.v_rel, rest_speed());
-  const bool is_deep = at.contact.gap < -query.contact_gap;
+  const bool touches = candidate.outcome == Outcome::kTouching && !(at.contact.gap > Scalar(0));
   result.is_overlap = kSolves ? at.contact.gap < -PairsT::margin_of(bodies_, query, pair)
-                              : is_deep || (candidate.outcome == Outcome::kTouching &&
-                                            !(at.contact.gap > Scalar(0)));
+                              : touches || at.contact.gap < -query.contact_gap;
+  if (!strike_turning(pair, sides, at.contact, result)) {
+    ++bodies_.report.resolutions_invalid;
+    bodies_.weld(a, b, bodies_.dt);
+    return;
+  }
+  touches_.record(bodies_, pair, at, result);
+  finish_turning(pair, query, at.contact, result);
+}
+
+/// The impulses of a contact. @returns false: one overflows, and nothing was given
+template <class SceneT>
+bool GeneralWorld<SceneT>::strike_turning(ProxyPair pair, const Sides& sides,
+                                          const Contact<Scalar>& contact, Answer<Scalar>& result) {
   const bool collides = result.kind == ContactKind::kColliding;
   if (collides || kSolves) {
     // A pair that comes again and again in a step is between others, and settles.
     const bool bounces = collides && answers_of_pair_ <= max_of(SceneT::kMaxSeparations / 2, 1);
-    const auto hit = strike(pair, sides, at.contact, bounces ? restitution_of(pair) : Scalar(0));
-    if (!hit.ok()) {
-      ++bodies_.report.resolutions_invalid;
-      bodies_.weld(a, b, bodies_.dt);
-      return;
-    }
+    const auto hit = strike(pair, sides, contact, bounces ? restitution_of(pair) : Scalar(0));
+    if (!hit.ok()) return false;
     result.impulse = hit.value.magnitude;
   }
-  if (!kSolves && takes_load(pair, at.contact)) {
-    const auto press = strike(pair, sides_of(pair), at.contact, Scalar(0));
+  if (!kSolves && takes_load(pair, contact)) {
+    const auto press = strike(pair, sides_of(pair), contact, Scalar(0));
     if (press.ok()) result.impulse += press.value.magnitude;
   }
-  touches_.record(bodies_, pair, at, result);
-  const bool is_resting = kSeparates && result.kind == ContactKind::kResting;
+  return true;
+}
+
+/// What becomes of a contact after its impulse.
+template <class SceneT>
+void GeneralWorld<SceneT>::finish_turning(ProxyPair pair, const PairQuery& query,
+                                          const Contact<Scalar>& contact,
+                                          const Answer<Scalar>& result) {
   if constexpr (kSolves) {
-    tell_controllers(pair, result.impulse, Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero());
-    if (answers_of_pair_ > 1 || !(result.impulse > Scalar(0))) share_off(bodies_, a, b);
-    // It came back once too often, and what opens gaps comes with the next step.
-    if (is_deep) separate_pair(pair, query, at.contact, result, false);
-    is_moved_ = is_deep;
-    if (bodies_.states[a].group != BodiesT::kAlone) return;  // it was welded: nothing passes it on
-    struck_.push({pair, at.contact, query.contact_gap});
-  } else if (is_resting || is_deep) {
-    separate_pair(pair, query, at.contact, result, is_resting);
+    finish_lasting(pair, query, contact, result);
   } else {
-    tell_controllers(pair, result.impulse, Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero());
+    const bool is_resting = kSeparates && result.kind == ContactKind::kResting;
+    if (is_resting || contact.gap < -query.contact_gap) {
+      separate_pair(pair, query, contact, result, is_resting);
+    } else {
+      tell_controllers(pair, result.impulse, Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero());
+    }
+    if constexpr (kBends<SceneT>) shorten_courses(bodies_, pair, contact, query.contact_gap);
   }
-  if constexpr (kBends<SceneT> && !kSolves)
-    shorten_courses(bodies_, pair, at.contact, query.contact_gap);
+}
+
+/// The same where contacts last: it is passed on at the end of the round.
+template <class SceneT>
+void GeneralWorld<SceneT>::finish_lasting(ProxyPair pair, const PairQuery& query,
+                                          const Contact<Scalar>& contact,
+                                          const Answer<Scalar>& result) {
+  const std::size_t a = BodiesT::body_of(pair.first);
+  tell_controllers(pair, result.impulse, Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero());
+  const bool again = answers_of_pair_ > 1 || !(result.impulse > Scalar(0));
+  if (again) share_off(bodies_, a, BodiesT::body_of(pair.second));
+  // It came back once too often, and what opens gaps comes with the next step.
+  is_moved_ = contact.gap < -query.contact_gap;
+  if (is_moved_) separate_pair(pair, query, contact, result, false);
+  if (bodies_.states[a].group != BodiesT::kAlone) return;  // it was welded: nothing passes it on
+  struck_.push({pair, contact, query.contact_gap});
 }
 
 /// Neither body can be pushed: where one is moved into the other, both stop.
@@ -178,6 +204,43 @@ template <class SceneT>
                bodies_.dt);
 }
 
+/// Whether one of the two may take all of a shift: what holds them takes the other's share.
+template <class SceneT>
+bool GeneralWorld<SceneT>::may_take_all(std::size_t a, std::size_t b) const {
+  const bool is_shared = bodies_.actor(a).body.inverse_mass > Scalar(0) &&
+                         bodies_.actor(b).body.inverse_mass > Scalar(0);
+  return is_shared && (groups_.is_held_up(a) || groups_.is_held_up(b));
+}
+
+/// Whether nobody made room: each further answer would let them sink by what the search cannot
+/// tell. Not so the first answer at the start of a step. @param parted_W  the shifts' difference, m
+template <class SceneT>
+bool GeneralWorld<SceneT>::stays_deep([[maybe_unused]] const Contact<Scalar>& contact,
+                                      [[maybe_unused]] const Vec3<Scalar>& parted_W,
+                                      [[maybe_unused]] Scalar margin) const {
+  if constexpr (SceneT::kMaxBodies > 2 || SceneT::kCapsulesPerBody > 1) {
+    const bool is_first = !(bodies_.now > Scalar(0)) && answers_of_pair_ <= 1;
+    return !is_first && contact.gap + contact.normal_BA_W.dot(parted_W) < -margin;
+  } else {
+    return false;
+  }
+}
+
+/// @param is_charged  it goes to D, and takes time
+template <class SceneT>
+SeparationOptions<typename GeneralWorld<SceneT>::Scalar> GeneralWorld<SceneT>::separation_options(
+    Scalar margin, [[maybe_unused]] bool is_charged) const {
+  SeparationOptions<Scalar> options;
+  options.distance = margin;
+  options.rest_speed = options.min_duration = std::numeric_limits<Scalar>::min();
+  if constexpr (kSeparates) {
+    options.rest_speed = bodies_.settings.rest_speed;
+    options.min_duration = bodies_.settings.min_separation_time;
+    if (is_charged) options.distance = max_of(margin, bodies_.settings.separation);
+  }
+  return options;
+}
+
 /// The paper's separation to D, for which the two go on together for f(D); or, where the pair is in
 /// each other by less than can be told from touching, just clear of it.
 template <class SceneT>
@@ -188,15 +251,9 @@ template <class SceneT>
   const std::size_t a = BodiesT::body_of(pair.first);
   const std::size_t b = BodiesT::body_of(pair.second);
   const Scalar margin = PairsT::margin_of(bodies_, query, pair);
-  const bool is_charged = is_resting || (kSeparates && contact.gap < -margin);
-  SeparationOptions<Scalar> options;
-  options.distance = margin;
-  options.rest_speed = options.min_duration = std::numeric_limits<Scalar>::min();
-  if constexpr (kSeparates) {
-    options.rest_speed = bodies_.settings.rest_speed;
-    options.min_duration = bodies_.settings.min_separation_time;
-    if (is_charged) options.distance = max_of(margin, bodies_.settings.separation);
-  }
+  const bool is_deep = kSeparates && contact.gap < -margin;
+  const bool is_charged = is_resting || is_deep;
+  SeparationOptions<Scalar> options = separation_options(margin, is_charged);
   const Scalar shift = options.distance - min_of(contact.gap, Scalar(0));
   if constexpr (SceneT::kMaxBodies > 2 || SceneT::kCapsulesPerBody > 1) {
     options.limit_A = room_of(a, pair, contact.normal_BA_W, shift);
@@ -205,11 +262,10 @@ template <class SceneT>
   Scalar soft_A = bodies_.actor(a).body.inverse_mass;
   Scalar soft_B = bodies_.actor(b).body.inverse_mass;
   if constexpr (kSolves) {
-    // What holds both takes the shift: who has no room for his share leaves it to the other.
     const bool is_tight = min_of(options.limit_A, options.limit_B) < shift;
-    const bool is_held = groups_.is_held_up(a) || groups_.is_held_up(b);
-    if (is_tight && is_held && soft_A > Scalar(0) && soft_B > Scalar(0)) {
-      (options.limit_A < options.limit_B ? soft_A : soft_B) = 0;
+    if (is_tight && may_take_all(a, b)) {
+      Scalar& soft = options.limit_A < options.limit_B ? soft_A : soft_B;
+      soft = 0;
     }
   }
   const auto made = separate(contact, result.v_rel, soft_A, soft_B, options);
@@ -220,14 +276,10 @@ template <class SceneT>
   bodies_.actor(a).body.X_WB.p_W += made.value.shift_A_W;
   bodies_.actor(b).body.X_WB.p_W += made.value.shift_B_W;
   tell_controllers(pair, result.impulse, made.value.shift_A_W, made.value.shift_B_W);
-  if constexpr (SceneT::kMaxBodies > 2 || SceneT::kCapsulesPerBody > 1) {
-    const Vec3<Scalar> parted_W = made.value.shift_A_W - made.value.shift_B_W;
-    const bool is_deeper = contact.gap + contact.normal_BA_W.dot(parted_W) < -margin;
-    // Nobody makes room: each further answer would let them sink by what the search cannot tell.
-    if (is_deeper && (bodies_.now > Scalar(0) || answers_of_pair_ > 1)) {
-      ++bodies_.report.frozen;
-      return bodies_.weld(a, b, bodies_.dt);
-    }
+  const Vec3<Scalar> parted_W = made.value.shift_A_W - made.value.shift_B_W;
+  if (stays_deep(contact, parted_W, margin)) {
+    ++bodies_.report.frozen;
+    return bodies_.weld(a, b, bodies_.dt);
   }
   ++bodies_.report.separations;
   if (!is_charged) return;

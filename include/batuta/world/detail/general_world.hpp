@@ -150,6 +150,12 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   void resolve(const CandidateType& candidate, Scalar time);
   void resolve_contact(const CandidateType& candidate, bool is_own_time);
   void answer_turning(const CandidateType& candidate, const PairQuery& query);
+  bool strike_turning(ProxyPair pair, const Sides& sides, const Contact<Scalar>& contact,
+                      Answer<Scalar>& result);
+  void finish_turning(ProxyPair pair, const PairQuery& query, const Contact<Scalar>& contact,
+                      const Answer<Scalar>& result);
+  void finish_lasting(ProxyPair pair, const PairQuery& query, const Contact<Scalar>& contact,
+                      const Answer<Scalar>& result);
   void answer_straight(const CandidateType& candidate);
   void report_only(const CandidateType& candidate);
   void wake_now(std::size_t slot);
@@ -176,6 +182,10 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   bool is_due(ProxyPair pair);
   void answer_ties(ProxyPair last);
   void pass_on();
+  bool may_take_all(std::size_t a, std::size_t b) const;
+  bool stays_deep(const Contact<Scalar>& contact, const Vec3<Scalar>& parted_W,
+                  Scalar margin) const;
+  SeparationOptions<Scalar> separation_options(Scalar margin, bool is_charged) const;
   void separate_pair(ProxyPair pair, const PairQuery& query, const Contact<Scalar>& contact,
                      const Answer<Scalar>& result, bool is_resting);
   Scalar room_of(std::size_t slot, ProxyPair pair, const Vec3<Scalar>& away_W, Scalar shift) const;

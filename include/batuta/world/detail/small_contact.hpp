@@ -24,20 +24,32 @@ void SmallWorld<SceneT>::resolve(const Meeting& meeting) {
   return are_alone ? hit(a, b) : weld(a, b);
 }
 
+/// A body goes with others. @param mass  of all that go, kg; 0: they stand
+/// @param sum_W  of their momenta. @param fall  of all of them
+template <class SceneT>
+void SmallWorld<SceneT>::take_in(std::size_t slot, Scalar mass, const Vec3<Scalar>& sum_W,
+                                 [[maybe_unused]] const SmallFallSums& fall) {
+  const bool goes = mass > Scalar(0);
+  const Scalar share = goes ? 1 / (mass * inverse_mass_[slot]) : Scalar(0);
+  for (int i = 0; i < 3; ++i) actors_.at(slot).body.momentum_W[i] = share * sum_W[i];  // Bound: 3
+  if constexpr (SceneT::kGravity) {
+    falls_.lag[slot] = fall.lag;
+    falls_.loaded[slot] = fall.loaded;
+  }
+  if (!goes) inverse_mass_[slot] = 0;
+}
+
 /// The two, and who goes with one of them already, go on together, with their common velocity;
 /// where one of them does not move, they stand (world.md, "Together").
 template <class SceneT>
 void SmallWorld<SceneT>::weld(std::size_t a, std::size_t b) {
   const auto both = static_cast<Slots>(group_[a] | group_[b]);
   const bool goes = inverse_mass_[a] > Scalar(0) && inverse_mass_[b] > Scalar(0);
-  const auto is_in = [this, both](std::size_t slot) {
-    return (both & alone(slot)) != 0 && inverse_mass_[slot] > Scalar(0);
-  };
   Scalar mass = 0;
   Vec3<Scalar> sum_W = Vec3<Scalar>::Zero();
   SmallFallSums fall;
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    if (!is_in(slot)) continue;
+    if (!is_in(both, slot)) continue;
     mass += 1 / inverse_mass_[slot];
     for (int i = 0; i < 3; ++i) sum_W[i] += actors_.at(slot).body.momentum_W[i];  // Bound: 3
     if constexpr (SceneT::kGravity) {
@@ -45,18 +57,11 @@ void SmallWorld<SceneT>::weld(std::size_t a, std::size_t b) {
       fall.loaded = fall.loaded || falls_.loaded[slot];
     }
   }
-  const auto take_in = [&](std::size_t slot) {
-    const Scalar share = goes ? 1 / (mass * inverse_mass_[slot]) : Scalar(0);
-    for (int i = 0; i < 3; ++i) actors_.at(slot).body.momentum_W[i] = share * sum_W[i];  // Bound: 3
-    if constexpr (SceneT::kGravity) {
-      falls_.lag[slot] = fall.lag / mass;
-      falls_.loaded[slot] = fall.loaded;
-    }
-    group_[slot] = both;
-    if (!goes) inverse_mass_[slot] = 0;
-  };
+  if constexpr (SceneT::kGravity) fall.lag /= mass;
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    if (is_in(slot)) take_in(slot);
+    if (!is_in(both, slot)) continue;
+    take_in(slot, goes ? mass : Scalar(0), sum_W, fall);
+    group_[slot] = both;
   }
   report_.time_held = max_of(report_.time_held, left_);
 }

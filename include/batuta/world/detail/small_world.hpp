@@ -119,6 +119,11 @@ class SmallWorld {
   PairQuery search(std::size_t a, std::size_t b) const;
   void resolve(const Meeting& meeting);
   void weld(std::size_t a, std::size_t b);
+  /// Whether a body is one of a set, and can be moved.
+  bool is_in(Slots group, std::size_t slot) const {
+    return (group & alone(slot)) != 0 && inverse_mass_[slot] > Scalar(0);
+  }
+  void take_in(std::size_t slot, Scalar mass, const Vec3<Scalar>& sum_W, const SmallFallSums& fall);
   void hit(std::size_t a, std::size_t b);
   Scalar speed(std::size_t slot, int i) const;
   Vec3<Scalar> velocity(std::size_t slot) const {
