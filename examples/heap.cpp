@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Twelve rods fall into a trough of two logs, pile up, rub and come to rest. A scene of one's
-// own starts from a ready-made one; gravity, friction and sleep are options of it. What sleeps
-// costs nothing until something happens to it.
+// own starts from a ready-made one; gravity, friction, rolling resistance and sleep are options of
+// it. What sleeps costs nothing until something happens to it.
 #include <cstdio>
 #include <limits>
 
@@ -15,6 +15,7 @@ constexpr int kRods = 12;
 constexpr SceneOptions trough() {
   SceneOptions scene = rack();  // gravity, friction, line contact, settling, sleep
   scene.max_bodies = kRods + 2;
+  scene.rolling_resistance = true;
   return scene;
 }
 using Trough = Scene<trough>;
@@ -23,6 +24,7 @@ bool add(World<Trough>& world, const Capsule<float>& capsule_G, float density,
          const Pose<float>& X_WG) {
   auto actor = make_actor<Trough>(capsule_G, density, X_WG);
   actor.value.friction = 0.6F;
+  actor.value.rolling_resistance = 1e-3F;  // or a rod that lies across would roll on and on
   return actor.ok() && world.add(actor.value).ok();
 }
 
@@ -30,8 +32,8 @@ bool add(World<Trough>& world, const Capsule<float>& capsule_G, float density,
 // tilted each in its own way.
 bool fill(World<Trough>& world) {
   const float fixed = std::numeric_limits<float>::infinity();
-  const Capsule<float> left = {{{-0.5F, -2, -0.5F}, {-0.5F, 2, -0.5F}}, 0.5F};
-  const Capsule<float> right = {{{0.5F, -2, -0.5F}, {0.5F, 2, -0.5F}}, 0.5F};
+  const Capsule<float> left = {{{-0.5F, -4, -0.5F}, {-0.5F, 4, -0.5F}}, 0.5F};
+  const Capsule<float> right = {{{0.5F, -4, -0.5F}, {0.5F, 4, -0.5F}}, 0.5F};
   bool good = add(world, left, fixed, {}) && add(world, right, fixed, {});
   const Capsule<float> rod = {{{-0.15F, 0, 0}, {0.15F, 0, 0}}, 0.03F};
   for (int i = 0; i < kRods; ++i) {

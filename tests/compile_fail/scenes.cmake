@@ -104,8 +104,8 @@ batuta_no_scene(OfIntegers ${scene} "its search is one of float or double" -DSEA
 batuta_no_scene(BoundThatIsNone ${scene} "its fourth argument is SweptBox or CoarseBox" -DBOUND=int)
 
 # Capacities.
-foreach(count 1 1025)
-  batuta_impossible_scene(Of${count}Bodies "max_bodies: choose 2 ... 1024" "CHANGE=scene.max_bodies = ${count}")
+foreach(count 1 65535)
+  batuta_impossible_scene(Of${count}Bodies "max_bodies: choose 2 ... 65534" "CHANGE=scene.max_bodies = ${count}")
 endforeach()
 foreach(count 0 256)
   batuta_impossible_scene(Of${count}Capsules "capsules_per_body: choose 1 ... 255" "CHANGE=scene.capsules_per_body = ${count}")

@@ -11,6 +11,18 @@
 
 namespace batuta::detail {
 
+/// A contact that was answered, and is not passed on yet.
+template <class Scalar>
+struct StruckPair {
+  ProxyPair pair;
+  batuta::Contact<Scalar> contact;
+  Scalar contact_gap = 0;  ///< of its search, m
+};
+
+/// In the place of a collaborator that a scene does without.
+template <int kNumber>
+struct NoCollaborator {};
+
 template <class SceneT>
 class ContactGroups {
  public:

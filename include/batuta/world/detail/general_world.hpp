@@ -17,18 +17,6 @@
 
 namespace batuta::detail {
 
-/// A contact that was answered, and is not passed on yet.
-template <class Scalar>
-struct StruckPair {
-  ProxyPair pair;
-  Contact<Scalar> contact;
-  Scalar contact_gap = 0;  ///< of its search, m
-};
-
-/// In the place of a collaborator that a scene does without.
-template <int kNumber>
-struct NoCollaborator {};
-
 template <class SceneT>
 class GeneralWorld : private RepeatsOf<SceneT> {
  public:
