@@ -51,8 +51,11 @@ struct StepReport {
   std::uint32_t overlaps_at_start = 0;
   Scalar deepest_overlap = 0;  ///< of these, m
   std::uint32_t asleep = 0;    ///< bodies for which is_asleep() is true
-  /// Pairs that used up max_separations in a step, and went on together for the rest of it
-  /// (kSettling).
+  /// Pairs that went on together for the rest of the step because further answers would not have
+  /// parted them: they used up SceneOptions::max_separations (kSettling), or were deeper in each
+  /// other than the margin of the search even after their shift, for nobody made room. The first
+  /// answer at the start of a step does not count: the caller may have put them there
+  /// (src/world/world.md, "Touching and parting").
   std::uint32_t frozen = 0;
   // What did not fit; the bodies concerned went on together from where they were proven free. All
   // zero in a healthy scene.

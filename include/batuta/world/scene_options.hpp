@@ -35,8 +35,7 @@ enum class RestingContact : std::uint8_t {
   /// For bodies that lie on each other: contacts that last are solved together before anybody
   /// moves, group by group; blows are answered one by one, and passed on through the group. A pair
   /// that asks for more than max_separations answers in quick succession goes on as one body for
-  /// the
-  /// rest of the step.
+  /// the rest of the step.
   kSettling,
 };
 

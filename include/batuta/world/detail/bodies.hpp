@@ -202,8 +202,7 @@ bool Bodies<SceneT>::begin(std::size_t slot) {
   begin_motion(slot);
   if constexpr (SceneT::kGravity) {
     if (falls(slot)) {
-      Kinematics::linear_momentum(actor.body) +=
-          (dt / actor.body.inverse_mass) * settings.gravity_W;
+      Kinematics::add_momentum(actor.body, (dt / actor.body.inverse_mass) * settings.gravity_W);
     }
   }
   return stayed;
@@ -278,7 +277,7 @@ auto Bodies<SceneT>::twist_now(std::size_t slot) const {
   const auto& body = actor(slot).body;
   auto twist = Kinematics::twist_at(body, state.plan);
   if constexpr (SceneT::kGravity) {
-    if (falls(slot)) Kinematics::linear(twist) -= (dt - now) * settings.gravity_W;
+    if (falls(slot)) Kinematics::add_velocity(twist, -((dt - now) * settings.gravity_W));
   }
   return twist;
 }

@@ -303,7 +303,7 @@ void ContactGroups<SceneT>::drop_far(const BodiesT& bodies) {
     return bodies.states[slot].asleep || bodies.is_wall(slot);
   };
   for (int i = contacts_.size() - 1; i >= 0; --i) {  // Bound: kMaxContacts
-    Contact& contact = contacts_[i];
+    const Contact& contact = contacts_[i];
     const bool sleeps = rests(a_of(contact)) && rests(b_of(contact));
     if (!contact.is_kept && !sleeps) contacts_.remove_swapping(i);
   }

@@ -17,10 +17,10 @@ void set_course(Bodies<SceneT>& bodies, std::size_t slot) {
     const auto& body = bodies.actor(slot).body;
     const bool moves = state.plan.by_momentum && body.inverse_mass > 0;
     if (moves && rest > 0) {
-      auto& v_W = Kinematics::velocity(state.plan.motion);
-      v_W = Kinematics::momentum_velocity(body);
+      Vec3<Scalar_of<SceneT>> v_W = Kinematics::momentum_velocity(body);
       if (!state.loaded) v_W -= (rest / 2) * bodies.settings.gravity_W;
       v_W += state.off_W / rest;
+      Kinematics::set_velocity(state.plan.motion, v_W);
     }
   }
   if constexpr (kLasts<SceneT>) {
@@ -38,7 +38,7 @@ template <class SceneT>
   const auto& body = bodies.actor(slot).body;
   auto& motion = bodies.states[slot].plan.motion;
   motion = Kinematics::standing(body, duration);
-  Kinematics::velocity(motion) = Kinematics::momentum_velocity(body);
+  Kinematics::set_velocity(motion, Kinematics::momentum_velocity(body));
 }
 
 /// Where it turns is not known: it goes on without a turn; where not even that is known, it stands.

@@ -31,11 +31,14 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   /// A FixedList of ContactEvent.
   using EventList = typename EventsOf<SceneT>::EventList;
 
+  /// Ends of rounds that one contact accounts for: the third is that of a course cut short.
+  static constexpr int kEndsPerContact = 2 + static_cast<int>(detail::kBends<SceneT>);
+
   /// Rounds of one step: each ends with a contact (kMaxContacts), with the end of the time that a
   /// separation takes (kMaxContacts), with two groups that become one or a group that comes to
   /// stand (2 kMaxBodies; where nobody answers contacts, with a pair that is left: kMaxPairs), with
   /// the end of a course that a contact has cut short (kMaxContacts), or with the step (1).
-  static constexpr int kMaxRounds = (detail::kBends<SceneT> ? 3 : 2) * SceneT::kMaxContacts +
+  static constexpr int kMaxRounds = kEndsPerContact * SceneT::kMaxContacts +
                                     max_of(2 * SceneT::kMaxBodies, SceneT::kMaxPairs) + 1;
   /// Most pairs searched in one round.
   static constexpr int kPairsPerRound = SceneT::kMaxPairs;

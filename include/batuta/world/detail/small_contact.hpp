@@ -92,8 +92,9 @@ StraightHit<typename SmallWorld<SceneT>::Scalar> SmallWorld<SceneT>::strike(
   StraightBody<Scalar>& B = actors_.at(b).body;
   if constexpr (SceneT::kGravity) {
     const auto fall_by = [this](std::size_t slot, Scalar time) {
+      if (!falls(slot)) return;
       StraightBody<Scalar>& body = actors_.at(slot).body;
-      if (falls(slot)) body.momentum_W += (time / body.inverse_mass) * settings_.gravity_W;
+      body.momentum_W += (time / body.inverse_mass) * settings_.gravity_W;
     };
     fall_by(a, -left_);
     fall_by(b, -left_);

@@ -87,9 +87,12 @@ struct StraightKinematics {
   static MotionType seat(const MotionType& group, const BodyType& body) {
     return {body.p_W, group.v_W, group.duration};
   }
-  static Vec3<Scalar>& velocity(MotionType& motion) { return motion.v_W; }
-  static Vec3<Scalar>& linear(Vec3<Scalar>& v_W) { return v_W; }
-  static Vec3<Scalar>& linear_momentum(BodyType& body) { return body.momentum_W; }
+  static const Vec3<Scalar>& velocity(const MotionType& motion) { return motion.v_W; }
+  static void set_velocity(MotionType& motion, const Vec3<Scalar>& v_W) { motion.v_W = v_W; }
+  static void add_velocity(Vec3<Scalar>& v_W, const Vec3<Scalar>& change_W) { v_W += change_W; }
+  static void add_momentum(BodyType& body, const Vec3<Scalar>& change_W) {
+    body.momentum_W += change_W;
+  }
   static Vec3<Scalar> momentum_velocity(const BodyType& body) { return velocity_of(body); }
   static Vec3<Scalar> twist_at(const BodyType& body, const PlanType& /*plan*/) {
     return velocity_of(body);

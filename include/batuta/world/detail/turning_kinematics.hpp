@@ -107,9 +107,14 @@ struct TurningKinematics {
   static MotionType free_motion(const BodyType& body, Scalar duration) {
     return {body.X_WB, twist_of(body), duration};
   }
-  static Vec3<Scalar>& velocity(MotionType& motion) { return motion.twist.v_W; }
-  static Vec3<Scalar>& linear(Twist<Scalar>& twist) { return twist.v_W; }
-  static Vec3<Scalar>& linear_momentum(BodyType& body) { return body.momentum.linear_W; }
+  static const Vec3<Scalar>& velocity(const MotionType& motion) { return motion.twist.v_W; }
+  static void set_velocity(MotionType& motion, const Vec3<Scalar>& v_W) { motion.twist.v_W = v_W; }
+  static void add_velocity(Twist<Scalar>& twist, const Vec3<Scalar>& change_W) {
+    twist.v_W += change_W;
+  }
+  static void add_momentum(BodyType& body, const Vec3<Scalar>& change_W) {
+    body.momentum.linear_W += change_W;
+  }
   static Vec3<Scalar> momentum_velocity(const BodyType& body) {
     return body.inverse_mass * body.momentum.linear_W;
   }

@@ -155,10 +155,11 @@ template <class SceneT>
   }
   auto motion = group_motion(sums.group, duration);
   if constexpr (SceneT::kGravity) {
-    Vec3<Scalar>& v_W = Kinematics::velocity(motion);
+    Vec3<Scalar> v_W = Kinematics::velocity(motion);
     const Scalar left = bodies_.dt - bodies_.now;
     if (sums.falls) v_W -= (left / 2) * bodies_.settings.gravity_W;
     if (left > Scalar(0)) v_W += sums.off_W / (sums.group.mass * left);
+    Kinematics::set_velocity(motion, v_W);
   }
   return motion;
 }
@@ -279,15 +280,15 @@ bool Welds<SceneT>::is_pushed_in(Slot group, std::size_t slot) const {
 template <class SceneT>
 [[gnu::cold]] void Welds<SceneT>::end_fall(std::size_t slot) {
   BodyState& state = bodies_.states[slot];
-  auto& body = bodies_.actor(slot).body;
   const Scalar span = bodies_.dt - state.start;
   const Scalar elapsed = bodies_.now - state.start;
   const Scalar left = span > Scalar(0) ? 1 - elapsed / span : Scalar(0);
   state.off_W *= left;
   if (!state.loaded) state.off_W -= (elapsed * (span - elapsed) / 2) * bodies_.settings.gravity_W;
   if (state.is_led_group && is_pushed_in(state.group, slot)) {
-    Kinematics::linear_momentum(body) +=
-        ((bodies_.dt - bodies_.now) / body.inverse_mass) * bodies_.settings.gravity_W;
+    auto& body = bodies_.actor(slot).body;
+    const Scalar left_time = bodies_.dt - bodies_.now;
+    Kinematics::add_momentum(body, (left_time / body.inverse_mass) * bodies_.settings.gravity_W);
   }
   state.loaded = state.loaded && !state.is_led_group;
 }
