@@ -17,6 +17,8 @@
 
 namespace batuta::detail {
 
+/// The world of every scene that SmallWorld is not for (SceneOptions::engine). A base counts the
+/// answers of a pair that repeat: where the scene asks for no count, it takes no room.
 template <class SceneT>
 class GeneralWorld : private RepeatsOf<SceneT> {
  public:
