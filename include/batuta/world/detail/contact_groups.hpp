@@ -132,6 +132,10 @@ class ContactGroups {
   Scalar warm_up(const BodiesT& bodies, int first, int last);
   Scalar visit(Contact& contact, Scalar& energy, const Vec3<Scalar>& carried_W);
   Vec3<Scalar> carried_by(const BodiesT& bodies, const Contact& contact) const;
+  template <class Change>
+  void watch(Contact& contact, const Change& change);
+  bool sweep_once(int first, int last, bool is_up, Scalar time, Scalar& energy);
+  void go_on_ahead(int first, int last, Scalar& led, Scalar& energy);
   void sweep(int first, int last, Scalar time, Scalar energy);
   void give(BodiesT& bodies, const Contact& contact);
   void give_at(BodiesT& bodies, const Contact& contact, const ContactPoint<Traits>& point,

@@ -227,19 +227,17 @@ Scalar least_change(const LastingContact<Traits>& contact, Scalar time) {
   return min_of(kEnough * D, max_of(kOfGap * least_gap(contact), kLeast * D)) / time;
 }
 
-/// One visit; adds what it changed to what is known of both bodies.
-/// @param energy  what was added to that of the group so far, J, <= 0: the visit adds its part
-/// @returns the largest change along a normal, m/s
+/// Does something to both bodies of a contact, and adds what that changed to what is known of them.
 template <class SceneT>
-Scalar_of<SceneT> ContactGroups<SceneT>::visit(Contact& contact, Scalar& energy,
-                                               const Vec3<Scalar>& carried_W) {
+template <class Change>
+void ContactGroups<SceneT>::watch(Contact& contact, const Change& change) {
   const std::array<std::size_t, 2> slots = {a_of(contact), b_of(contact)};
   std::array<Vec3<Scalar>, 4> before;
   for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2
     before[2 * i] = solved_[slots[i]].v_W;
     before[2 * i + 1] = solved_[slots[i]].w_W;
   }
-  const Scalar change = relax(contact, solved_[slots[0]], solved_[slots[1]], energy, carried_W);
+  change(solved_[slots[0]], solved_[slots[1]]);
   const auto& point = contact.points[0];
   for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2
     const auto& solved = solved_[slots[i]];
@@ -248,33 +246,77 @@ Scalar_of<SceneT> ContactGroups<SceneT>::visit(Contact& contact, Scalar& energy,
     changed_[slots[i]] += (solved.v_W - before[2 * i]).cwiseAbs().sum() +
                           reach * (solved.w_W - before[2 * i + 1]).cwiseAbs().sum();
   }
-  return change;
 }
 
-/// Up and down, until nothing changes by enough to matter. A contact whose bodies have changed by
-/// much less than that since its last visit is passed over.
+/// One visit. @param energy  what was added to that of the group so far, J, <= 0: the visit adds
+/// its part  @returns the largest change along a normal, m/s
+template <class SceneT>
+Scalar_of<SceneT> ContactGroups<SceneT>::visit(Contact& contact, Scalar& energy,
+                                               const Vec3<Scalar>& carried_W) {
+  Scalar most = 0;
+  watch(contact, [&](SolvedBody<Scalar>& A, SolvedBody<Scalar>& B) {
+    most = relax(contact, A, B, energy, carried_W);
+  });
+  return most;
+}
+
+/// One sweep, up or down. A contact whose bodies have changed by much less than what matters since
+/// its last visit is passed over. @returns whether nothing changed by enough to matter
+template <class SceneT>
+bool ContactGroups<SceneT>::sweep_once(int first, int last, bool is_up, Scalar time,
+                                       Scalar& energy) {
+  constexpr Scalar kUnseen = Scalar(1) / 4;
+  bool is_done = true;
+  for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
+    const int at = is_up ? k : last - 1 - (k - first);
+    const std::size_t i = order_[static_cast<std::size_t>(at)];
+    Contact& contact = contacts_[static_cast<int>(i)];
+    const Scalar enough = least_change(contact, time);
+    const Scalar changed = changed_[a_of(contact)] + changed_[b_of(contact)];
+    if (!(changed - seen_[i] > kUnseen * enough)) continue;
+    seen_[i] = changed;
+    const Scalar change = visit(contact, energy, Vec3<Scalar>::Zero());
+    is_done = is_done && !(change > enough);
+  }
+  return is_done;
+}
+
+/// Between two sweeps: on, the way that they lead (world.md, "Sweeps that are ahead").
+/// @param led  how far the sweep before the last one has led, J; becomes that of the last one
+template <class SceneT>
+void ContactGroups<SceneT>::go_on_ahead(int first, int last, Scalar& led, Scalar& energy) {
+  Scalar now = 0;
+  for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
+    now += led_by_sweep(contacts_[order_[static_cast<std::size_t>(k)]]);
+  }
+  const Scalar share = now < led ? now / led : Scalar(0);
+  led = now;
+  for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
+    Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
+    watch(contact, [&](SolvedBody<Scalar>& A, SolvedBody<Scalar>& B) {
+      go_ahead(contact, A, B, share, energy);
+    });
+  }
+}
+
+/// Up and down, until nothing changes by enough to matter.
 /// @param energy  what was added to that of the group so far, J, <= 0
 template <class SceneT>
 void ContactGroups<SceneT>::sweep(int first, int last, Scalar time, Scalar energy) {
-  constexpr Scalar kUnseen = Scalar(1) / 4;
   constexpr Scalar kNever = -std::numeric_limits<Scalar>::max();
+  constexpr int kFew = 8;               // contacts: so few need nobody ahead
   for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
-    seen_[order_[static_cast<std::size_t>(k)]] = kNever;
-  }
-  for (int s = 0; s < kMaxSweeps; ++s) {  // Bound: kMaxSweeps
-    bool is_done = true;
-    for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
-      const int at = s % 2 == 0 ? k : last - 1 - (k - first);
-      const std::size_t i = order_[static_cast<std::size_t>(at)];
-      Contact& contact = contacts_[static_cast<int>(i)];
-      const Scalar enough = least_change(contact, time);
-      const Scalar changed = changed_[a_of(contact)] + changed_[b_of(contact)];
-      if (!(changed - seen_[i] > kUnseen * enough)) continue;
-      seen_[i] = changed;
-      const Scalar change = visit(contact, energy, Vec3<Scalar>::Zero());
-      is_done = is_done && !(change > enough);
+    const std::size_t i = order_[static_cast<std::size_t>(k)];
+    seen_[i] = kNever;
+    for (auto& point : contacts_[static_cast<int>(i)].points) {  // Bound: 2
+      point.start = point.normal;
+      point.ahead = 0;
     }
-    if (is_done) return;
+  }
+  Scalar led = 0;
+  for (int s = 0; s < kMaxSweeps; ++s) {  // Bound: kMaxSweeps
+    if (sweep_once(first, last, s % 2 == 0, time, energy)) return;
+    if (last - first > kFew && s + 1 < kMaxSweeps) go_on_ahead(first, last, led, energy);
   }
 }
 
