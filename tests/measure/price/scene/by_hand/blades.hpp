@@ -17,6 +17,7 @@ struct Blade {
   Capsule<float> capsule_B;
   float restitution = 0;
   std::uint16_t owner = 0;
+  bool present = false;  ///< takes part in the step
   Motion<float> motion;  ///< over the rest of the step
 };
 
@@ -47,35 +48,51 @@ class Blades {
            is_finite(body.momentum.linear_W) && is_finite(body.momentum.angular_W) &&
            is_finite(body.inverse_mass) && body.inverse_mass >= 0.F &&
            is_finite(body.inverse_moments) && body.inverse_moments.minCoeff() >= 0.F &&
-           is_valid(blade.capsule_B) && blade.restitution >= 0.F && blade.restitution <= 1.F;
+           is_valid(blade.capsule_B) && can_hold(body.X_WB.p_W, blade.capsule_B) &&
+           blade.restitution >= 0.F && blade.restitution <= 1.F;
   }
 
   void begin() {
     report = {};
     events.clear();
     now = 0;
+    for (Blade& blade : blades) {  // Bound: 2
+      blade.present = is_usable(blade);
+      if (!blade.present) ++report.plans_invalid;
+    }
   }
 
-  /// Where both fly for so long. @returns whether both may be asked for contact
+  /// Where both fly for so long. @returns whether the two may meet
   bool plan(float duration) {
-    bool good = true;
+    bool both = true;
     for (Blade& blade : blades) {  // Bound: 2
-      blade.motion = free_flight(blade.body, duration);
-      if (is_usable(blade) && is_valid(blade.motion)) continue;
-      ++report.plans_invalid;
-      blade.motion = still(blade.body.X_WB, duration);
-      good = false;
+      both = both && blade.present;
+      if (blade.present) plan(blade, duration);
     }
     const bool fixed = is_fixed(blades[0].body) && is_fixed(blades[1].body);
     const bool strangers = blades[0].owner == 0 || blades[0].owner != blades[1].owner;
-    return good && !fixed && strangers;
+    return both && !fixed && strangers;
+  }
+
+  /// What turns too far goes without a turn; what is too fast even so stands.
+  void plan(Blade& blade, float duration) {
+    const Body<float>& body = blade.body;
+    blade.motion = free_flight(body, duration);
+    if (is_valid(blade.motion)) return;
+    ++report.plans_invalid;
+    blade.motion = linear<float>(body.X_WB, body.inverse_mass * body.momentum.linear_W, duration);
+    if (is_valid(blade.motion)) return;
+    blade.motion = still(body.X_WB, duration);
+    report.time_held = max_of(report.time_held, duration);
   }
 
   bool boxes_meet() const { return overlaps<float, 6>(swept_aabb(mover(0)), swept_aabb(mover(1))); }
   MovingCapsule<float> mover(int i) const { return {blades[i].capsule_B, blades[i].motion}; }
 
   void move(float t) {
-    for (Blade& blade : blades) blade.body.X_WB = pose_at(blade.motion, t);  // Bound: 2
+    for (Blade& blade : blades) {  // Bound: 2
+      if (blade.present) move_along(blade.body, blade.motion, t);
+    }
   }
 
   void tell(EventKind kind, ContactKind contact_kind, const CapsuleGap<float>& witness,
@@ -92,10 +109,10 @@ class Blades {
     event.place_B = witness.axes.u;
     if (!events.push(event)) ++report.events_dropped;
   }
-  /// A contact that was answered.
+  /// A contact that was answered. @param is_overlap  it was found in each other
   void tell_contact(ContactKind contact_kind, const CapsuleGap<float>& witness,
-                    const Vec3<float>& origin_W, float v_rel, float impulse) {
-    if (touching_at_start_ && !(witness.gap > 0.F)) {
+                    const Vec3<float>& origin_W, float v_rel, float impulse, bool is_overlap) {
+    if (is_overlap) {
       ++report.overlaps_at_start;
       report.deepest_overlap = max_of(report.deepest_overlap, -witness.gap);
     }
@@ -122,11 +139,20 @@ class Blades {
     found.outcome = Outcome::kInvalid;
     pair = make_moving_pair(mover(0), mover(1));
     if (!pair.ok()) return found;
-    found = search_advancement(pair.value, AdvancementOptions<float>{}, seed);
+    search(pair.value, pair.value, seed, found);
     if (found.outcome != Outcome::kInvalid) seed = found.witness.axes.normal_AB;
-    report.evaluations += found.evaluations;
-    touching_at_start_ = found.outcome == Outcome::kTouching;
     return found;
+  }
+  /// @param asked  the pair, or a thinner one: what was found is told of the pair
+  void search(const MovingPair<float>& asked, const MovingPair<float>& pair,
+              const Vec3<float>& seed_AB, SearchResult<float>& found) {
+    found = search_advancement(asked, AdvancementOptions<float>{}, seed_AB);
+    found.witness = capsule_gap(found.witness.axes, pair.A.radius, pair.B.radius);
+    report.evaluations += found.evaluations;
+  }
+  /// Whether the blades were in each other when the search began.
+  static bool is_in_touch(const SearchResult<float>& found) {
+    return found.outcome == Outcome::kTouching && !(found.witness.gap > 0.F);
   }
   static bool is_contact(Outcome outcome) {
     return outcome == Outcome::kContact || outcome == Outcome::kTouching;
@@ -150,9 +176,6 @@ class Blades {
   Vec3<float> seed = Vec3<float>::Zero();
   float now = 0;
   bool touches = false;
-
- private:
-  bool touching_at_start_ = false;
 };
 
 inline std::uint32_t state_of(const Blades& scene) {

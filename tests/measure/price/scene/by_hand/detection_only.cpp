@@ -28,7 +28,7 @@ class Detection : public price::Blades {
     if (!is_contact(found.outcome)) return count_cut(found.outcome);
     now = found.t_free;
     tell_contact(classify(found.gap_rate, price::kRestSpeed), found.witness, pair.value.origin_W,
-                 found.gap_rate, 0);
+                 found.gap_rate, 0, is_in_touch(found));
   }
 };
 
