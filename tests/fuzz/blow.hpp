@@ -109,4 +109,19 @@ inline double rough_gain(const Weighed& A, const Weighed& B) {
   return 4 * kU * (share(A) + share(B));
 }
 
+/// By how much |P_t| may exceed mu n.P (friction.md, "Error").
+/// @param A  and B: with the velocities after the blow without friction, whose impulse is j
+/// @param nu  how far the length of the normal is from 1
+inline double cone_excess(const Weighed& A, const Weighed& B, double mu, double nu, double j) {
+  const auto speed = [](const Weighed& it) { return it.v.norm() + it.w.norm() * it.r.norm(); };
+  const auto softest = [](const Weighed& it) {
+    return it.inverse_mass + it.inverses.maxCoeff() * it.r.squaredNorm();
+  };
+  const double least_give =
+      std::max(A.inverse_mass + B.inverse_mass, 16 * kU * 16 * kU * (softest(A) + softest(B)));
+  const double longest = 2 * (speed(A) + speed(B)) / least_give;  // |D|
+  const double rounding = (13 + 7 * mu) * kU + 2 * (1 + mu) * nu;
+  return rounding * (A.J.norm() + j) + (1 + mu) * kLeast * (8 + longest);
+}
+
 }  // namespace batuta::fuzz

@@ -181,12 +181,15 @@ void check_impulse(const Blow& blow, Numbers from) {
 }
 
 /// |P_t| <= mu n.P, to what friction.md says of its rounding.
-void check_cone(const Blow& blow, const Real3& J, double j) {
-  const Real3 n = blow.contact.normal_BA_W.cast<double>().normalized();
+/// @param A  and B: with the velocities after the blow without friction, whose impulse is j
+void check_cone(const Blow& blow, const Weighed& A, const Weighed& B, double j) {
+  const Real3 given = blow.contact.normal_BA_W.cast<double>();
+  const Real3 n = given.normalized();
   const double mu = blow.law.friction;
-  const double along = J.dot(n);
-  const double across = (J - along * n).norm();
-  require(across - mu * along <= 4 * kU * (1 + mu) * (J.norm() + j), "the cone is kept");
+  const double along = A.J.dot(n);
+  const double across = (A.J - along * n).norm();
+  const double nu = std::abs(given.norm() - 1);
+  require(across - mu * along <= cone_excess(A, B, mu, nu, j), "the cone is kept");
 }
 
 void check_friction(const Blow& blow, Numbers from) {
@@ -212,7 +215,7 @@ void check_friction(const Blow& blow, Numbers from) {
   const Weighed A = weighed(smooth_blow.A, hit.twist_A, hit.on_A, blow.contact.point_W);
   const Weighed B = weighed(smooth_blow.B, hit.twist_B, hit.on_B, blow.contact.point_W);
   check_momentum(blow, A, B);
-  check_cone(blow, A.J, static_cast<double>(plain.value.magnitude));
+  check_cone(blow, A, B, static_cast<double>(plain.value.magnitude));
   if (does_work(blow.A) || does_work(blow.B)) return;
   require(A.gain() + B.gain() <= rough_gain(A, B), "friction brings no energy");
 }
