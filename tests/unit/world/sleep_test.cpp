@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// Who sleeps, when, and who wakes (src/world/world.md, "Sleep").
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "batuta/mechanics/solid.hpp"
+#include "batuta/world/scenes.hpp"
+#include "batuta/world/world.hpp"
+
+namespace batuta {
+namespace {
+
+constexpr SceneOptions sleepy_options() {
+  SceneOptions scene = rack();
+  scene.max_bodies = 4;
+  scene.max_pairs = 6;
+  scene.max_contacts = 12;
+  scene.max_events = 12;
+  return scene;
+}
+using Sleepy = Scene<sleepy_options, Advancement<double>>;
+using SleepyWorld = World<Sleepy>;
+
+Actor<Sleepy> ball(double radius, const Vec3<double>& place) {
+  Actor<Sleepy> actor;
+  actor.capsule_B = {{Vec3<double>::Zero(), Vec3<double>::Zero()}, radius};
+  const auto mass = solid_capsule(actor.capsule_B, 1000.0).value;
+  const Vec3<double> moments = mass.inertia_S.diagonal();
+  actor.body = make_body<double>({place, Quat<double>::Identity()}, mass.mass, moments).value;
+  return actor;
+}
+
+/// A ball that lies on a fixed one.
+struct Lying {
+  Lying() {
+    auto floor = ball(1, {0, 0, -1});
+    floor.body.inverse_mass = 0;
+    floor.body.inverse_moments.setZero();
+    ground = world->add(floor).value;
+    lying = world->add(ball(0.05, {0, 0, 0.05})).value;
+  }
+  /// Steps until it sleeps. @returns how many; 0: it does not
+  int sleep_after() {
+    for (int i = 1; i <= 1000; ++i) {
+      if (world->step(kStep) != Status::kOk) return 0;
+      if (world->is_asleep(lying)) return i;
+    }
+    return 0;
+  }
+
+  static constexpr double kStep = 1.0 / 512;  // a quarter of a second is 128 of them, exactly
+  std::unique_ptr<SleepyWorld> world = std::make_unique<SleepyWorld>();
+  SleepyWorld::BodyId ground;
+  SleepyWorld::BodyId lying;
+};
+
+TEST(Sleep, WhatLies_SleepsAfterSleepTime_AndIsCounted) {
+  Lying scene;
+  EXPECT_EQ(scene.sleep_after(), 128);
+  EXPECT_EQ(scene.world->report().asleep, 1U);
+  EXPECT_FALSE(scene.world->is_asleep(scene.ground));
+}
+
+TEST(Sleep, WhatFalls_NeverSleeps) {
+  auto world = std::make_unique<SleepyWorld>();
+  const auto id = world->add(ball(0.05, {0, 0, 100})).value;
+  for (int i = 0; i < 400; ++i) ASSERT_EQ(world->step(Lying::kStep), Status::kOk);
+  EXPECT_FALSE(world->is_asleep(id));
+}
+
+TEST(Sleep, AnotherGravity_WakesAll) {
+  Lying scene;
+  ASSERT_GT(scene.sleep_after(), 0);
+  auto settings = scene.world->settings();
+  settings.gravity_W *= 2;
+  ASSERT_EQ(scene.world->configure(settings), Status::kOk);
+  EXPECT_FALSE(scene.world->is_asleep(scene.lying));
+}
+
+TEST(Sleep, AMomentumFromTheCaller_WakesIt) {
+  Lying scene;
+  ASSERT_GT(scene.sleep_after(), 0);
+  scene.world->get(scene.lying)->body.momentum.linear_W = Vec3<double>(0, 0, 1);
+  ASSERT_EQ(scene.world->step(Lying::kStep), Status::kOk);
+  EXPECT_FALSE(scene.world->is_asleep(scene.lying));
+}
+
+TEST(Sleep, WhatItLayOn_IsRemoved_AndItWakes) {
+  Lying scene;
+  ASSERT_GT(scene.sleep_after(), 0);
+  ASSERT_EQ(scene.world->remove(scene.ground), Status::kOk);
+  ASSERT_EQ(scene.world->step(Lying::kStep), Status::kOk);
+  EXPECT_FALSE(scene.world->is_asleep(scene.lying));
+}
+
+}  // namespace
+}  // namespace batuta
