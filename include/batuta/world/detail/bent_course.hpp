@@ -45,7 +45,7 @@ void shorten_courses(Bodies<SceneT>& bodies, ProxyPair pair,
   const Scalar end = bodies.now + share * rest;
   if (!(share < Scalar(1)) || !(bodies.now < end)) return;
   for (const std::size_t slot : {a, b}) {  // Bound: 2
-    if (!bodies.is_led(slot)) bodies.end_course(slot, end);
+    if (!bodies.is_led(slot)) end_course(bodies, slot, end);
   }
 }
 

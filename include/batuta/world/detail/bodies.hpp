@@ -137,10 +137,6 @@ class Bodies : public Proxies<SceneT> {
     if constexpr (kBends<SceneT>) return states[slot].plan_end;
     return dt;
   }
-  /// @pre now < time
-  void end_course(std::size_t slot, Scalar time) {
-    if constexpr (kBends<SceneT>) states[slot].plan_end = time;
-  }
   /// Stands where it is, whatever happens to it.
   [[gnu::noinline]] bool is_wall(std::size_t slot) const {
     return Kinematics::is_still(states[slot].plan.motion) &&
@@ -152,15 +148,6 @@ class Bodies : public Proxies<SceneT> {
   typename Kinematics::Mover mover(int proxy, Scalar until) const;
   /// A capsule where it is now.
   Capsule<Scalar> shape_W(int proxy) const;
-
-  /// Where its own point is now.
-  Vec3<Scalar> place_now(std::size_t slot) const {
-    const BodyState& state = states[slot];
-    if (state.start < now && state.group == kAlone) {
-      return state.plan.motion.X_WB.p_W + (now - state.start) * state.plan.motion.twist.v_W;
-    }
-    return position_of(actor(slot));
-  }
 
   /// The two, and whoever goes with one of them already, go on together (weld.hpp).
   void weld(std::size_t a, std::size_t b, Scalar until);
@@ -174,9 +161,6 @@ class Bodies : public Proxies<SceneT> {
   Scalar now = 0;           ///< in the step, s
   Scalar dt = 0;            ///< length of the step, s
   bool is_changed = false;  ///< somebody has to be planned anew
-
- private:
-  void begin_motion(std::size_t slot);
 };
 
 template <class SceneT>
@@ -186,7 +170,7 @@ bool Bodies<SceneT>::begin(std::size_t slot) {
   state.present = state.stands = state.changed = state.fresh = false;
   state.group = kAlone;
   state.start = state.held_until = 0;
-  end_course(slot, dt);
+  end_course(*this, slot, dt);
   if constexpr (SceneT::kGravity) {
     state.off_W.setZero();
     state.loaded = false;
@@ -199,33 +183,13 @@ bool Bodies<SceneT>::begin(std::size_t slot) {
   }
   state.present = true;
   const bool stayed = stood && Kinematics::is_at_start(actor.body, state.plan.motion);
-  begin_motion(slot);
+  begin_motion(*this, slot);
   if constexpr (SceneT::kGravity) {
     if (falls(slot)) {
       Kinematics::add_momentum(actor.body, (dt / actor.body.inverse_mass) * settings.gravity_W);
     }
   }
   return stayed;
-}
-
-/// The motion of a body that begins a step, before contacts that last are solved.
-template <class SceneT>
-void Bodies<SceneT>::begin_motion(std::size_t slot) {
-  [[maybe_unused]] ActorType& actor = actors.at(slot);
-  BodyState& state = states[slot];
-  if (is_asleep(slot)) {
-    state.plan.motion = Kinematics::standing(actor.body, dt);
-    return;
-  }
-  if constexpr (kIsFree && kLasts<SceneT>) {
-    state.plan.by_momentum = true;
-    state.plan.motion = Kinematics::free_motion(actor.body, dt);
-  } else if constexpr (kLasts<SceneT> || SceneT::kGravity) {
-    Kinematics::ask(actor, Scalar(0), dt, state.plan);
-  }
-  if constexpr (kLasts<SceneT>) {
-    if (!is_valid(state.plan.motion)) go_straight(*this, slot, dt);
-  }
 }
 
 template <class SceneT>

@@ -43,7 +43,7 @@ class ContactGroups {
   /// After blows of pairs: what lasts of them, and passes on. Marks who has changed.
   /// Bound: kEventSweeps sweeps.
   template <class Struck, class Blow>
-  void pass_on(BodiesT& bodies, PairsT& pairs, const Struck& struck, const Blow& blow);
+  void pass_on(BodiesT& bodies, const Struck& struck, const Blow& blow);
   /// Contacts of a body that wakes within a step are solved from now on.
   void wake(std::size_t slot);
   /// Groups of bodies that press on each other, for group_of() and is_held().
@@ -280,11 +280,11 @@ void ContactGroups<SceneT>::find_near(BodiesT& bodies, PairsT& pairs) {
     const ProxyPair pair = pairs.candidates[i].pair;
     const std::size_t a = BodiesT::body_of(pair.first);
     const std::size_t b = BodiesT::body_of(pair.second);
-    const Scalar D = pairs.rest_gap(bodies, pair);
+    const Scalar D = rest_gap(bodies, pair);
     NearPair near;
     if (!is_near(bodies, pairs, pair, D, near)) continue;
     const Scalar gap = near.axes.distance - near.A_W.radius - near.B_W.radius;
-    if (gap < Scalar(0) && gap < -pairs.margin(bodies, pair)) {
+    if (gap < Scalar(0) && gap < -margin_at_start(bodies, pair)) {
       ++bodies.report.overlaps_at_start;
       bodies.report.deepest_overlap = max_of(bodies.report.deepest_overlap, -gap);
     }

@@ -147,8 +147,7 @@ void ContactGroups<SceneT>::pass_blow(BodiesT& bodies, Contact& contact, const B
 
 template <class SceneT>
 template <class Struck, class Blow>
-void ContactGroups<SceneT>::pass_on(BodiesT& bodies, PairsT& pairs, const Struck& struck,
-                                    const Blow& blow) {
+void ContactGroups<SceneT>::pass_on(BodiesT& bodies, const Struck& struck, const Blow& blow) {
   dirty_.clear();
   is_dirty_.fill(false);
   is_struck_.fill(false);
@@ -157,7 +156,7 @@ void ContactGroups<SceneT>::pass_on(BodiesT& bodies, PairsT& pairs, const Struck
   Scalar energy = 0;
   int last = kNone;
   for (const auto& one : struck) {  // Bound: the blows of a round
-    Contact* contact = add(bodies, one.pair, pairs.rest_gap(bodies, one.pair));
+    Contact* contact = add(bodies, one.pair, rest_gap(bodies, one.pair));
     if (contact == nullptr) {
       ++bodies.report.contacts_dropped;
       bodies.weld(BodiesT::body_of(one.pair.first), BodiesT::body_of(one.pair.second), bodies.dt);
@@ -189,7 +188,7 @@ bool ContactGroups<SceneT>::is_due(BodiesT& bodies, std::size_t i) {
   if (was_seen && is_settled(bodies, contact, changed - seen_[i], share)) return false;
   seen_[i] = changed;
   for (const std::size_t side : {a_of(contact), b_of(contact)}) {  // Bound: 2
-    solved_[side].place_W = bodies.place_now(side);
+    solved_[side].place_W = place_now(bodies, side);
   }
   return is_worth(bodies, contact, share, is_struck_[i]);
 }

@@ -12,7 +12,7 @@ void ContactGroups<SceneT>::load(const BodiesT& bodies, std::size_t slot) {
   const auto& body = bodies.actor(slot).body;
   const auto& state = bodies.states[slot];
   solved = {};
-  solved.place_W = bodies.place_now(slot);
+  solved.place_W = place_now(bodies, slot);
   if (state.asleep) return;
   const bool is_led = bodies.is_led(slot);
   const Twist<Scalar> twist = is_led ? state.plan.motion.twist : twist_of(body);

@@ -7,6 +7,24 @@
 
 namespace batuta::detail {
 
+/// Its planned motion goes until then.
+/// @pre bodies.now < time, in the step, s
+template <class SceneT>
+inline void end_course([[maybe_unused]] Bodies<SceneT>& bodies, [[maybe_unused]] std::size_t slot,
+                       [[maybe_unused]] Scalar_of<SceneT> time) {
+  if constexpr (kBends<SceneT>) bodies.states[slot].plan_end = time;
+}
+
+/// Where a body's own point is now.
+template <class SceneT>
+inline Vec3<Scalar_of<SceneT>> place_now(const Bodies<SceneT>& bodies, std::size_t slot) {
+  const auto& state = bodies.states[slot];
+  if (state.start < bodies.now && state.group == Bodies<SceneT>::kAlone) {
+    return state.plan.motion.X_WB.p_W + (bodies.now - state.start) * state.plan.motion.twist.v_W;
+  }
+  return position_of(bodies.actor(slot));
+}
+
 /// The chord of the parabola, and what the last one lacked (world.md, "The fall").
 template <class SceneT>
 void set_course(Bodies<SceneT>& bodies, std::size_t slot) {
@@ -39,6 +57,28 @@ template <class SceneT>
   auto& motion = bodies.states[slot].plan.motion;
   motion = Kinematics::standing(body, duration);
   Kinematics::set_velocity(motion, Kinematics::momentum_velocity(body));
+}
+
+/// The motion of a body that begins a step, before contacts that last are solved.
+template <class SceneT>
+void begin_motion(Bodies<SceneT>& bodies, std::size_t slot) {
+  using Kinematics = KinematicsOf<SceneT>;
+  [[maybe_unused]] auto& actor = bodies.actor(slot);
+  [[maybe_unused]] const auto dt = bodies.dt;
+  auto& state = bodies.states[slot];
+  if (bodies.is_asleep(slot)) {
+    state.plan.motion = Kinematics::standing(actor.body, dt);
+    return;
+  }
+  if constexpr (Bodies<SceneT>::kIsFree && kLasts<SceneT>) {
+    state.plan.by_momentum = true;
+    state.plan.motion = Kinematics::free_motion(actor.body, dt);
+  } else if constexpr (kLasts<SceneT> || SceneT::kGravity) {
+    Kinematics::ask(actor, Scalar_of<SceneT>(0), dt, state.plan);
+  }
+  if constexpr (kLasts<SceneT>) {
+    if (!is_valid(state.plan.motion)) go_straight(bodies, slot, dt);
+  }
 }
 
 /// Where it turns is not known: it goes on without a turn; where not even that is known, it stands.

@@ -119,13 +119,13 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
   if constexpr (SceneT::kLineContact) {
     at.contact = pressure_contact(sides.A, sides.B, bodies_.shape_W(pair.first),
                                   bodies_.shape_W(pair.second), at.contact,
-                                  PairsT::margin_of(bodies_, query, pair));
+                                  search_margin(bodies_, query, pair));
   }
   Answer<Scalar> result;
   result.v_rel = velocity_between(sides, at.contact);
   result.kind = classify(result.v_rel, rest_speed());
   const bool touches = candidate.outcome == Outcome::kTouching && !(at.contact.gap > Scalar(0));
-  result.is_overlap = kSolves ? at.contact.gap < -PairsT::margin_of(bodies_, query, pair)
+  result.is_overlap = kSolves ? at.contact.gap < -search_margin(bodies_, query, pair)
                               : touches || at.contact.gap < -query.contact_gap;
   if (!strike_turning(pair, sides, at.contact, result)) {
     ++bodies_.report.resolutions_invalid;
@@ -250,7 +250,7 @@ template <class SceneT>
                                                        bool is_resting) {
   const std::size_t a = BodiesT::body_of(pair.first);
   const std::size_t b = BodiesT::body_of(pair.second);
-  const Scalar margin = PairsT::margin_of(bodies_, query, pair);
+  const Scalar margin = search_margin(bodies_, query, pair);
   const bool is_deep = kSeparates && contact.gap < -margin;
   const bool is_charged = is_resting || is_deep;
   SeparationOptions<Scalar> options = separation_options(margin, is_charged);

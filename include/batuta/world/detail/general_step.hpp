@@ -144,7 +144,7 @@ void GeneralWorld<SceneT>::end_courses(Scalar time) {
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
     if (!bodies_.states[slot].present || time < bodies_.plan_end(slot)) continue;
     bodies_.advance_to_now(slot);
-    bodies_.end_course(slot, bodies_.dt);
+    end_course(bodies_, slot, bodies_.dt);
   }
 }
 
@@ -169,7 +169,7 @@ void GeneralWorld<SceneT>::end_step() {
   }
   if constexpr (kSolves) {
     touches_.end_step(
-        bodies_, [this](ProxyPair pair) { return pairs_.rest_gap(bodies_, pair); },
+        bodies_, [this](ProxyPair pair) { return rest_gap(bodies_, pair); },
         [this](ProxyPair pair) { return groups_.presses(pair); });
     groups_.end_step();
   } else if constexpr (SceneT::kMaxEvents > 0) {

@@ -22,15 +22,15 @@ bool GeneralWorld<SceneT>::is_due(ProxyPair pair) {
   if (!is_alone || !has_room || this->answers_of(pair) >= SceneT::kMaxSeparations) return false;
   const PairQuery& query = pairs_.seen(bodies_, pair, false);
   const auto& witness = query.search.witness;
-  if (witness.gap > kNear * pairs_.rest_gap(bodies_, pair)) return false;
+  if (witness.gap > kNear * rest_gap(bodies_, pair)) return false;
   const auto velocity = [&](std::size_t slot, const Vec3<Scalar>& surface_P) {
     const Twist<Scalar> twist = bodies_.twist_now(slot);
-    const Vec3<Scalar> arm_W = surface_P + query.origin_W - bodies_.place_now(slot);
+    const Vec3<Scalar> arm_W = surface_P + query.origin_W - place_now(bodies_, slot);
     return Vec3<Scalar>(twist.v_W + twist.w_W.cross(arm_W));
   };
   const Scalar rate =
       witness.axes.normal_AB.dot(velocity(b, witness.surface_B) - velocity(a, witness.surface_A));
-  return rate < PairsT::slowest_closing(bodies_, query, lasts(pair) > Scalar(0));
+  return rate < slowest_closing(bodies_, query, lasts(pair) > Scalar(0));
 }
 
 /// In the order of their pairs, from the one that was answered on. Bound: kTies.
@@ -52,7 +52,7 @@ void GeneralWorld<SceneT>::answer_ties(ProxyPair last) {
 template <class SceneT>
 void GeneralWorld<SceneT>::pass_on() {
   if (struck_.empty()) return;
-  groups_.pass_on(bodies_, pairs_, struck_, [this](ProxyPair next) { strike_neighbour(next); });
+  groups_.pass_on(bodies_, struck_, [this](ProxyPair next) { strike_neighbour(next); });
   for (const auto& struck : struck_) {  // Bound: kTies
     shorten_courses(bodies_, struck.pair, struck.contact, struck.contact_gap);
   }

@@ -48,8 +48,9 @@ EndsAlong<Scalar> ends_along(const MovingCapsule<Scalar>& moving, const Vec3<Sca
 /// on but for half of (w t)^2 times their arm, so that what is between them along a fixed normal is
 /// least at one of both ends of the time (world.md, "No search").
 template <class SceneT>
-bool Pairs<SceneT>::stays_apart(const BodiesT& bodies, ProxyPair pair) const {
-  const Vec3<Scalar> normal = seed(pair);
+bool stays_apart(const Bodies<SceneT>& bodies, ProxyPair pair,
+                 const Vec3<Scalar_of<SceneT>>& normal) {
+  using Scalar = Scalar_of<SceneT>;
   if (is_zero(normal)) return false;
   const auto A = bodies.mover(pair.first, bodies.dt);
   const auto B = bodies.mover(pair.second, bodies.dt);
@@ -69,7 +70,7 @@ template <class Lasts>
 void Pairs<SceneT>::search(BodiesT& bodies, CandidateType& candidate, const Lasts& lasts) {
   candidate.asked = true;
   if constexpr (kLasts<SceneT>) {
-    if (stays_apart(bodies, candidate.pair)) {
+    if (stays_apart(bodies, candidate.pair, seed(candidate.pair))) {
       candidate.outcome = Outcome::kFree;
       return;
     }
@@ -78,12 +79,12 @@ void Pairs<SceneT>::search(BodiesT& bodies, CandidateType& candidate, const Last
   Scalar until = bodies.dt;
   if constexpr (SceneT::kResting == RestingContact::kSeparation) {
     for (const int proxy : {int{candidate.pair.first}, int{candidate.pair.second}}) {  // Bound: 2
-      const auto& state = bodies.states[body_of(proxy)];
+      const auto& state = bodies.states[BodiesT::body_of(proxy)];
       if (state.group != BodiesT::kAlone) until = min_of(until, state.held_until);
     }
   }
-  until = min_of(until, min_of(bodies.plan_end(body_of(candidate.pair.first)),
-                               bodies.plan_end(body_of(candidate.pair.second))));
+  until = min_of(until, min_of(bodies.plan_end(BodiesT::body_of(candidate.pair.first)),
+                               bodies.plan_end(BodiesT::body_of(candidate.pair.second))));
   PairQuery& query = queries_.spare();
   search_pair(bodies, candidate.pair, until, lasts(candidate.pair), query);
   bodies.report.evaluations += query.evaluations();
@@ -117,6 +118,92 @@ Scalar thinner_by(Scalar margin, Scalar contact_gap, Scalar gap, Scalar share) {
   return contact_gap + max_of(clear, share * left) - gap;
 }
 
+/// What touches and parts is searched as if it were thinner by what is missing to be clear of
+/// contact (world.md, "Touching and parting").
+template <class SceneT, class Query>
+void search_thinner(const Bodies<SceneT>& bodies, MovingPair<Scalar_of<SceneT>>& moving_pair,
+                    Query& query, Scalar_of<SceneT> missing) {
+  if (!make_thinner(moving_pair, missing)) return;
+  const std::uint32_t evaluations = query.search.evaluations;
+  const Vec3<Scalar_of<SceneT>> seed = query.search.witness.axes.normal_AB;
+  query.search = SceneT::Search::search(moving_pair, bodies.settings.search, seed);
+  query.search.evaluations += evaluations;
+}
+
+/// What is let part by more than the margin is answered before it has come back as deep, to first
+/// order (world.md, "Touching and parting").
+/// @param moving_pair  as it was searched
+/// @param beyond       by how much more than the margin it is thinner, m, > 0
+template <class Scalar, class Query>
+void stop_early(const MovingPair<Scalar>& moving_pair, Query& query, Scalar beyond) {
+  constexpr Scalar kTwice = 2;             // as it may come faster at its end
+  constexpr Scalar kMost = Scalar(3) / 4;  // of the time: the rest is progress
+  SearchResult<Scalar>& found = query.search;
+  Scalar sooner = 0;
+  if (found.outcome == Outcome::kContact && found.gap_rate < Scalar(0)) {
+    sooner = min_of(kTwice * beyond / -found.gap_rate, kMost * found.t_free);
+  } else if (found.outcome == Outcome::kFree &&
+             gap_at(moving_pair, moving_pair.duration).gap < beyond) {
+    found.outcome = Outcome::kContact;
+    sooner = kMost * found.t_free;
+  }
+  found.t_free -= sooner;
+  query.is_early = sooner > Scalar(0);
+}
+
+/// How fast the gap of what touches opens, m/s, by the momenta of the two where their planned turn
+/// is the chord of a bent one (world.md, "Touching and parting"); where it is not, or one goes with
+/// others: the least there is.
+template <class SceneT, class Query>
+Scalar_of<SceneT> rate_of_momenta([[maybe_unused]] const Bodies<SceneT>& bodies,
+                                  [[maybe_unused]] ProxyPair pair,
+                                  [[maybe_unused]] const Query& query) {
+  using Scalar = Scalar_of<SceneT>;
+  constexpr Scalar kUnknown = std::numeric_limits<Scalar>::lowest();
+  if constexpr (SceneT::kCapsulesPerBody == 1) {
+    return kUnknown;
+  } else {
+    using BodiesT = Bodies<SceneT>;
+    if (bodies.states[BodiesT::body_of(pair.first)].group != BodiesT::kAlone ||
+        bodies.states[BodiesT::body_of(pair.second)].group != BodiesT::kAlone) {
+      return kUnknown;
+    }
+    const auto velocity = [&](int proxy, const Vec3<Scalar>& surface_P) {
+      const std::size_t slot = BodiesT::body_of(proxy);
+      Twist<Scalar> twist = bodies.twist_now(slot);
+      twist.v_W = bodies.states[slot].plan.motion.twist.v_W;
+      const Vec3<Scalar> arm_W = surface_P + query.origin_W - place_now(bodies, slot);
+      return Vec3<Scalar>(twist.v_W + twist.w_W.cross(arm_W));
+    };
+    const auto& witness = query.search.witness;
+    return witness.axes.normal_AB.dot(velocity(pair.second, witness.surface_B) -
+                                      velocity(pair.first, witness.surface_A));
+  }
+}
+
+/// What touches and parts is searched as thinner, and told where it is in each other.
+/// @param so_far  by how much it is thinner already: above zero where its contact was solved
+template <class SceneT, class Query>
+void let_part(Bodies<SceneT>& bodies, ProxyPair pair, MovingPair<Scalar_of<SceneT>>& moving_pair,
+              Scalar_of<SceneT> so_far, Query& query) {
+  using Scalar = Scalar_of<SceneT>;
+  // Where nothing is moved apart within a step, a pair may come back more than once.
+  constexpr Scalar kShare = kLasts<SceneT> ? Scalar(0.5) : Scalar(1);
+  const Scalar margin = search_margin(bodies, query, pair);
+  const Scalar gap = query.search.witness.gap - so_far;
+  if (gap < -margin) bodies.report.deepest_overlap = max_of(bodies.report.deepest_overlap, -gap);
+  const Scalar rate = max_of(query.search.gap_rate, rate_of_momenta(bodies, pair, query));
+  if (rate < slowest_closing(bodies, query, so_far > Scalar(0))) return;
+  if (gap < -margin) ++bodies.report.overlaps_at_start;
+  const Scalar thinner = thinner_by(margin, query.contact_gap, gap, kShare);
+  search_thinner(bodies, moving_pair, query, thinner - so_far);
+  const Scalar beyond = thinner - max_of(margin, -gap);
+  // Elsewhere nothing is opened, and what comes back is moved clear or goes together.
+  if (kLasts<SceneT> && SceneT::kMaxPairs > 1 && beyond > Scalar(0)) {
+    stop_early(moving_pair, query, beyond);
+  }
+}
+
 template <class SceneT>
 void Pairs<SceneT>::search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, Scalar lasts,
                                 PairQuery& query) {
@@ -144,110 +231,15 @@ void Pairs<SceneT>::search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, S
     // Half of what the search calls contact: as much again is left for what closes slowly.
     const Scalar so_far = is_solved ? query.contact_gap / 2 : Scalar(0);
     if (is_solved) make_thinner(moving_pair.value, so_far);
-    search_with_seed(bodies, pair, moving_pair.value, query.search);
+    // The seed is a direction in W, and as good a guess in the next round or step.
+    query.search = Search::search(moving_pair.value, bodies.settings.search, seed(pair));
+    if (query.outcome() != Outcome::kInvalid) keep_seed(pair, query.search.witness.axes.normal_AB);
     if (SceneT::kResponse && query.outcome() == Outcome::kTouching) {
       let_part(bodies, pair, moving_pair.value, so_far, query);
     }
     // What was found is told of the pair as it is.
     query.search.witness = capsule_gap(query.search.witness.axes, radius_A, radius_B);
   }
-}
-
-/// What touches and parts is searched as thinner, and told where it is in each other.
-/// @param so_far  by how much it is thinner already: above zero where its contact was solved
-template <class SceneT>
-void Pairs<SceneT>::let_part(BodiesT& bodies, ProxyPair pair, MovingPair<Scalar>& moving_pair,
-                             Scalar so_far, PairQuery& query) {
-  // Where nothing is moved apart within a step, a pair may come back more than once.
-  constexpr Scalar kShare = kLasts<SceneT> ? Scalar(0.5) : Scalar(1);
-  const Scalar margin = margin_of(bodies, query, pair);
-  const Scalar gap = query.search.witness.gap - so_far;
-  if (gap < -margin) bodies.report.deepest_overlap = max_of(bodies.report.deepest_overlap, -gap);
-  const Scalar rate = max_of(query.search.gap_rate, rate_of_momenta(bodies, pair, query));
-  if (rate < slowest_closing(bodies, query, so_far > Scalar(0))) return;
-  if (gap < -margin) ++bodies.report.overlaps_at_start;
-  const Scalar thinner = thinner_by(margin, query.contact_gap, gap, kShare);
-  search_thinner(bodies, moving_pair, query, thinner - so_far);
-  const Scalar beyond = thinner - max_of(margin, -gap);
-  // Elsewhere nothing is opened, and what comes back is moved clear or goes together.
-  if (kLasts<SceneT> && SceneT::kMaxPairs > 1 && beyond > Scalar(0)) {
-    stop_early(moving_pair, query, beyond);
-  }
-}
-
-/// What is let part by more than the margin is answered before it has come back as deep, to first
-/// order (world.md, "Touching and parting").
-/// @param moving_pair  as it was searched
-/// @param beyond       by how much more than the margin it is thinner, m, > 0
-template <class SceneT>
-void Pairs<SceneT>::stop_early(const MovingPair<Scalar>& moving_pair, PairQuery& query,
-                               Scalar beyond) {
-  constexpr Scalar kTwice = 2;             // as it may come faster at its end
-  constexpr Scalar kMost = Scalar(3) / 4;  // of the time: the rest is progress
-  SearchResult<Scalar>& found = query.search;
-  Scalar sooner = 0;
-  if (found.outcome == Outcome::kContact && found.gap_rate < Scalar(0)) {
-    sooner = min_of(kTwice * beyond / -found.gap_rate, kMost * found.t_free);
-  } else if (found.outcome == Outcome::kFree &&
-             gap_at(moving_pair, moving_pair.duration).gap < beyond) {
-    found.outcome = Outcome::kContact;
-    sooner = kMost * found.t_free;
-  }
-  found.t_free -= sooner;
-  query.is_early = sooner > Scalar(0);
-}
-
-/// How fast the gap of what touches opens, m/s, by the momenta of the two where their planned turn
-/// is the chord of a bent one (world.md, "Touching and parting"); where it is not, or one goes with
-/// others: the least there is.
-template <class SceneT>
-Scalar_of<SceneT> Pairs<SceneT>::rate_of_momenta([[maybe_unused]] const BodiesT& bodies,
-                                                 [[maybe_unused]] ProxyPair pair,
-                                                 [[maybe_unused]] const PairQuery& query) {
-  constexpr Scalar kUnknown = std::numeric_limits<Scalar>::lowest();
-  if constexpr (SceneT::kCapsulesPerBody == 1) {
-    return kUnknown;
-  } else {
-    if (bodies.states[body_of(pair.first)].group != BodiesT::kAlone ||
-        bodies.states[body_of(pair.second)].group != BodiesT::kAlone) {
-      return kUnknown;
-    }
-    const auto velocity = [&](int proxy, const Vec3<Scalar>& surface_P) {
-      const std::size_t slot = body_of(proxy);
-      Twist<Scalar> twist = bodies.twist_now(slot);
-      twist.v_W = bodies.states[slot].plan.motion.twist.v_W;
-      const Vec3<Scalar> arm_W = surface_P + query.origin_W - bodies.place_now(slot);
-      return Vec3<Scalar>(twist.v_W + twist.w_W.cross(arm_W));
-    };
-    const auto& witness = query.search.witness;
-    return witness.axes.normal_AB.dot(velocity(pair.second, witness.surface_B) -
-                                      velocity(pair.first, witness.surface_A));
-  }
-}
-
-/// The seed is a direction in W, and as good a guess in the next round or step.
-template <class SceneT>
-void Pairs<SceneT>::search_with_seed(const BodiesT& bodies, ProxyPair pair,
-                                     const MovingPair<Scalar>& moving_pair,
-                                     SearchResult<Scalar>& result) {
-  Vec3<Scalar> seed = Vec3<Scalar>::Zero();
-  if constexpr (Search::kUsesSeed) seed = this->recall(pair);
-  result = Search::search(moving_pair, bodies.settings.search, seed);
-  if constexpr (Search::kUsesSeed) {
-    if (result.outcome != Outcome::kInvalid) this->remember(pair, result.witness.axes.normal_AB);
-  }
-}
-
-/// What touches and parts is searched as if it were thinner by what is missing to be clear of
-/// contact (world.md, "Touching and parting").
-template <class SceneT>
-void Pairs<SceneT>::search_thinner(const BodiesT& bodies, MovingPair<Scalar>& moving_pair,
-                                   PairQuery& query, Scalar missing) {
-  if (!make_thinner(moving_pair, missing)) return;
-  const std::uint32_t evaluations = query.search.evaluations;
-  const Vec3<Scalar> seed = query.search.witness.axes.normal_AB;
-  query.search = Search::search(moving_pair, bodies.settings.search, seed);
-  query.search.evaluations += evaluations;
 }
 
 template <class SceneT>

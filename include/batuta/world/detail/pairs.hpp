@@ -5,6 +5,7 @@
 
 #include "batuta/geometry/direction.hpp"
 #include "batuta/world/detail/bodies.hpp"
+#include "batuta/world/detail/pair_lengths.hpp"
 #include "batuta/world/detail/seed_memory.hpp"
 #include "batuta/world/detail/sweep.hpp"
 
@@ -48,17 +49,6 @@ class Pairs : private SeedsOf<SceneT> {
   bool take_first(Scalar before, const HasHad& has_had, CandidateType& first, Scalar& time);
   /// What is known of the contact of a candidate at its time, or found out now.
   PairQuery& seen(const BodiesT& bodies, ProxyPair pair, bool is_own_time);
-  /// The gap from which a search lets parting bodies go (src/world/detail/margin.md).
-  static Scalar margin_of(const BodiesT& bodies, const PairQuery& query, ProxyPair pair);
-  /// What the solution of a contact may leave, m/s, <= 0: no more in the rest of a step than what
-  /// the search cannot tell from contact; the opening of the gap makes up for it.
-  static Scalar slowest_closing(const BodiesT& bodies, const PairQuery& query, bool is_solved) {
-    return is_solved ? -query.contact_gap / (bodies.dt - bodies.now) : Scalar(0);
-  }
-  /// The same before anybody is planned.
-  Scalar margin(const BodiesT& bodies, ProxyPair pair) const;
-  /// D of a pair: the one length that rules rest (world.md, "One length").
-  Scalar rest_gap(const BodiesT& bodies, ProxyPair pair) const;
 
   /// A capsule's box at present, and whether it has one.
   const SweepList<Scalar, BodiesT::kProxies, SceneT::kSweepAxis>& boxes() const { return sweep_; }
@@ -88,34 +78,13 @@ class Pairs : private SeedsOf<SceneT> {
   static constexpr bool kCanOverflow =
       SceneT::kMaxPairs < BodiesT::kProxies * (BodiesT::kProxies - 1) / 2;
 
-  /// What a part adds to the lengths of a pair, m.
-  struct PartSize {
-    Scalar length = 0;
-    Scalar turn = 0;
-    Scalar from_origin = 0;
-  };
-
-  static std::size_t body_of(int proxy) { return BodiesT::body_of(proxy); }
-  PartSize size_of(const BodiesT& bodies, int proxy) const;
-  Scalar twice_margin(const BodiesT& bodies, Scalar scale, Scalar turned) const;
-  Scalar own_rest_gap(const BodiesT& bodies, int proxy) const;
-  bool may_pair(const BodiesT& bodies, std::size_t a, std::size_t b) const;
   void plan(BodiesT& bodies, std::size_t slot, bool is_begin);
   void drop_changed(const BodiesT& bodies);
   void collect_fresh(BodiesT& bodies);
   void collect(BodiesT& bodies, ProxyPair pair);
   template <class Lasts>
   void search(BodiesT& bodies, CandidateType& candidate, const Lasts& lasts);
-  void let_part(BodiesT& bodies, ProxyPair pair, MovingPair<Scalar>& moving_pair, Scalar so_far,
-                PairQuery& query);
   void search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, Scalar lasts, PairQuery& query);
-  void search_with_seed(const BodiesT& bodies, ProxyPair pair,
-                        const MovingPair<Scalar>& moving_pair, SearchResult<Scalar>& result);
-  static void search_thinner(const BodiesT& bodies, MovingPair<Scalar>& moving_pair,
-                             PairQuery& query, Scalar missing);
-  bool stays_apart(const BodiesT& bodies, ProxyPair pair) const;
-  static void stop_early(const MovingPair<Scalar>& moving_pair, PairQuery& query, Scalar beyond);
-  static Scalar rate_of_momenta(const BodiesT& bodies, ProxyPair pair, const PairQuery& query);
 
   SweepList<Scalar, BodiesT::kProxies, SceneT::kSweepAxis> sweep_;
   EarliestQuery<PairQuery, Scalar, (SceneT::kMaxPairs > 1)> queries_;
@@ -243,8 +212,8 @@ void Pairs<SceneT>::refresh(BodiesT& bodies, bool is_begin) {
 template <class SceneT>
 void Pairs<SceneT>::drop_changed(const BodiesT& bodies) {
   const auto is_stale = [&bodies](ProxyPair pair) {
-    return bodies.states[body_of(pair.first)].changed ||
-           bodies.states[body_of(pair.second)].changed;
+    return bodies.states[BodiesT::body_of(pair.first)].changed ||
+           bodies.states[BodiesT::body_of(pair.second)].changed;
   };
   for (int i = candidates.size() - 1; i >= 0; --i) {  // Bound: kMaxPairs
     if (is_stale(candidates[i].pair)) candidates.remove_swapping(i);
@@ -257,19 +226,28 @@ void Pairs<SceneT>::collect_fresh(BodiesT& bodies) {
   using Slot = std::uint16_t;
   for (int i = 0; i < BodiesT::kProxies; ++i) {  // Bound: all capsules
     const auto proxy = static_cast<Slot>(i);
-    if (!bodies.states[body_of(i)].fresh || !sweep_.contains(proxy)) continue;
+    if (!bodies.states[BodiesT::body_of(i)].fresh || !sweep_.contains(proxy)) continue;
     sweep_.for_each_partner(proxy, [this, &bodies, proxy](Slot other) {
       // Found from there already.
-      if (other < proxy && bodies.states[body_of(other)].fresh) return;
+      if (other < proxy && bodies.states[BodiesT::body_of(other)].fresh) return;
       collect(bodies, {min_of(proxy, other), max_of(proxy, other)});
     });
   }
 }
 
+/// What is still and cannot be pushed may stand in other such bodies.
+template <class SceneT>
+bool may_pair(const Bodies<SceneT>& bodies, std::size_t a, std::size_t b) {
+  if (a == b || (bodies.is_wall(a) && bodies.is_wall(b))) return false;
+  const auto group = bodies.states[a].group;
+  if (group != Bodies<SceneT>::kAlone && group == bodies.states[b].group) return false;
+  return may_meet(bodies.actor(a), bodies.actor(b));
+}
+
 template <class SceneT>
 void Pairs<SceneT>::collect(BodiesT& bodies, ProxyPair pair) {
-  const std::size_t a = body_of(pair.first);
-  const std::size_t b = body_of(pair.second);
+  const std::size_t a = BodiesT::body_of(pair.first);
+  const std::size_t b = BodiesT::body_of(pair.second);
   if (!may_pair(bodies, a, b)) return;
   CandidateType candidate;
   candidate.pair = pair;
@@ -281,15 +259,6 @@ void Pairs<SceneT>::collect(BodiesT& bodies, ProxyPair pair) {
   }
 }
 
-/// What is still and cannot be pushed may stand in other such bodies.
-template <class SceneT>
-bool Pairs<SceneT>::may_pair(const BodiesT& bodies, std::size_t a, std::size_t b) const {
-  if (a == b || (bodies.is_wall(a) && bodies.is_wall(b))) return false;
-  const auto group = bodies.states[a].group;
-  if (group != BodiesT::kAlone && group == bodies.states[b].group) return false;
-  return may_meet(bodies.actor(a), bodies.actor(b));
-}
-
 template <class SceneT>
 template <class Lasts>
 void Pairs<SceneT>::search_all(BodiesT& bodies, const Lasts& lasts) {
@@ -299,81 +268,6 @@ void Pairs<SceneT>::search_all(BodiesT& bodies, const Lasts& lasts) {
   for (int i = candidates.size() - 1; i >= 0; --i) {  // Bound: kMaxPairs
     if (candidates[i].outcome == Outcome::kFree) candidates.remove_swapping(i);
   }
-}
-
-template <class SceneT>
-Scalar_of<SceneT> Pairs<SceneT>::margin_of(const BodiesT& bodies, const PairQuery& query,
-                                           ProxyPair pair) {
-  constexpr Scalar kContactGaps = 2;
-  constexpr Scalar kUlps = 64;
-  const Scalar size = length(position_of(bodies.actor(body_of(pair.first)))) +
-                      length(position_of(bodies.actor(body_of(pair.second)))) + query.scale;
-  return kContactGaps * query.contact_gap + kUlps * kRoundOff<Scalar> * size;
-}
-
-/// What the search cannot tell from contact, twice, between things whose sizes, ways and distance
-/// from each other add up to `scale`, and that are `from_origin` from the world's origin.
-template <class SceneT>
-Scalar_of<SceneT> Pairs<SceneT>::twice_margin(const BodiesT& bodies, Scalar scale,
-                                              Scalar turned) const {
-  constexpr Scalar kMargins = 2;
-  constexpr Scalar kContactGaps = 2;
-  MovingPair<Scalar> query;
-  query.scale = scale;
-  query.duration = 1;
-  query.A.turn_rate = 1;
-  query.A.bounding_radius = turned;
-  return kMargins * kContactGaps * Search::contact_gap(query, bodies.settings.search);
-}
-
-/// What a part adds to the length of a pair, and how far it turns.
-template <class SceneT>
-typename Pairs<SceneT>::PartSize Pairs<SceneT>::size_of(const BodiesT& bodies, int proxy) const {
-  const auto& actor = bodies.actor(body_of(proxy));
-  const Capsule<Scalar>& part = part_of(actor, BodiesT::part_at(proxy));
-  const Twist<Scalar>& twist = bodies.states[body_of(proxy)].plan.motion.twist;
-  const Scalar reach = max_of(length(part.axis.a), length(part.axis.b));
-  return {reach + part.radius, bodies.dt * length(twist.w_W) * reach, length(position_of(actor))};
-}
-
-/// What D has to be for one part alone; for a pair it is at most the sum of both.
-template <class SceneT>
-Scalar_of<SceneT> Pairs<SceneT>::own_rest_gap(const BodiesT& bodies, int proxy) const {
-  constexpr Scalar kUlps = 2 * 64 * 2;  // twice the margin, which counts places twice
-  const PartSize size = size_of(bodies, proxy);
-  const Vec3<Scalar>& v_W = bodies.states[body_of(proxy)].plan.motion.twist.v_W;
-  const Scalar scale = size.from_origin + size.length + bodies.dt * length(v_W);
-  const Scalar rounding = kUlps * kRoundOff<Scalar> * scale;
-  Scalar D = max_of(bodies.settings.separation, rounding + twice_margin(bodies, scale, size.turn));
-  if constexpr (SceneT::kGravity) {
-    D = max_of(D, bodies.dt * bodies.dt * length(bodies.settings.gravity_W) / 4);
-  }
-  return D;
-}
-
-template <class SceneT>
-Scalar_of<SceneT> Pairs<SceneT>::margin(const BodiesT& bodies, ProxyPair pair) const {
-  constexpr Scalar kUlps = 2 * 64;  // twice the margin
-  const PartSize A = size_of(bodies, pair.first);
-  const PartSize B = size_of(bodies, pair.second);
-  const Scalar apart = length<Scalar>(position_of(bodies.actor(body_of(pair.first))) -
-                                      position_of(bodies.actor(body_of(pair.second))));
-  // The way is that of one past the other: a velocity that both have makes no difference.
-  const Scalar way =
-      bodies.dt * length<Scalar>(bodies.states[body_of(pair.first)].plan.motion.twist.v_W -
-                                 bodies.states[body_of(pair.second)].plan.motion.twist.v_W);
-  const Scalar scale = apart + A.length + B.length + way;
-  const Scalar rounding = kUlps * kRoundOff<Scalar> * (A.from_origin + B.from_origin + scale);
-  return (rounding + twice_margin(bodies, scale, A.turn + B.turn)) / 2;
-}
-
-template <class SceneT>
-Scalar_of<SceneT> Pairs<SceneT>::rest_gap(const BodiesT& bodies, ProxyPair pair) const {
-  Scalar D = max_of(bodies.settings.separation, 2 * margin(bodies, pair));
-  if constexpr (SceneT::kGravity) {
-    D = max_of(D, bodies.dt * bodies.dt * length(bodies.settings.gravity_W) / 4);
-  }
-  return D;
 }
 
 }  // namespace batuta::detail
