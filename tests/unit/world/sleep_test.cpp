@@ -62,6 +62,32 @@ TEST(Sleep, WhatLies_SleepsAfterSleepTime_AndIsCounted) {
   EXPECT_FALSE(scene.world->is_asleep(scene.ground));
 }
 
+TEST(Sleep, WhatSlidesOnAFixedRod_NeverSleeps) {
+  auto world = std::make_unique<SleepyWorld>();
+  auto rod = ball(1, {0, 0, -1});
+  rod.capsule_B.axis = {{-3, 0, 0}, {3, 0, 0}};
+  rod.body.inverse_mass = 0;
+  rod.body.inverse_moments.setZero();
+  ASSERT_TRUE(world->add(rod).ok());
+  auto sliding = ball(0.05, {-2, 0, 0.05});
+  sliding.body.momentum.linear_W = Vec3<double>(1, 0, 0) / sliding.body.inverse_mass;  // 1 m/s
+  const auto id = world->add(sliding).value;
+  for (int i = 0; i < 400; ++i) {
+    ASSERT_EQ(world->step(Lying::kStep), Status::kOk);
+    ASSERT_FALSE(world->is_asleep(id)) << i;
+  }
+}
+
+TEST(Sleep, WhatNothingHolds_NeverSleeps) {
+  auto world = std::make_unique<SleepyWorld>();
+  auto settings = world->settings();
+  settings.gravity_W.setZero();
+  ASSERT_EQ(world->configure(settings), Status::kOk);
+  const auto id = world->add(ball(0.05, {0, 0, 0})).value;  // at rest, for ever
+  for (int i = 0; i < 400; ++i) ASSERT_EQ(world->step(Lying::kStep), Status::kOk);
+  EXPECT_FALSE(world->is_asleep(id));
+}
+
 TEST(Sleep, WhatFalls_NeverSleeps) {
   auto world = std::make_unique<SleepyWorld>();
   const auto id = world->add(ball(0.05, {0, 0, 100})).value;
