@@ -63,23 +63,53 @@ void ContactGroups<SceneT>::find_held(const BodiesT& bodies) {
   }
 }
 
-/// One contact, with the velocities that open gaps. @param share  of what is missing, in a step
+/// Whether what opens gaps would take a body further than it may go for that in a step: kFar of D.
+/// Between two that give way to each other there would be no end to it.
+/// @param opening  what it would be, in place of what it is
+template <class SceneT>
+bool goes_too_far(const Bodies<SceneT>& bodies, std::size_t slot,
+                  const Twist<Scalar_of<SceneT>>& opening, Scalar_of<SceneT> rest_gap) {
+  constexpr Scalar_of<SceneT> kFar = 8;
+  const auto& actor = bodies.actor(slot);
+  const auto now = most_speed(actor, bodies.states[slot].opening);
+  const auto next = most_speed(actor, opening);
+  return next > now && !(next * (bodies.dt - bodies.now) < kFar * rest_gap);
+}
+
+/// One contact, with the velocities that open gaps. What would take one of the two too far is left
+/// out; and where nothing holds them, all that only one of the two would follow: the common centre
+/// stays. @param share  of what is missing, in a step
 template <class SceneT>
 Scalar_of<SceneT> ContactGroups<SceneT>::visit_opening(BodiesT& bodies, Contact& contact,
                                                        Scalar share) {
   std::array<SolvedBody<Scalar>, 2> sides;
+  const std::array<std::size_t, 2> slots = {a_of(contact), b_of(contact)};
+  const bool both = bodies.states[slots[0]].is_opened && bodies.states[slots[1]].is_opened;
+  if (!both && !contact.is_held) return Scalar(0);
   for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2
-    const std::size_t slot = i == 0 ? a_of(contact) : b_of(contact);
-    sides[i] = solved_[slot];
-    sides[i].v_W = bodies.states[slot].opening.v_W;
-    sides[i].w_W = bodies.states[slot].opening.w_W;
-    if (contact.below == i + 1) sides[i].inverse_mass = 0;
-    if (contact.below == i + 1 || !contact.is_held) sides[i].inverse_inertia_W.setZero();
+    sides[i] = solved_[slots[i]];
+    sides[i].v_W = bodies.states[slots[i]].opening.v_W;
+    sides[i].w_W = bodies.states[slots[i]].opening.w_W;
+    const bool stays = contact.below == i + 1 || !bodies.states[slots[i]].is_opened;
+    if (stays) sides[i].inverse_mass = 0;
+    if (stays || !contact.is_held) sides[i].inverse_inertia_W.setZero();
   }
+  std::array<Scalar, Contact::kPoints> before;
+  for (std::size_t k = 0; k < Contact::kPoints; ++k) before[k] = contact.points[k].opening;
   const Scalar change = relax_opening(contact, sides[0], sides[1], bodies.dt, share);
   if (!(change > Scalar(0))) return change;
-  bodies.states[a_of(contact)].opening = {sides[0].v_W, sides[0].w_W};
-  bodies.states[b_of(contact)].opening = {sides[1].v_W, sides[1].w_W};
+  const Twist<Scalar> A = {sides[0].v_W, sides[0].w_W};
+  const Twist<Scalar> B = {sides[1].v_W, sides[1].w_W};
+  if (goes_too_far(bodies, slots[0], A, contact.rest_gap) ||
+      goes_too_far(bodies, slots[1], B, contact.rest_gap)) {
+    for (std::size_t k = 0; k < Contact::kPoints; ++k) contact.points[k].opening = before[k];
+    return Scalar(0);
+  }
+  bodies.states[slots[0]].opening = A;
+  bodies.states[slots[1]].opening = B;
+  for (const std::size_t slot : slots) {  // Bound: 2
+    bodies.states[slot].is_held = bodies.states[slot].is_held || contact.is_held;
+  }
   return change;
 }
 

@@ -93,19 +93,12 @@ bool ContactGroups<SceneT>::is_worth(const BodiesT& bodies, const Contact& conta
 
 /// Of what is missing to the gap of a contact, in a step: where two are in each other, all of it in
 /// what is left, or eight times as fast as in a whole step; else nothing (world.md, "Blows").
-/// Nothing either to one that openings move by more than kFar D already: between two that give way
-/// to each other there would be no end to it.
 template <class SceneT>
 Scalar_of<SceneT> ContactGroups<SceneT>::share_to_open(const BodiesT& bodies,
                                                        const Contact& contact) const {
   constexpr Scalar kFastest = 8;
   const Scalar left = bodies.dt - bodies.now;
   if (!(least_gap(contact) < Scalar(0)) || !(left > Scalar(0))) return Scalar(0);
-  constexpr Scalar kFar = 4;
-  for (const std::size_t slot : {a_of(contact), b_of(contact)}) {  // Bound: 2
-    const Scalar way = left * length(bodies.states[slot].opening.v_W);
-    if (way > kFar * contact.rest_gap) return Scalar(0);
-  }
   return min_of(bodies.dt / left, kFastest);
 }
 

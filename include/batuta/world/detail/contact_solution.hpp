@@ -183,8 +183,7 @@ Scalar_of<SceneT> ContactGroups<SceneT>::warm_up(const BodiesT& bodies, int firs
       const Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
       for (int i = 0; i < contact.count; ++i) {  // Bound: 2
         const auto& point = contact.points[static_cast<std::size_t>(i)];
-        const auto u = velocity_across(point, solved_[a_of(contact)], solved_[b_of(contact)]);
-        sum += impulse_at(point).J_W.dot(u) + point.normal * point.room;
+        sum += power_of(point, solved_[a_of(contact)], solved_[b_of(contact)]);
       }
     }
     return sum;
@@ -304,7 +303,7 @@ void ContactGroups<SceneT>::go_on_ahead(int first, int last, Scalar& led, Scalar
 template <class SceneT>
 void ContactGroups<SceneT>::sweep(int first, int last, Scalar time, Scalar energy) {
   constexpr Scalar kNever = -std::numeric_limits<Scalar>::max();
-  constexpr int kFew = 8;               // contacts: so few need nobody ahead
+  constexpr int kFew = 3;               // contacts: so few need nobody ahead
   for (int k = first; k < last; ++k) {  // Bound: kMaxContacts
     const std::size_t i = order_[static_cast<std::size_t>(k)];
     seen_[i] = kNever;

@@ -74,12 +74,7 @@ bool Sleep<SceneT>::is_moving(const BodiesT& bodies, std::size_t slot) const {
   const auto& actor = bodies.actor(slot);
   const auto& plan = bodies.states[slot].plan;
   const Twist<Scalar> twist = BodiesT::Kinematics::twist_at(actor.body, plan);
-  Scalar reach = 0;
-  for (int i = 0; i < parts_of(actor); ++i) {  // Bound: kCapsulesPerBody
-    const Capsule<Scalar>& part = part_of(actor, i);
-    reach = max_of(reach, max_of(length(part.axis.a), length(part.axis.b)) + part.radius);
-  }
-  return length(twist.v_W) + length(twist.w_W) * reach > bodies.settings.rest_speed;
+  return most_speed(actor, twist) > bodies.settings.rest_speed;
 }
 
 template <class SceneT>
