@@ -30,25 +30,30 @@ Vec3<Scalar_of<SceneT>> carried_by([[maybe_unused]] const Bodies<SceneT>& bodies
   return carried_W;
 }
 
+/// What the impulses of a group, given to velocities as they are, add to the energy at first order,
+/// and to that of the room that is used up, J.
+template <class SceneT>
+Scalar_of<SceneT> work_of(const ContactGroups<SceneT>& groups, GroupRange group) {
+  using Scalar = Scalar_of<SceneT>;
+  Scalar sum = 0;
+  for (int k = group.first; k < group.last; ++k) {  // Bound: kMaxContacts
+    const auto& contact = groups.solved_at(k);
+    for (int i = 0; i < contact.count; ++i) {  // Bound: 2
+      const auto& point = contact.points[static_cast<std::size_t>(i)];
+      const auto u = velocity_across(point, groups.solved[a_of<SceneT>(contact)],
+                                     groups.solved[b_of<SceneT>(contact)]);
+      sum += impulse_at(point).J_W.dot(u) + point.normal * point.room;
+    }
+  }
+  return sum;
+}
+
 /// The impulses of the last step, as far as they take energy: along their ray the energy is a
 /// parabola (world.md, "Warm start"). @returns what that adds, J, <= 0
 template <class SceneT>
 Scalar_of<SceneT> warm_up(const Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups,
                           GroupRange group) {
   using Scalar = Scalar_of<SceneT>;
-  const auto work = [&] {
-    Scalar sum = 0;
-    for (int k = group.first; k < group.last; ++k) {  // Bound: kMaxContacts
-      const auto& contact = groups.solved_at(k);
-      for (int i = 0; i < contact.count; ++i) {  // Bound: 2
-        const auto& point = contact.points[static_cast<std::size_t>(i)];
-        const auto u = velocity_across(point, groups.solved[a_of<SceneT>(contact)],
-                                       groups.solved[b_of<SceneT>(contact)]);
-        sum += impulse_at(point).J_W.dot(u) + point.normal * point.room;
-      }
-    }
-    return sum;
-  };
   const auto give = [&](Scalar share) {
     for (int k = group.first; k < group.last; ++k) {  // Bound: kMaxContacts
       const auto& contact = groups.solved_at(k);
@@ -57,7 +62,7 @@ Scalar_of<SceneT> warm_up(const Bodies<SceneT>& bodies, ContactGroups<SceneT>& g
     }
   };
   constexpr Scalar kOfLift = Scalar(1) / 16;  // more than that throws up what they carry
-  const Scalar slope = work();
+  const Scalar slope = work_of(groups, group);
   Scalar lift = 0;
   for (int k = group.first; k < group.last; ++k) {  // Bound: kMaxContacts
     const auto& contact = groups.solved_at(k);
@@ -67,7 +72,7 @@ Scalar_of<SceneT> warm_up(const Bodies<SceneT>& bodies, ContactGroups<SceneT>& g
     }
   }
   give(Scalar(1));
-  const Scalar bend = work() - slope;
+  const Scalar bend = work_of(groups, group) - slope;
   Scalar share = bend > Scalar(0) ? clamp(-slope / bend, Scalar(0), Scalar(1)) : Scalar(0);
   if (slope + lift + bend / 2 < kOfLift * lift) share = 1;
   if (share < Scalar(1)) give(share - 1);
