@@ -244,9 +244,8 @@ void join_all(const Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups, bool 
       const bool led_B = bodies.is_led(b);
       if (pass == 0) {
         if (!led_A && !led_B) groups.joined.join(a, b);
-      } else {
-        if (led_A) groups.joined.hold(b);
-        if (led_B) groups.joined.hold(a);
+      } else if (led_A || led_B) {
+        groups.joined.hold(led_A ? b : a);
       }
     }
   }
