@@ -210,7 +210,7 @@ template <class SceneT>
 bool GeneralWorld<SceneT>::may_take_all(std::size_t a, std::size_t b) const {
   const bool is_shared = bodies_.actor(a).body.inverse_mass > Scalar(0) &&
                          bodies_.actor(b).body.inverse_mass > Scalar(0);
-  return is_shared && (groups_.is_held_up(a) || groups_.is_held_up(b));
+  return is_shared && (groups_.contacts.is_held_up(a) || groups_.contacts.is_held_up(b));
 }
 
 /// Whether nobody made room: each further answer would let them sink by what the search cannot
