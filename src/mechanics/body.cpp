@@ -72,8 +72,13 @@ Mat3<Scalar> detail::inverse_inertia_W(const Body<Scalar>& body) {
 }
 
 template <class Scalar>
+Vec3<Scalar> detail::velocity_of(const Body<Scalar>& body) {
+  return body.inverse_mass * body.momentum.linear_W;
+}
+
+template <class Scalar>
 Twist<Scalar> twist_of(const Body<Scalar>& body) {
-  return {body.inverse_mass * body.momentum.linear_W,
+  return {detail::velocity_of(body),
           scaled_in_body(body.X_WB.q_WB, body.inverse_moments, body.momentum.angular_W)};
 }
 
@@ -130,6 +135,7 @@ Scalar kinetic_energy(const Body<Scalar>& body) {
   template Vec3<Scalar> to_body(const Pose<Scalar>&, const Vec3<Scalar>&);                        \
   template Capsule<Scalar> to_world(const Pose<Scalar>&, const Capsule<Scalar>&);                 \
   template Mat3<Scalar> detail::inverse_inertia_W(const Body<Scalar>&);                           \
+  template Vec3<Scalar> detail::velocity_of(const Body<Scalar>&);                                 \
   template Twist<Scalar> twist_of(const Body<Scalar>&);                                           \
   template Momentum<Scalar> momentum_of(const Body<Scalar>&, const Twist<Scalar>&);               \
   template Vec3<Scalar> velocity_at(const Pose<Scalar>&, const Twist<Scalar>&,                    \

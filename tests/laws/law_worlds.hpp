@@ -25,6 +25,8 @@ constexpr LawFeatures kFloating = {};
 constexpr LawFeatures kFalling = {true};
 constexpr LawFeatures kSleeping = {true, true};
 constexpr LawFeatures kRolling = {true, true, true};
+constexpr LawFeatures kRollingAwake = {true, false, true};
+constexpr LawFeatures kHeaps = {true, false, true, 3};
 constexpr LawFeatures kCompound = {false, false, false, 3, 4};
 constexpr LawFeatures kFallingCompound = {true, false, false, 3, 4};
 

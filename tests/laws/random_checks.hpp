@@ -38,6 +38,9 @@ TYPED_TEST_P(RandomScenes, Momentum_IsKeptAndNumbersStayFinite) {
 TYPED_TEST_P(RandomScenes, Energy_DoesNotGrow) {
   this->expect_kept({"energy", "energy (gaps opened)"});
 }
+TYPED_TEST_P(RandomScenes, Ways_AreThoseOfTheEnergyThereIs) {
+  this->expect_kept({"way"});
+}
 TYPED_TEST_P(RandomScenes, Flight_IsFreeAndRestIsStill) {
   this->expect_kept({"flight", "rest"});
 }
@@ -55,7 +58,8 @@ TYPED_TEST_P(RandomScenes, Frame_ChangesNothing) {
   }
 }
 REGISTER_TYPED_TEST_SUITE_P(RandomScenes, Momentum_IsKeptAndNumbersStayFinite, Energy_DoesNotGrow,
-                            Flight_IsFreeAndRestIsStill, Bodies_StayOutOfEachOther,
-                            Friction_StaysInItsCone, Frame_ChangesNothing);
+                            Ways_AreThoseOfTheEnergyThereIs, Flight_IsFreeAndRestIsStill,
+                            Bodies_StayOutOfEachOther, Friction_StaysInItsCone,
+                            Frame_ChangesNothing);
 
 }  // namespace batuta::test

@@ -63,6 +63,7 @@ class Checker {
     check_center();
     check_spin();
     check_energy();
+    check_ways();
     check_overlaps();
     check_flights();
     check_rest();
@@ -238,6 +239,30 @@ class Checker {
     const Real gained = is_.energy - was_.energy;
     hold(gained <= slack, opening() > 0 ? "energy (gaps opened)" : "energy", "gained", gained,
          slack);
+  }
+
+  /// Nobody goes further than all the energy there is would take it, and what opens gaps: 8 D
+  /// (world.md, "Opening"), and what is separated.
+  void check_ways() {
+    if (driven_) return;
+    Real energy = 0;
+    for (const SeenBody& body : before_) {
+      if (!(body.mass > 0)) continue;
+      const Real g = told_.g.norm();
+      energy += body.kinetic() + body.mass * g * told_.dt * (body.v().norm() + g * told_.dt);
+    }
+    Real D = told_.D;
+    for (const Pair& pair : pairs_) D = std::max(D, pair.D);
+    const Real shifts = 1 + static_cast<Real>(told_.separations + told_.overlaps);
+    for (std::size_t i = 0; i < before_.size(); ++i) {
+      const SeenBody& body = before_[i];
+      if (!(body.mass > 0)) continue;
+      const Real way = (after_[i].x - body.x).norm();
+      const Real speed = std::sqrt(2 * energy * body.inverse_mass) + told_.g.norm() * told_.dt;
+      const Real may_be =
+          (8 * D + told_.deepest) * shifts + speed * told_.dt + 8 * told_.u * body.x.norm();
+      hold(way <= may_be, "way", "of one body", way, may_be);
+    }
   }
 
   /// Who is not in another does not get into it. Who is, because the caller put it there, is told

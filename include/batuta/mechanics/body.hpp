@@ -96,6 +96,10 @@ namespace detail {
 template <class Scalar>
 Mat3<Scalar> inverse_inertia_W(const Body<Scalar>& body);
 
+/// v = p / m [Kavan eq. 7]: twist_of(body).v_W, where nobody asks for w.
+template <class Scalar>
+Vec3<Scalar> velocity_of(const Body<Scalar>& body);
+
 }  // namespace detail
 
 /// v = p / m, w = I^-1 b [Kavan eq. 7, 8]. Computed in B, so that strongly unequal moments lose

@@ -108,6 +108,7 @@ void carry(ContactPoint<Traits>& point, const ContactPoint<Traits>& old,
     point.spent_along += share * to.along_W.dot(spent);
     point.spent_across += share * to.across_W.dot(spent);
   }
+  if constexpr (Traits::kRolling) point.rolling_W += share * old.rolling_W;
 }
 
 /// Two points have become one, or one two.

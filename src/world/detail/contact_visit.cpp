@@ -161,21 +161,9 @@ Scalar relax_friction(ContactPoint<Traits>& point, SolvedBody<Scalar>& A, Solved
   return bend > Scalar(0) ? slope + bend * (change * change + aside * aside) / 2 : slope / 2;
 }
 
-/// How much of a change leaves a vector no longer than `limit`. @pre |from| <= limit
-template <class Scalar>
-Scalar share_within(const Vec3<Scalar>& from, const Vec3<Scalar>& change, Scalar limit) {
-  const Scalar a = change.squaredNorm();
-  const Scalar b = from.dot(change);
-  const Scalar c = limit * limit - from.squaredNorm();
-  if (!(a + 2 * b > c)) return Scalar(1);
-  using std::sqrt;
-  return clamp((sqrt(max_of(Scalar(0), b * b + a * max_of(Scalar(0), c))) - b) / a, Scalar(0),
-               Scalar(1));
-}
-
-/// Resists rolling with a torque of at most `lever` times the load: towards the one that stops the
-/// relative spin, as far as that goes; along the way the energy falls, unless the limit has become
-/// smaller than what was there.
+/// Resists rolling with a torque of at most `lever` times the load: the one that stops the relative
+/// spin; where that is beyond the limit, a step down the slope of the energy, back to the limit, as
+/// for friction.
 /// @returns what it adds to the energy, J
 template <class Traits, class Scalar>
 Scalar relax_rolling(ContactPoint<Traits>& point, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
@@ -184,16 +172,21 @@ Scalar relax_rolling(ContactPoint<Traits>& point, SolvedBody<Scalar>& A, SolvedB
   const Scalar size = softness.trace();
   if (!(size > Scalar(0))) return Scalar(0);
   softness /= size;  // of a trace of one: the cube of what is soft overflows
-  if (!(softness.determinant() > Scalar(0))) return Scalar(0);
   const Scalar limit = lever * point.normal;
-  const Vec3<Scalar> before = point.rolling_W;
-  const Scalar square = before.squaredNorm();
-  using std::sqrt;
-  if (square > limit * limit) point.rolling_W *= limit / sqrt(square);
   const Vec3<Scalar> spin = A.w_W - B.w_W;
-  const Vec3<Scalar> wanted = before - point.rolling_W - softness.inverse() * (spin / size).eval();
-  point.rolling_W += share_within<Scalar>(point.rolling_W, wanted, limit) * wanted;
-  const Vec3<Scalar> change = point.rolling_W - before;
+  const Vec3<Scalar> slope = spin / size;
+  Vec3<Scalar> change = -slope;
+  if (softness.determinant() > Scalar(0)) change = -(softness.inverse() * slope);
+  const Vec3<Scalar> before = point.rolling_W;
+  point.rolling_W += change;
+  if (point.rolling_W.squaredNorm() > limit * limit) {
+    const Scalar bend = softness.cwiseAbs().rowwise().sum().maxCoeff();  // at least its norm
+    point.rolling_W = before - slope / bend;
+    const Scalar square = point.rolling_W.squaredNorm();
+    using std::sqrt;
+    if (square > limit * limit) point.rolling_W *= limit / sqrt(square);
+  }
+  change = point.rolling_W - before;
   A.w_W += A.inverse_inertia_W * change;
   B.w_W -= B.inverse_inertia_W * change;
   return change.dot(spin) + size * change.dot(softness * change) / 2;

@@ -24,6 +24,14 @@ void prepare_point(ContactPoint<Traits>& point, const SolvedBody<Scalar>& A,
   }
 }
 
+/// The impulse of the step over what was left of it; 0 where nothing was left. Of the rolling
+/// resistance that was spent nothing is kept: it went with the normal impulse.
+template <class Traits, class Scalar = typename Traits::Scalar>
+Scalar whole_of_left(const ContactPoint<Traits>& point) {
+  const Scalar whole = point.normal + point.spent_normal;
+  return point.normal > Scalar(0) ? whole / point.normal : Scalar(0);
+}
+
 }  // namespace
 
 template <class Traits, class Scalar>
@@ -55,6 +63,10 @@ void push_share(const LastingContact<Traits>& contact, SolvedBody<Scalar>& A, So
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
     const auto& point = contact.points[static_cast<std::size_t>(i)];
     push_at<Traits, Scalar>(point, A, B, share * impulse_at(point).J_W);
+    if constexpr (Traits::kRolling) {
+      A.w_W += A.inverse_inertia_W * (share * point.rolling_W);
+      B.w_W -= B.inverse_inertia_W * (share * point.rolling_W);
+    }
   }
 }
 
@@ -67,7 +79,7 @@ void scale_impulses(LastingContact<Traits>& contact, Scalar share) {
       point.along *= share;
       point.across *= share;
     }
-    if constexpr (Traits::kRolling) point.rolling_W.setZero();
+    if constexpr (Traits::kRolling) point.rolling_W *= share;
   }
 }
 
@@ -83,6 +95,7 @@ void spend(LastingContact<Traits>& contact, Scalar share) {
       point.along -= share * point.along;
       point.across -= share * point.across;
     }
+    if constexpr (Traits::kRolling) point.rolling_W -= share * point.rolling_W;
   }
 }
 
@@ -90,6 +103,7 @@ template <class Traits>
 void take_together(LastingContact<Traits>& contact) {
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
     auto& point = contact.points[static_cast<std::size_t>(i)];
+    if constexpr (Traits::kRolling) point.rolling_W *= whole_of_left(point);
     point.normal += point.spent_normal;
     point.spent_normal = 0;
     if constexpr (Traits::kFriction) {

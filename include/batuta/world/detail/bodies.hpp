@@ -92,6 +92,8 @@ class Bodies : public Proxies<SceneT> {
     bool boxed = false;         ///< its boxes are those of its planned motion
     bool asleep = false;        ///< it sleeps (sleep.hpp)
     bool is_led_group = false;  ///< its group goes where a controller leads, or stands
+    bool is_held = false;       ///< where contacts last: something holds those it was opened with
+    bool is_opened = true;      ///< where contacts last: may still be moved to open gaps
   };
 
   explicit Bodies(std::uint16_t number) : actors(number) {}
@@ -175,7 +177,11 @@ bool Bodies<SceneT>::begin(std::size_t slot) {
     state.off_W.setZero();
     state.loaded = false;
   }
-  if constexpr (kLasts<SceneT>) state.opening = {};
+  if constexpr (kLasts<SceneT>) {
+    state.opening = {};
+    state.is_held = false;
+    state.is_opened = true;
+  }
   ActorType& actor = actors.at(slot);
   if (!has_valid_features(actor) || !Kinematics::is_usable(actor.body)) {
     ++report.plans_invalid;

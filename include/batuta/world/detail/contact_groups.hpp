@@ -2,11 +2,13 @@
 #pragma once
 // Contacts that last, solved together, group by group, before anybody moves; and what a blow passes
 // on through a group (src/world/world.md). One of the five that make a step (general_world.hpp);
-// what it does with one contact: lasting_contact.hpp.
+// where contacts are kept: contact_list.hpp; what is done with one of them: lasting_contact.hpp.
 
 #include <algorithm>
 
-#include "batuta/world/detail/lasting_contact.hpp"
+#include "batuta/world/detail/body_changes.hpp"
+#include "batuta/world/detail/body_groups.hpp"
+#include "batuta/world/detail/contact_list.hpp"
 #include "batuta/world/detail/pairs.hpp"
 
 namespace batuta::detail {
@@ -29,11 +31,9 @@ class ContactGroups {
   using Scalar = Scalar_of<SceneT>;
   using BodiesT = Bodies<SceneT>;
   using PairsT = Pairs<SceneT>;
+  using Contact = LastingContactOf<SceneT>;
   using Slot = std::uint16_t;
-  using Traits =
-      ContactTraits<Scalar, SceneT::kFriction, SceneT::kRollingResistance, SceneT::kLineContact>;
-  using Contact = LastingContact<Traits>;
-  static constexpr int kNone = -1;
+  static constexpr int kNone = ContactList<SceneT>::kNone;
 
   /// Which pairs are near enough to last. Where there is no room for one, its bodies are welded.
   /// Bound: kMaxPairs.
@@ -47,11 +47,11 @@ class ContactGroups {
   /// Contacts of a body that wakes within a step are solved from now on.
   void wake(std::size_t slot);
   /// Groups of bodies that press on each other, for group_of() and is_held().
-  void group_all(const BodiesT& bodies) { unite(bodies, true); }
+  void group_all(const BodiesT& bodies) { join_all(bodies, *this, true); }
   /// The lowest body of the group. @pre group_all()
-  std::size_t group_of(std::size_t slot) { return root_of(slot); }
+  std::size_t group_of(std::size_t slot) { return joined.root_of(slot); }
   /// Whether something that is led carries the group of which the body is the lowest.
-  bool is_held(std::size_t lowest) const { return held_[lowest]; }
+  bool is_held(std::size_t lowest) const { return joined.is_held(lowest); }
   /// What was solved is what the next step starts from.
   void end_step();
   /// Calls begun(pair, contact, impulse) for each contact that presses for the first time.
@@ -59,179 +59,62 @@ class ContactGroups {
   void tell_begun(const Begun& begun);
   /// Whether a pair's contact was solved in this step, and presses.
   bool presses(ProxyPair pair) const {
-    const int i = find(pair);
-    return i != kNone && contacts_[i].is_solved && is_loaded(contacts_[i]);
-  }
-
-  /// The contact of a pair, or kNone. Bound: the contacts of one body.
-  int find(ProxyPair pair) const;
-  int size() const { return contacts_.size(); }
-  const Contact& operator[](int i) const { return contacts_[i]; }
-  /// Calls found(other body) for all that a body is near. Bound: its contacts.
-  template <class Found>
-  void for_each_neighbour(std::size_t slot, const Found& found) const;
-  /// The largest D of a body's contacts, m; 0: it has none. Bound: its contacts.
-  Scalar widest_rest_gap(std::size_t slot) const {
-    Scalar widest = 0;
-    for (int next = first_of_[slot]; next != 0;) {  // Bound: the contacts of a body
-      const Contact& contact = contacts_[next - 1];
-      widest = max_of(widest, contact.rest_gap);
-      next = next_[static_cast<std::size_t>(next - 1)][a_of(contact) == slot ? 0 : 1];
-    }
-    return widest;
-  }
-  /// Whether contacts that were solved lead from the body to something that is led. Bound: its
-  /// contacts.
-  bool is_held_up(std::size_t slot) const {
-    bool is_held = false;
-    for (int next = first_of_[slot]; next != 0;) {  // Bound: the contacts of a body
-      const Contact& contact = contacts_[next - 1];
-      is_held = is_held || (contact.is_solved && contact.is_held);
-      next = next_[static_cast<std::size_t>(next - 1)][a_of(contact) == slot ? 0 : 1];
-    }
-    return is_held;
+    const int i = contacts.find(pair);
+    return i != kNone && contacts[i].is_solved && is_loaded(contacts[i]);
   }
   /// Forgets the contacts of a body.
   void remove(std::size_t slot);
   void copy(const ContactGroups& saved) { *this = saved; }
+  /// What the next step starts from: who touches, where, and how hard they pressed.
   template <class Archive>
-  void archive(Archive& ar, const BodiesT& bodies);
+  void archive(Archive& ar, const BodiesT& bodies) {
+    contacts.archive(ar, bodies);
+  }
 
- private:
-  static constexpr std::size_t kSlots = BodiesT::kSlots;
-  static constexpr int kMaxSweeps = 60;
-  static constexpr int kEventSweeps = 32;
-  /// Added to what visits changed of a body where something else changed it, m/s.
-  static constexpr Scalar kNoticed = 1;
-  static constexpr int kOpeningSweeps = 8;
-
-  static std::size_t a_of(const Contact& contact) { return BodiesT::body_of(contact.pair.first); }
-  static std::size_t b_of(const Contact& contact) { return BodiesT::body_of(contact.pair.second); }
-  /// A pair where it is.
-  struct NearPair {
-    ClosestPoints<Scalar> axes;
-    Capsule<Scalar> A_W;
-    Capsule<Scalar> B_W;
-  };
-  bool is_near(const BodiesT& bodies, PairsT& pairs, ProxyPair pair, Scalar D,
-               NearPair& near) const;
+  /// The contact of a pair that is near. @param D  of the pair, m  @returns null: there is no room
   Contact* add(const BodiesT& bodies, ProxyPair pair, Scalar D);
-  void drop_far(const BodiesT& bodies);
-  void link_all();
-  void link(int i);
+  /// What is solved of a body begins with how it moves.
   void load(const BodiesT& bodies, std::size_t slot);
-  void choose(const BodiesT& bodies);
-  bool may_last(const BodiesT& bodies, const Contact& contact) const;
-  bool bounces(const BodiesT& bodies, const Contact& contact, Scalar rest) const;
-  Scalar rest_speed(const BodiesT& bodies) const;
-  void order(const BodiesT& bodies);
-  std::size_t root_of(std::size_t slot);
-  void unite(const BodiesT& bodies, bool loaded_only);
-  void join(const BodiesT& bodies, const Contact& contact);
-  void hold(const BodiesT& bodies, const Contact& contact);
-  Scalar warm_up(const BodiesT& bodies, int first, int last);
-  Scalar visit(Contact& contact, Scalar& energy, const Vec3<Scalar>& carried_W);
-  Vec3<Scalar> carried_by(const BodiesT& bodies, const Contact& contact) const;
-  template <class Change>
-  void watch(Contact& contact, const Change& change);
-  bool sweep_once(int first, int last, bool is_up, Scalar time, Scalar& energy);
-  void go_on_ahead(int first, int last, Scalar& led, Scalar& energy);
-  void sweep(int first, int last, Scalar time, Scalar energy);
-  void give(BodiesT& bodies, const Contact& contact);
-  void give_at(BodiesT& bodies, const Contact& contact, const ContactPoint<Traits>& point,
-               const PointImpulse<Scalar>& given);
-  void open(BodiesT& bodies);
-  bool is_opening_needed() const;
-  void find_held(const BodiesT& bodies);
-  Scalar visit_opening(BodiesT& bodies, Contact& contact, Scalar share);
-  Scalar share_to_open(const BodiesT& bodies, const Contact& contact) const;
-  void carry_loads(BodiesT& bodies, bool dirty_only);
-  void carry_load(BodiesT& bodies, std::size_t slot, bool dirty_only);
-  Scalar may_close(const BodiesT& bodies, const Contact& contact, Scalar gap, Scalar share) const;
-  bool is_settled(const BodiesT& bodies, const Contact& contact, Scalar changed,
-                  Scalar share) const;
-  bool is_worth(const BodiesT& bodies, const Contact& contact, Scalar share, bool is_struck) const;
-  void refresh(BodiesT& bodies, Contact& contact);
-  void relax_now(BodiesT& bodies, Contact& contact, Scalar& energy);
-  template <class Blow>
-  void pass_blow(BodiesT& bodies, Contact& contact, const Blow& blow);
-  template <class Blow>
-  void pass_around(BodiesT& bodies, int parts, Scalar energy, const Blow& blow);
-  template <class Blow>
-  void pass_at(BodiesT& bodies, int i, int parts, Scalar& energy, const Blow& blow);
-  bool is_due(BodiesT& bodies, std::size_t i);
-  void mark(BodiesT& bodies, std::size_t slot);
-  bool is_welded(const BodiesT& bodies, const Contact& contact) const {
-    return bodies.states[a_of(contact)].group != BodiesT::kAlone ||
-           bodies.states[b_of(contact)].group != BodiesT::kAlone;
-  }
-  /// Its first point. @pre its points are those of where its bodies are
-  Vec3<Scalar> point_W(const Contact& contact) const {
-    return solved_[a_of(contact)].place_W + contact.points[0].arm_A_W;
-  }
-  static bool is_loaded(const Contact& contact) {
-    return contact.points.front().normal > Scalar(0) ||
-           (contact.count > 1 && contact.points.back().normal > Scalar(0));
-  }
+  /// The k-th of the contacts that are solved.
+  Contact& solved_at(int k) { return contacts[order[static_cast<std::size_t>(k)]]; }
+  const Contact& solved_at(int k) const { return contacts[order[static_cast<std::size_t>(k)]]; }
 
-  FixedList<Contact, SceneT::kMaxContacts> contacts_;
-  std::array<SolvedBody<Scalar>, kSlots> solved_{};
-  std::array<Slot, kSlots> first_of_{};  ///< of a body's contacts, + 1; 0: none
-  std::array<std::array<Slot, 2>, static_cast<std::size_t>(SceneT::kMaxContacts)> next_{};
-  std::array<Slot, static_cast<std::size_t>(SceneT::kMaxContacts)> order_{};
-  std::array<Slot, kSlots> root_{};
-  std::array<bool, kSlots> held_{};       ///< of a root: something in its group is led
-  std::array<Scalar, kSlots> changed_{};  ///< sum of what visits changed of a body, m/s
-  /// Of both bodies of a contact together, when it was visited last.
-  std::array<Scalar, static_cast<std::size_t>(SceneT::kMaxContacts)> seen_{};
-  FixedList<Slot, SceneT::kMaxBodies> dirty_;
-  std::array<bool, kSlots> is_dirty_{};
-  std::array<bool, static_cast<std::size_t>(SceneT::kMaxContacts)> is_struck_{};
-  int solved_count_ = 0;
+  ContactList<SceneT> contacts;
+  /// Of contacts that are solved, in the order in which they are visited.
+  std::array<Slot, static_cast<std::size_t>(SceneT::kMaxContacts)> order{};
+  Slot solved_count = 0;
+  BodyGroups<SceneT> joined;
+  BodyChanges<SceneT> changes;
+  std::array<SolvedBody<Scalar>, BodiesT::kSlots> solved{};
 };
 
+/// Whether one of a contact's bodies goes with a group.
 template <class SceneT>
-int ContactGroups<SceneT>::find(ProxyPair pair) const {
-  const std::size_t a = BodiesT::body_of(pair.first);
-  int next = first_of_[a];
-  while (next != 0) {  // Bound: the contacts of a body
-    const Contact& contact = contacts_[next - 1];
-    if (is_same(contact.pair, pair)) return next - 1;
-    next = next_[static_cast<std::size_t>(next - 1)][a_of(contact) == a ? 0 : 1];
-  }
-  return kNone;
+bool is_welded(const Bodies<SceneT>& bodies, const LastingContactOf<SceneT>& contact) {
+  return bodies.states[a_of<SceneT>(contact)].group != Bodies<SceneT>::kAlone ||
+         bodies.states[b_of<SceneT>(contact)].group != Bodies<SceneT>::kAlone;
 }
 
+/// The first point of a contact. @pre its points are those of where its bodies are
 template <class SceneT>
-template <class Found>
-void ContactGroups<SceneT>::for_each_neighbour(std::size_t slot, const Found& found) const {
-  int next = first_of_[slot];
-  while (next != 0) {  // Bound: the contacts of a body
-    const Contact& contact = contacts_[next - 1];
-    const bool is_first = a_of(contact) == slot;
-    found(is_first ? b_of(contact) : a_of(contact));
-    next = next_[static_cast<std::size_t>(next - 1)][is_first ? 0 : 1];
-  }
+Vec3<Scalar_of<SceneT>> point_W(const ContactGroups<SceneT>& groups,
+                                const LastingContactOf<SceneT>& contact) {
+  return groups.solved[a_of<SceneT>(contact)].place_W + contact.points[0].arm_A_W;
 }
 
-template <class SceneT>
-void ContactGroups<SceneT>::link(int i) {
-  const Contact& contact = contacts_[i];
-  auto& next = next_[static_cast<std::size_t>(i)];
-  next = {first_of_[a_of(contact)], first_of_[b_of(contact)]};
-  first_of_[a_of(contact)] = first_of_[b_of(contact)] = static_cast<Slot>(i + 1);
-}
+/// A pair where it is.
+template <class Scalar>
+struct NearPair {
+  ClosestPoints<Scalar> axes;
+  Capsule<Scalar> A_W;
+  Capsule<Scalar> B_W;
+};
 
+/// Whether a pair is within D. The normal that was known may tell already that it is not.
 template <class SceneT>
-void ContactGroups<SceneT>::link_all() {
-  first_of_.fill(0);
-  for (int i = 0; i < contacts_.size(); ++i) link(i);  // Bound: kMaxContacts
-}
-
-/// The normal that was known may tell already that a pair is not near.
-template <class SceneT>
-bool ContactGroups<SceneT>::is_near(const BodiesT& bodies, PairsT& pairs, ProxyPair pair, Scalar D,
-                                    NearPair& near) const {
+bool is_near(const Bodies<SceneT>& bodies, Pairs<SceneT>& pairs, ProxyPair pair,
+             Scalar_of<SceneT> D, NearPair<Scalar_of<SceneT>>& near) {
+  using Scalar = Scalar_of<SceneT>;
   constexpr Scalar kBeyondRounding = Scalar(1.01);
   Capsule<Scalar>& A_W = near.A_W;
   Capsule<Scalar>& B_W = near.B_W;
@@ -249,21 +132,14 @@ bool ContactGroups<SceneT>::is_near(const BodiesT& bodies, PairsT& pairs, ProxyP
   return !(near.axes.distance - A_W.radius - B_W.radius > D);
 }
 
-/// Null: there is no room.
 template <class SceneT>
 typename ContactGroups<SceneT>::Contact* ContactGroups<SceneT>::add(const BodiesT& bodies,
                                                                     ProxyPair pair, Scalar D) {
-  int i = find(pair);
-  if (i == kNone) {
-    Contact contact;
-    contact.pair = pair;
-    if (!contacts_.push(contact)) return nullptr;
-    i = contacts_.size() - 1;
-    link(i);
-  }
-  Contact& contact = contacts_[i];
-  const auto& P = bodies.actor(a_of(contact));
-  const auto& Q = bodies.actor(b_of(contact));
+  const int i = contacts.find_or_add(pair);
+  if (i == kNone) return nullptr;
+  Contact& contact = contacts[i];
+  const auto& P = bodies.actor(a_of<SceneT>(contact));
+  const auto& Q = bodies.actor(b_of<SceneT>(contact));
   if constexpr (SceneT::kFriction) contact.friction = pair_friction(P.friction, Q.friction);
   if constexpr (SceneT::kRollingResistance) {
     contact.rolling = pair_rolling(P.rolling_resistance, Q.rolling_resistance);
@@ -273,15 +149,27 @@ typename ContactGroups<SceneT>::Contact* ContactGroups<SceneT>::add(const Bodies
   return &contact;
 }
 
+/// Pairs of which neither moves were not looked at, and stay as they are.
+template <class SceneT>
+void drop_far(const Bodies<SceneT>& bodies, ContactList<SceneT>& contacts) {
+  const auto rests = [&bodies](std::size_t slot) {
+    return bodies.states[slot].asleep || bodies.is_wall(slot);
+  };
+  contacts.remove_if([&](const LastingContactOf<SceneT>& contact) {
+    const bool sleeps = rests(a_of<SceneT>(contact)) && rests(b_of<SceneT>(contact));
+    return !contact.is_kept && !sleeps;
+  });
+}
+
 template <class SceneT>
 void ContactGroups<SceneT>::find_near(BodiesT& bodies, PairsT& pairs) {
-  for (int i = 0; i < contacts_.size(); ++i) contacts_[i].is_kept = false;  // Bound: kMaxContacts
-  for (int i = 0; i < pairs.candidates.size(); ++i) {                       // Bound: kMaxPairs
+  for (int i = 0; i < contacts.size(); ++i) contacts[i].is_kept = false;  // Bound: kMaxContacts
+  for (int i = 0; i < pairs.candidates.size(); ++i) {                     // Bound: kMaxPairs
     const ProxyPair pair = pairs.candidates[i].pair;
     const std::size_t a = BodiesT::body_of(pair.first);
     const std::size_t b = BodiesT::body_of(pair.second);
     const Scalar D = rest_gap(bodies, pair);
-    NearPair near;
+    NearPair<Scalar> near;
     if (!is_near(bodies, pairs, pair, D, near)) continue;
     const Scalar gap = near.axes.distance - near.A_W.radius - near.B_W.radius;
     if (gap < Scalar(0) && gap < -margin_at_start(bodies, pair)) {
@@ -297,37 +185,21 @@ void ContactGroups<SceneT>::find_near(BodiesT& bodies, PairsT& pairs) {
     contact->is_new = !contact->is_solved;
     find_points(*contact, near.A_W, near.B_W, near.axes, position_of(bodies.actor(a)));
   }
-  drop_far(bodies);
-}
-
-/// Pairs of which neither moves were not looked at, and stay as they are.
-template <class SceneT>
-void ContactGroups<SceneT>::drop_far(const BodiesT& bodies) {
-  const auto rests = [&bodies](std::size_t slot) {
-    return bodies.states[slot].asleep || bodies.is_wall(slot);
-  };
-  for (int i = contacts_.size() - 1; i >= 0; --i) {  // Bound: kMaxContacts
-    const Contact& contact = contacts_[i];
-    const bool sleeps = rests(a_of(contact)) && rests(b_of(contact));
-    if (!contact.is_kept && !sleeps) contacts_.remove_swapping(i);
-  }
-  link_all();
+  drop_far(bodies, contacts);
 }
 
 template <class SceneT>
 void ContactGroups<SceneT>::remove(std::size_t slot) {
-  for (int i = contacts_.size() - 1; i >= 0; --i) {  // Bound: kMaxContacts
-    if (a_of(contacts_[i]) == slot || b_of(contacts_[i]) == slot) contacts_.remove_swapping(i);
-  }
-  link_all();
+  contacts.remove_if([&](const Contact& contact) {
+    return a_of<SceneT>(contact) == slot || b_of<SceneT>(contact) == slot;
+  });
 }
 
 template <class SceneT>
 void ContactGroups<SceneT>::wake(std::size_t slot) {
-  int next = first_of_[slot];
-  while (next != 0) {  // Bound: the contacts of a body
-    Contact& contact = contacts_[next - 1];
-    next = next_[static_cast<std::size_t>(next - 1)][a_of(contact) == slot ? 0 : 1];
+  // Bound: the contacts of a body.
+  for (int i = contacts.first_of(slot); i != kNone; i = contacts.next_of(i, slot)) {
+    Contact& contact = contacts[i];
     if (contact.is_solved) continue;
     scale_impulses(contact, Scalar(0));
     contact.since = -1;  // its points have to be found anew
@@ -338,47 +210,50 @@ void ContactGroups<SceneT>::wake(std::size_t slot) {
 template <class SceneT>
 template <class Begun>
 void ContactGroups<SceneT>::tell_begun(const Begun& begun) {
-  for (int k = 0; k < solved_count_; ++k) {  // Bound: kMaxContacts
-    Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
+  for (int k = 0; k < solved_count; ++k) {  // Bound: kMaxContacts
+    Contact& contact = solved_at(k);
     if (contact.is_told || !is_loaded(contact)) continue;
     contact.is_told = true;
     const auto& point = contact.points[0];
-    begun(contact.pair, batuta::Contact<Scalar>{point_W(contact), point.normal_W, point.gap},
+    begun(contact.pair, batuta::Contact<Scalar>{point_W(*this, contact), point.normal_W, point.gap},
           point.normal);
   }
 }
 
 template <class SceneT>
 void ContactGroups<SceneT>::end_step() {
-  for (int i = 0; i < contacts_.size(); ++i) {  // Bound: kMaxContacts
-    Contact& contact = contacts_[i];
+  for (int i = 0; i < contacts.size(); ++i) {  // Bound: kMaxContacts
+    Contact& contact = contacts[i];
     take_together(contact);
     contact.since = 0;
   }
 }
 
-/// What the next step starts from: who touches, where, and how hard they pressed.
+/// Groups of bodies that contacts join. What is led belongs to none: it holds those that it
+/// touches. @param loaded_only  contacts that press
 template <class SceneT>
-template <class Archive>
-void ContactGroups<SceneT>::archive(Archive& ar, const BodiesT& bodies) {
-  ar(contacts_);
-  if (!ar.reading()) return;
-  for (int i = contacts_.size() - 1; i >= 0; --i) {  // Bound: kMaxContacts
-    const ProxyPair pair = contacts_[i].pair;
-    const auto is_there = [&bodies](int proxy) {
-      return bodies.actors.at_index(BodiesT::body_of(proxy)) != nullptr;
-    };
-    const bool good = pair.first < pair.second && pair.second < BodiesT::kProxies &&
-                      contacts_[i].count <= Contact::kPoints && is_there(pair.first) &&
-                      is_there(pair.second);
-    ar.require(good);
-    if (!good) contacts_.remove_swapping(i);
+void join_all(const Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups, bool loaded_only) {
+  groups.joined.clear();
+  for (int pass = 0; pass < 2; ++pass) {                // Bound: 2: who is joined, then who holds
+    for (int i = 0; i < groups.contacts.size(); ++i) {  // Bound: kMaxContacts
+      const auto& contact = groups.contacts[i];
+      if (!contact.is_solved || (loaded_only && !is_loaded(contact))) continue;
+      const std::size_t a = a_of<SceneT>(contact);
+      const std::size_t b = b_of<SceneT>(contact);
+      const bool led_A = bodies.is_led(a);
+      const bool led_B = bodies.is_led(b);
+      if (pass == 0) {
+        if (!led_A && !led_B) groups.joined.join(a, b);
+      } else if (led_A || led_B) {
+        groups.joined.hold(led_A ? b : a);
+      }
+    }
   }
-  link_all();
 }
 
 }  // namespace batuta::detail
 
+#include "batuta/world/detail/contact_choice.hpp"
 #include "batuta/world/detail/contact_opening.hpp"
 #include "batuta/world/detail/contact_passing.hpp"
 #include "batuta/world/detail/contact_solution.hpp"

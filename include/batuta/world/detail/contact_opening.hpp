@@ -9,11 +9,12 @@ namespace batuta::detail {
 
 /// Whether a contact that was solved is too narrow.
 template <class SceneT>
-bool ContactGroups<SceneT>::is_opening_needed() const {
+bool is_opening_needed(const ContactGroups<SceneT>& groups) {
+  using Scalar = Scalar_of<SceneT>;
   constexpr Scalar kNarrow = Scalar(0.4);  // of D
   bool is_needed = false;
-  for (int k = 0; k < solved_count_; ++k) {  // Bound: kMaxContacts
-    const Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
+  for (int k = 0; k < groups.solved_count; ++k) {  // Bound: kMaxContacts
+    const auto& contact = groups.solved_at(k);
     for (int i = 0; i < contact.count; ++i) {  // Bound: 2
       const auto& point = contact.points[static_cast<std::size_t>(i)];
       const Scalar limit = point.normal > Scalar(0) ? kNarrow * contact.rest_gap : Scalar(0);
@@ -25,17 +26,19 @@ bool ContactGroups<SceneT>::is_opening_needed() const {
 
 /// A velocity for one step that opens the gaps of contacts that press.
 template <class SceneT>
-void ContactGroups<SceneT>::open(BodiesT& bodies) {
-  find_held(bodies);
-  if (!is_opening_needed()) return;
+void open_gaps(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups) {
+  using Scalar = Scalar_of<SceneT>;
+  find_held(bodies, groups);
+  if (!is_opening_needed(groups)) return;
+  constexpr int kOpeningSweeps = 8;
   constexpr Scalar kShare = Scalar(0.5);      // of what is missing, in a step
   constexpr Scalar kEnough = Scalar(1) / 32;  // of D, in the step
   for (int s = 0; s < kOpeningSweeps; ++s) {  // Bound: kOpeningSweeps
     bool is_done = true;
-    for (int k = 0; k < solved_count_; ++k) {  // Bound: kMaxContacts
-      const int at = s % 2 == 0 ? k : solved_count_ - 1 - k;
-      Contact& contact = contacts_[order_[static_cast<std::size_t>(at)]];
-      const Scalar change = visit_opening(bodies, contact, kShare);
+    for (int k = 0; k < groups.solved_count; ++k) {  // Bound: kMaxContacts
+      const int at = s % 2 == 0 ? k : groups.solved_count - 1 - k;
+      auto& contact = groups.solved_at(at);
+      const Scalar change = visit_opening(bodies, groups, contact, kShare);
       is_done = is_done && !(change > kEnough * contact.rest_gap / bodies.dt);
     }
     if (is_done) return;
@@ -45,14 +48,13 @@ void ContactGroups<SceneT>::open(BodiesT& bodies) {
 /// In a group that something holds, what lies below counts as held while gaps are opened: its
 /// opening lifts all that lies on it (world.md, "Opening").
 template <class SceneT>
-void ContactGroups<SceneT>::find_held(const BodiesT& bodies) {
-  unite(bodies, false);
-  for (int k = 0; k < solved_count_; ++k) {  // Bound: kMaxContacts
-    Contact& contact = contacts_[order_[static_cast<std::size_t>(k)]];
-    const std::size_t a = a_of(contact);
-    const std::size_t b = b_of(contact);
-    contact.is_held = held_[root_of(bodies.is_led(a) ? b : a)];
+void find_held(const Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups) {
+  join_all(bodies, groups, false);
+  for (int k = 0; k < groups.solved_count; ++k) {  // Bound: kMaxContacts
+    auto& contact = groups.solved_at(k);
+    contact.is_held = groups.joined.is_held(root_of(bodies, groups, contact));
     if constexpr (SceneT::kGravity) {
+      using Scalar = Scalar_of<SceneT>;
       constexpr Scalar kUpright = Scalar(0.5);  // beside each other: neither is below
       const Scalar gravity = length(bodies.settings.gravity_W);
       const Scalar down = bodies.settings.gravity_W.dot(contact.points[0].normal_W);
@@ -63,23 +65,55 @@ void ContactGroups<SceneT>::find_held(const BodiesT& bodies) {
   }
 }
 
-/// One contact, with the velocities that open gaps. @param share  of what is missing, in a step
+/// Whether what opens gaps would take a body further than it may go for that in a step: kFar of D.
+/// Between two that give way to each other there would be no end to it.
+/// @param opening  what it would be, in place of what it is
 template <class SceneT>
-Scalar_of<SceneT> ContactGroups<SceneT>::visit_opening(BodiesT& bodies, Contact& contact,
-                                                       Scalar share) {
+bool goes_too_far(const Bodies<SceneT>& bodies, std::size_t slot,
+                  const Twist<Scalar_of<SceneT>>& opening, Scalar_of<SceneT> rest_gap) {
+  constexpr Scalar_of<SceneT> kFar = 8;
+  const auto& actor = bodies.actor(slot);
+  const auto now = most_speed(actor, bodies.states[slot].opening);
+  const auto next = most_speed(actor, opening);
+  return next > now && !(next * (bodies.dt - bodies.now) < kFar * rest_gap);
+}
+
+/// One contact, with the velocities that open gaps. What would take one of the two too far is left
+/// out; and where nothing holds them, all that only one of the two would follow: the common centre
+/// stays. @param share  of what is missing, in a step
+template <class SceneT>
+Scalar_of<SceneT> visit_opening(Bodies<SceneT>& bodies, const ContactGroups<SceneT>& groups,
+                                LastingContactOf<SceneT>& contact, Scalar_of<SceneT> share) {
+  using Scalar = Scalar_of<SceneT>;
   std::array<SolvedBody<Scalar>, 2> sides;
+  const std::array<std::size_t, 2> slots = {a_of<SceneT>(contact), b_of<SceneT>(contact)};
+  const bool both = bodies.states[slots[0]].is_opened && bodies.states[slots[1]].is_opened;
+  if (!both && !contact.is_held) return Scalar(0);
   for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2
-    const std::size_t slot = i == 0 ? a_of(contact) : b_of(contact);
-    sides[i] = solved_[slot];
-    sides[i].v_W = bodies.states[slot].opening.v_W;
-    sides[i].w_W = bodies.states[slot].opening.w_W;
-    if (contact.below == i + 1) sides[i].inverse_mass = 0;
-    if (contact.below == i + 1 || !contact.is_held) sides[i].inverse_inertia_W.setZero();
+    sides[i] = groups.solved[slots[i]];
+    sides[i].v_W = bodies.states[slots[i]].opening.v_W;
+    sides[i].w_W = bodies.states[slots[i]].opening.w_W;
+    const bool stays = contact.below == i + 1 || !bodies.states[slots[i]].is_opened;
+    if (stays) sides[i].inverse_mass = 0;
+    if (stays || !contact.is_held) sides[i].inverse_inertia_W.setZero();
   }
+  constexpr std::size_t kPoints = LastingContactOf<SceneT>::kPoints;
+  std::array<Scalar, kPoints> before;
+  for (std::size_t k = 0; k < kPoints; ++k) before[k] = contact.points[k].opening;
   const Scalar change = relax_opening(contact, sides[0], sides[1], bodies.dt, share);
   if (!(change > Scalar(0))) return change;
-  bodies.states[a_of(contact)].opening = {sides[0].v_W, sides[0].w_W};
-  bodies.states[b_of(contact)].opening = {sides[1].v_W, sides[1].w_W};
+  const Twist<Scalar> A = {sides[0].v_W, sides[0].w_W};
+  const Twist<Scalar> B = {sides[1].v_W, sides[1].w_W};
+  if (goes_too_far(bodies, slots[0], A, contact.rest_gap) ||
+      goes_too_far(bodies, slots[1], B, contact.rest_gap)) {
+    for (std::size_t k = 0; k < kPoints; ++k) contact.points[k].opening = before[k];
+    return Scalar(0);
+  }
+  bodies.states[slots[0]].opening = A;
+  bodies.states[slots[1]].opening = B;
+  for (const std::size_t slot : slots) {  // Bound: 2
+    bodies.states[slot].is_held = bodies.states[slot].is_held || contact.is_held;
+  }
   return change;
 }
 

@@ -6,25 +6,26 @@
 
 namespace batuta::detail {
 
+/// A body is where it is now, and a blow has changed it.
 template <class SceneT>
-void ContactGroups<SceneT>::mark(BodiesT& bodies, std::size_t slot) {
-  if (is_dirty_[slot]) return;
-  if (bodies.is_led(slot)) return load(bodies, slot);
-  is_dirty_[slot] = true;
-  changed_[slot] += kNoticed;
-  dirty_.push(static_cast<Slot>(slot));
+void mark(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups, std::size_t slot) {
+  if (groups.changes.is_dirty[slot]) return;
+  if (bodies.is_led(slot)) return groups.load(bodies, slot);
+  groups.changes.mark(slot);
   bodies.advance_to_now(slot);
   bodies.states[slot].changed = bodies.is_changed = true;
-  load(bodies, slot);
+  groups.load(bodies, slot);
 }
 
 /// A contact where its bodies are now; what it spent so far cannot be taken back.
 template <class SceneT>
-void ContactGroups<SceneT>::refresh(BodiesT& bodies, Contact& contact) {
-  const std::size_t a = a_of(contact);
-  const std::size_t b = b_of(contact);
-  mark(bodies, a);
-  mark(bodies, b);
+void refresh(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups,
+             LastingContactOf<SceneT>& contact) {
+  using Scalar = Scalar_of<SceneT>;
+  const std::size_t a = a_of<SceneT>(contact);
+  const std::size_t b = b_of<SceneT>(contact);
+  mark(bodies, groups, a);
+  mark(bodies, groups, b);
   const Scalar left = bodies.dt - bodies.now;
   if (contact.is_solved) {
     const Scalar span = bodies.dt - contact.since;
@@ -34,16 +35,17 @@ void ContactGroups<SceneT>::refresh(BodiesT& bodies, Contact& contact) {
   const Capsule<Scalar> A_W = bodies.shape_W(contact.pair.first);
   const Capsule<Scalar> B_W = bodies.shape_W(contact.pair.second);
   contact.is_new = !contact.is_solved;
-  find_points(contact, A_W, B_W, closest_points(A_W.axis, B_W.axis), solved_[a].place_W);
-  prepare(contact, solved_[a], solved_[b], left);
+  find_points(contact, A_W, B_W, closest_points(A_W.axis, B_W.axis), groups.solved[a].place_W);
+  prepare(contact, groups.solved[a], groups.solved[b], left);
   contact.is_solved = true;
 }
 
 /// How far a point may close in what is left of the step, m: `share` of D; or less where the gap is
 /// nearly closed, because the search would call what is left contact at once (world.md, "Blows").
 template <class SceneT>
-Scalar_of<SceneT> ContactGroups<SceneT>::may_close(const BodiesT& bodies, const Contact& contact,
-                                                   Scalar gap, Scalar share) const {
+Scalar_of<SceneT> may_close(const Bodies<SceneT>& bodies, const LastingContactOf<SceneT>& contact,
+                            Scalar_of<SceneT> gap, Scalar_of<SceneT> share) {
+  using Scalar = Scalar_of<SceneT>;
   constexpr Scalar kOfGap = Scalar(1) / 4;
   constexpr Scalar kLeast = Scalar(1) / 4096;  // of D, in a whole step
   const Scalar least = kLeast * contact.rest_gap * ((bodies.dt - bodies.now) / bodies.dt);
@@ -54,8 +56,9 @@ Scalar_of<SceneT> ContactGroups<SceneT>::may_close(const BodiesT& bodies, const 
 /// need not be looked at again.
 /// @param changed  what visits changed of both since then, m/s
 template <class SceneT>
-bool ContactGroups<SceneT>::is_settled(const BodiesT& bodies, const Contact& contact,
-                                       Scalar changed, Scalar share) const {
+bool is_settled(const Bodies<SceneT>& bodies, const LastingContactOf<SceneT>& contact,
+                Scalar_of<SceneT> changed, Scalar_of<SceneT> share) {
+  using Scalar = Scalar_of<SceneT>;
   constexpr Scalar kUnseen = Scalar(1) / 4;
   const Scalar gap = contact.count > 1 ? min_of(contact.points[0].gap, contact.points[1].gap)
                                        : contact.points[0].gap;
@@ -67,23 +70,24 @@ bool ContactGroups<SceneT>::is_settled(const BodiesT& bodies, const Contact& con
 /// contact at once (world.md, "Blows"). One that was struck is not excused by an opening that holds
 /// it apart: each answer would find the same approach.
 template <class SceneT>
-bool ContactGroups<SceneT>::is_worth(const BodiesT& bodies, const Contact& contact, Scalar share,
-                                     bool is_struck) const {
+bool is_worth(const Bodies<SceneT>& bodies, const ContactGroups<SceneT>& groups,
+              const LastingContactOf<SceneT>& contact, Scalar_of<SceneT> share, bool is_struck) {
+  using Scalar = Scalar_of<SceneT>;
   const Scalar left = bodies.dt - bodies.now;
   const Scalar most = share * contact.rest_gap;
-  const std::size_t a = a_of(contact);
-  const std::size_t b = b_of(contact);
+  const std::size_t a = a_of<SceneT>(contact);
+  const std::size_t b = b_of<SceneT>(contact);
   const Twist<Scalar>& A = bodies.states[a].opening;
   const Twist<Scalar>& B = bodies.states[b].opening;
   bool is_worth = false;
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
     const auto& point = contact.points[static_cast<std::size_t>(i)];
     const Scalar u =
-        point.normal_W.dot(velocity_across(point, solved_[a], solved_[b])) + point.room;
-    const Scalar opening =
-        point.normal_W.dot((A.v_W - B.v_W) + (A.w_W.cross(point.arm_A_W) -
-                                              B.w_W.cross(arm_B(point, solved_[a], solved_[b]))));
-    const Scalar may_close = this->may_close(bodies, contact, point.gap, share);
+        point.normal_W.dot(velocity_across(point, groups.solved[a], groups.solved[b])) + point.room;
+    const Scalar opening = point.normal_W.dot(
+        (A.v_W - B.v_W) + (A.w_W.cross(point.arm_A_W) -
+                           B.w_W.cross(arm_B(point, groups.solved[a], groups.solved[b]))));
+    const Scalar may_close = detail::may_close(bodies, contact, point.gap, share);
     const bool pulls = u * left > most && point.normal > Scalar(0);
     const Scalar by_opening = is_struck ? min_of(opening, Scalar(0)) : opening;
     is_worth = is_worth || (u + by_opening) * left < -may_close || pulls;
@@ -93,66 +97,61 @@ bool ContactGroups<SceneT>::is_worth(const BodiesT& bodies, const Contact& conta
 
 /// Of what is missing to the gap of a contact, in a step: where two are in each other, all of it in
 /// what is left, or eight times as fast as in a whole step; else nothing (world.md, "Blows").
-/// Nothing either to one that openings move by more than kFar D already: between two that give way
-/// to each other there would be no end to it.
 template <class SceneT>
-Scalar_of<SceneT> ContactGroups<SceneT>::share_to_open(const BodiesT& bodies,
-                                                       const Contact& contact) const {
+Scalar_of<SceneT> share_to_open(const Bodies<SceneT>& bodies,
+                                const LastingContactOf<SceneT>& contact) {
+  using Scalar = Scalar_of<SceneT>;
   constexpr Scalar kFastest = 8;
   const Scalar left = bodies.dt - bodies.now;
   if (!(least_gap(contact) < Scalar(0)) || !(left > Scalar(0))) return Scalar(0);
-  constexpr Scalar kFar = 4;
-  for (const std::size_t slot : {a_of(contact), b_of(contact)}) {  // Bound: 2
-    const Scalar way = left * length(bodies.states[slot].opening.v_W);
-    if (way > kFar * contact.rest_gap) return Scalar(0);
-  }
   return min_of(bodies.dt / left, kFastest);
 }
 
 /// One visit, and what it changes goes into the momenta.
 template <class SceneT>
-void ContactGroups<SceneT>::relax_now(BodiesT& bodies, Contact& contact, Scalar& energy) {
+void relax_now(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups,
+               LastingContactOf<SceneT>& contact, Scalar_of<SceneT>& energy) {
+  using Scalar = Scalar_of<SceneT>;
   std::array<PointImpulse<Scalar>, 2> before;
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
     const auto k = static_cast<std::size_t>(i);
     before[k] = impulse_at(contact.points[k]);
   }
-  visit(contact, energy, carried_by(bodies, contact));
+  visit_contact(groups, contact, energy, carried_by(bodies, contact));
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
     const auto k = static_cast<std::size_t>(i);
     const PointImpulse<Scalar> after = impulse_at(contact.points[k]);
-    give_at(bodies, contact, contact.points[k],
+    give_at(bodies, groups, contact, contact.points[k],
             {after.J_W - before[k].J_W, after.rolling_W - before[k].rolling_W});
   }
-  visit_opening(bodies, contact, share_to_open(bodies, contact));
+  visit_opening(bodies, groups, contact, share_to_open(bodies, contact));
 }
 
 /// A neighbour that is approached much faster than rest is struck in turn.
-template <class SceneT>
-template <class Blow>
-void ContactGroups<SceneT>::pass_blow(BodiesT& bodies, Contact& contact, const Blow& blow) {
+template <class SceneT, class Blow>
+void pass_blow([[maybe_unused]] Bodies<SceneT>& bodies,
+               [[maybe_unused]] ContactGroups<SceneT>& groups,
+               [[maybe_unused]] LastingContactOf<SceneT>& contact,
+               [[maybe_unused]] const Blow& blow) {
   if constexpr (SceneT::kRestitution) {
+    using Scalar = Scalar_of<SceneT>;
     constexpr Scalar kSurely = 4;
-    const std::size_t a = a_of(contact);
-    const std::size_t b = b_of(contact);
-    const Scalar approach = fastest_approach(contact, solved_[a], solved_[b]);
+    const std::size_t a = a_of<SceneT>(contact);
+    const std::size_t b = b_of<SceneT>(contact);
+    const Scalar approach = fastest_approach(contact, groups.solved[a], groups.solved[b]);
     if (!(approach < -kSurely * rest_speed(bodies))) return;
     blow(contact.pair);
-    load(bodies, a);
-    load(bodies, b);
-    changed_[a] += kNoticed;
-    changed_[b] += kNoticed;
+    groups.load(bodies, a);
+    groups.load(bodies, b);
+    groups.changes.notice(a);
+    groups.changes.notice(b);
   }
 }
 
 template <class SceneT>
 template <class Struck, class Blow>
 void ContactGroups<SceneT>::pass_on(BodiesT& bodies, const Struck& struck, const Blow& blow) {
-  dirty_.clear();
-  is_dirty_.fill(false);
-  is_struck_.fill(false);
-  changed_.fill(0);
-  seen_.fill(0);
+  changes.clear();
   Scalar energy = 0;
   int last = kNone;
   for (const auto& one : struck) {  // Bound: the blows of a round
@@ -163,67 +162,68 @@ void ContactGroups<SceneT>::pass_on(BodiesT& bodies, const Struck& struck, const
       continue;
     }
     if (is_welded(bodies, *contact)) continue;
-    last = find(one.pair);
-    is_struck_[static_cast<std::size_t>(last)] = true;
-    refresh(bodies, *contact);
+    last = contacts.find(one.pair);
+    changes.is_struck[static_cast<std::size_t>(last)] = true;
+    refresh(bodies, *this, *contact);
   }
-  if (last != kNone) relax_now(bodies, contacts_[last], energy);
-  pass_around(bodies, struck.size() > 1 ? kNone : last, energy, blow);
+  if (last != kNone) relax_now(bodies, *this, contacts[last], energy);
+  pass_around(bodies, *this, struck.size() > 1 ? kNone : last, energy, blow);
   if constexpr (SceneT::kGravity) {
-    for (const Slot slot : dirty_) bodies.states[slot].loaded = false;  // Bound: kMaxBodies
-    carry_loads(bodies, true);
+    for (const Slot slot : changes.dirty) bodies.states[slot].loaded = false;  // Bound: kMaxBodies
+    carry_loads(bodies, *this, true);
   }
 }
 
 /// Whether a contact has anything to answer; remembers that it was looked at.
 template <class SceneT>
-bool ContactGroups<SceneT>::is_due(BodiesT& bodies, std::size_t i) {
+bool is_due(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups, std::size_t i) {
+  using Scalar = Scalar_of<SceneT>;
   constexpr Scalar kLeast = Scalar(1) / 8;  // of D, in what is left of the step
   constexpr Scalar kLeastOfStruck = Scalar(1) / 64;
-  const Contact& contact = contacts_[static_cast<int>(i)];
-  const Scalar changed = changed_[a_of(contact)] + changed_[b_of(contact)];
-  if (!contact.is_solved || changed == seen_[i] || is_welded(bodies, contact)) return false;
-  const Scalar share = is_struck_[i] ? kLeastOfStruck : kLeast;
-  const bool was_seen = seen_[i] > Scalar(0);
-  if (was_seen && is_settled(bodies, contact, changed - seen_[i], share)) return false;
-  seen_[i] = changed;
-  for (const std::size_t side : {a_of(contact), b_of(contact)}) {  // Bound: 2
-    solved_[side].place_W = place_now(bodies, side);
+  auto& changes = groups.changes;
+  const auto& contact = groups.contacts[static_cast<int>(i)];
+  const Scalar changed =
+      changes.changed[a_of<SceneT>(contact)] + changes.changed[b_of<SceneT>(contact)];
+  if (!contact.is_solved || changed == changes.seen[i] || is_welded(bodies, contact)) return false;
+  const Scalar share = changes.is_struck[i] ? kLeastOfStruck : kLeast;
+  const bool was_seen = changes.seen[i] > Scalar(0);
+  if (was_seen && is_settled(bodies, contact, changed - changes.seen[i], share)) return false;
+  changes.seen[i] = changed;
+  for (const std::size_t side : {a_of<SceneT>(contact), b_of<SceneT>(contact)}) {  // Bound: 2
+    groups.solved[side].place_W = place_now(bodies, side);
   }
-  return is_worth(bodies, contact, share, is_struck_[i]);
+  return is_worth(bodies, groups, contact, share, changes.is_struck[i]);
 }
 
-/// What a contact passes on. @param parts  as for pass_around()
+/// A contact and its bodies are where they are now, and its bodies have changed.
 template <class SceneT>
-template <class Blow>
-void ContactGroups<SceneT>::pass_at(BodiesT& bodies, int i, int parts, Scalar& energy,
-                                    const Blow& blow) {
-  Contact& contact = contacts_[i];
-  if (contact.since < bodies.now) refresh(bodies, contact);
-  mark(bodies, a_of(contact));
-  mark(bodies, b_of(contact));
-  if (i != parts) pass_blow(bodies, contact, blow);
-  relax_now(bodies, contact, energy);
+void bring_to_now(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups,
+                  LastingContactOf<SceneT>& contact) {
+  if (contact.since < bodies.now) refresh(bodies, groups, contact);
+  mark(bodies, groups, a_of<SceneT>(contact));
+  mark(bodies, groups, b_of<SceneT>(contact));
 }
 
 /// From body to body, until no contact of those that have changed has anything to answer.
 /// @param parts  the contact that was struck alone: it parts, and is not struck again; or kNone
-template <class SceneT>
-template <class Blow>
-void ContactGroups<SceneT>::pass_around(BodiesT& bodies, int parts, Scalar energy,
-                                        const Blow& blow) {
+template <class SceneT, class Blow>
+void pass_around(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups, int parts,
+                 Scalar_of<SceneT> energy, const Blow& blow) {
+  constexpr int kNone = ContactGroups<SceneT>::kNone;
+  constexpr int kEventSweeps = 32;
+  auto& list = groups.contacts;
   bool is_done = false;
   for (int s = 0; s < kEventSweeps && !is_done; ++s) {  // Bound: kEventSweeps
     is_done = true;
-    for (int d = 0; d < dirty_.size(); ++d) {  // Bound: kMaxBodies
-      const std::size_t slot = dirty_[d];
-      int next = first_of_[slot];
-      while (next != 0) {  // Bound: the contacts of a body
-        const int i = next - 1;
-        next = next_[static_cast<std::size_t>(i)][a_of(contacts_[i]) == slot ? 0 : 1];
-        if (!is_due(bodies, static_cast<std::size_t>(i))) continue;
+    for (int d = 0; d < groups.changes.dirty.size(); ++d) {  // Bound: kMaxBodies
+      const std::size_t slot = groups.changes.dirty[d];
+      // Bound: the contacts of a body.
+      for (int i = list.first_of(slot); i != kNone; i = list.next_of(i, slot)) {
+        if (!is_due(bodies, groups, static_cast<std::size_t>(i))) continue;
         is_done = false;
-        pass_at(bodies, i, parts, energy, blow);
+        bring_to_now(bodies, groups, list[i]);
+        if (i != parts) pass_blow(bodies, groups, list[i], blow);
+        relax_now(bodies, groups, list[i], energy);
       }
     }
   }

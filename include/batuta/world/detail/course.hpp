@@ -131,17 +131,29 @@ void share_off(Bodies<SceneT>& bodies, std::size_t a, std::size_t b) {
   }
 }
 
-/// Bodies that go on together are opened no more, so all that were opened with them are not: the
-/// common centre of those would move.
+/// What opens the gaps of a body ends now.
 template <class SceneT>
-void end_openings(Bodies<SceneT>& bodies) {
+void end_opening(Bodies<SceneT>& bodies, std::size_t slot) {
+  auto& state = bodies.states[slot];
+  if (is_zero(state.opening.v_W) && is_zero(state.opening.w_W)) return;
+  bodies.advance_to_now(slot);
+  state.opening = {};
+  state.changed = bodies.is_changed = true;
+}
+
+/// Two are opened no more in this step: they go on together, or openings of others bring them back
+/// again and again. So all that nothing holds and that were opened with them are not: the common
+/// centre of those would move. @returns false: neither could be opened anyway
+template <class SceneT>
+bool end_openings(Bodies<SceneT>& bodies, std::size_t a, std::size_t b) {
+  const bool was_opened = bodies.states[a].is_opened || bodies.states[b].is_opened;
   for (std::size_t slot = 0; slot < Bodies<SceneT>::kSlots; ++slot) {  // Bound: kMaxBodies
-    auto& state = bodies.states[slot];
-    if (!state.present || (is_zero(state.opening.v_W) && is_zero(state.opening.w_W))) continue;
-    bodies.advance_to_now(slot);
-    state.opening = {};
-    state.changed = bodies.is_changed = true;
+    const auto& state = bodies.states[slot];
+    const bool goes_on = state.is_held && slot != a && slot != b;
+    if (state.present && !goes_on) end_opening(bodies, slot);
   }
+  for (const std::size_t slot : {a, b}) bodies.states[slot].is_opened = false;  // Bound: 2
+  return was_opened;
 }
 
 }  // namespace batuta::detail

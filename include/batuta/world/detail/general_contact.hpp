@@ -179,10 +179,11 @@ void GeneralWorld<SceneT>::finish_lasting(ProxyPair pair, const PairQuery& query
                                           const Contact<Scalar>& contact,
                                           const Answer<Scalar>& result) {
   const std::size_t a = BodiesT::body_of(pair.first);
+  const std::size_t b = BodiesT::body_of(pair.second);
   tell_controllers(pair, result.impulse, zero<Scalar>(), zero<Scalar>());
   const bool again = answers_of_pair_ > 1 || !(result.impulse > Scalar(0));
-  if (again) share_off(bodies_, a, BodiesT::body_of(pair.second));
-  // It came back once too often, and what opens gaps comes with the next step.
+  if (again) share_off(bodies_, a, b);
+  if (answers_of_pair_ >= SceneT::kMaxSeparations) end_openings(bodies_, a, b);
   is_moved_ = contact.gap < -query.contact_gap;
   if (is_moved_) separate_pair(pair, query, contact, result, false);
   if (bodies_.states[a].group != BodiesT::kAlone) return;  // it was welded: nothing passes it on
@@ -209,18 +210,20 @@ template <class SceneT>
 bool GeneralWorld<SceneT>::may_take_all(std::size_t a, std::size_t b) const {
   const bool is_shared = bodies_.actor(a).body.inverse_mass > Scalar(0) &&
                          bodies_.actor(b).body.inverse_mass > Scalar(0);
-  return is_shared && (groups_.is_held_up(a) || groups_.is_held_up(b));
+  return is_shared && (groups_.contacts.is_held_up(a) || groups_.contacts.is_held_up(b));
 }
 
 /// Whether nobody made room: each further answer would let them sink by what the search cannot
 /// tell. Not so the first answer at the start of a step. @param parted_W  the shifts' difference, m
 template <class SceneT>
 bool GeneralWorld<SceneT>::stays_deep([[maybe_unused]] const Contact<Scalar>& contact,
-                                      [[maybe_unused]] const Vec3<Scalar>& parted_W,
+                                      [[maybe_unused]] const Separation<Scalar>& made,
                                       [[maybe_unused]] Scalar margin) const {
   if constexpr (SceneT::kMaxBodies > 2 || SceneT::kCapsulesPerBody > 1) {
     const bool is_first = !(bodies_.now > Scalar(0)) && answers_of_pair_ <= 1;
-    return !is_first && contact.gap + contact.normal_BA_W.dot(parted_W) < -margin;
+    const Vec3<Scalar>& n_W = contact.normal_BA_W;
+    const Scalar parted = n_W.dot(made.shift_A_W) - n_W.dot(made.shift_B_W);
+    return !is_first && contact.gap + parted < -margin;
   } else {
     return false;
   }
@@ -276,8 +279,11 @@ template <class SceneT>
   add_to(bodies_.actor(a).body.X_WB.p_W, made.value.shift_A_W);
   add_to(bodies_.actor(b).body.X_WB.p_W, made.value.shift_B_W);
   tell_controllers(pair, result.impulse, made.value.shift_A_W, made.value.shift_B_W);
-  const Vec3<Scalar> parted_W = made.value.shift_A_W - made.value.shift_B_W;
-  if (stays_deep(contact, parted_W, margin)) {
+  if (stays_deep(contact, made.value, margin)) {
+    if constexpr (kSolves) {
+      // What presses them together may be what opens gaps of others.
+      if (end_openings(bodies_, a, b)) return void(++bodies_.report.separations);
+    }
     ++bodies_.report.frozen;
     return bodies_.weld(a, b, bodies_.dt);
   }

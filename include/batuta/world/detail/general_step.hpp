@@ -114,8 +114,8 @@ void GeneralWorld<SceneT>::run_round() {
 template <class SceneT>
 typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::lasts(ProxyPair pair) const {
   if constexpr (kSolves) {
-    const int i = groups_.find(pair);
-    return i >= 0 && groups_[i].is_solved ? groups_[i].rest_gap : Scalar(0);
+    const int i = groups_.contacts.find(pair);
+    return i >= 0 && groups_.contacts[i].is_solved ? groups_.contacts[i].rest_gap : Scalar(0);
   } else {
     return Scalar(0);
   }
@@ -212,7 +212,7 @@ Status GeneralWorld<SceneT>::remove(BodyId id) {
   if (status != Status::kOk) return status;
   const auto slot = static_cast<std::size_t>(index);
   if constexpr (SceneT::kSleep) {
-    groups_.for_each_neighbour(slot, [this](std::size_t other) {
+    groups_.contacts.for_each_neighbour(slot, [this](std::size_t other) {
       sleep_.wake(bodies_, groups_, other, [](std::size_t) {});
     });
   }

@@ -176,7 +176,7 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   void answer_ties(ProxyPair last);
   void pass_on();
   bool may_take_all(std::size_t a, std::size_t b) const;
-  bool stays_deep(const Contact<Scalar>& contact, const Vec3<Scalar>& parted_W,
+  bool stays_deep(const Contact<Scalar>& contact, const Separation<Scalar>& made,
                   Scalar margin) const;
   SeparationOptions<Scalar> separation_options(Scalar margin, bool is_charged) const;
   void separate_pair(ProxyPair pair, const PairQuery& query, const Contact<Scalar>& contact,

@@ -173,7 +173,7 @@ template <class Traits, class Scalar>
 void push_share(const LastingContact<Traits>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
                 Scalar share);
 
-/// The impulses being solved become `share` of them, without rolling resistance.
+/// The impulses being solved become `share` of them.
 template <class Traits, class Scalar>
 void scale_impulses(LastingContact<Traits>& contact, Scalar share);
 
@@ -238,6 +238,16 @@ PointImpulse<typename Traits::Scalar> impulse_at(const ContactPoint<Traits>& poi
 /// Of the impulses solved, the share that belongs to the time that has passed is spent.
 template <class Traits, class Scalar>
 void spend(LastingContact<Traits>& contact, Scalar share);
+
+/// lambda . u + lambda_n room of a point (world.md, "Warm start"), J.
+template <class Traits, class Scalar>
+Scalar power_of(const ContactPoint<Traits>& point, const SolvedBody<Scalar>& A,
+                const SolvedBody<Scalar>& B) {
+  const auto impulse = impulse_at(point);
+  Scalar sum = impulse.J_W.dot(velocity_across(point, A, B)) + point.normal * point.room;
+  if constexpr (Traits::kRolling) sum += impulse.rolling_W.dot(A.w_W - B.w_W);
+  return sum;
+}
 
 /// At the end of a step: what was spent and what was left are what the next one starts from.
 template <class Traits>

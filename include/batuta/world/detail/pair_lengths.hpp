@@ -55,6 +55,22 @@ Scalar_of<SceneT> twice_margin(const Bodies<SceneT>& bodies, Scalar_of<SceneT> s
   return kMargins * kContactGaps * SceneT::Search::contact_gap(query, bodies.settings.search);
 }
 
+/// How fast any of its matter goes at most, m/s.
+template <class SceneT>
+Scalar_of<SceneT> most_speed(const Actor<SceneT>& actor, const Twist<Scalar_of<SceneT>>& twist) {
+  using Vector = Vec3<Scalar_of<SceneT>>;
+  const Vector w_B = actor.body.X_WB.q_WB.conjugate() * twist.w_W;
+  const auto turn = length(w_B);
+  Scalar_of<SceneT> around = 0;
+  for (int i = 0; i < parts_of(actor); ++i) {  // Bound: kCapsulesPerBody
+    const Capsule<Scalar_of<SceneT>>& part = part_of(actor, i);
+    const auto at_a = length<Scalar_of<SceneT>>(w_B.cross(part.axis.a));
+    const auto at_b = length<Scalar_of<SceneT>>(w_B.cross(part.axis.b));
+    around = max_of(around, max_of(at_a, at_b) + turn * part.radius);
+  }
+  return length(twist.v_W) + around;
+}
+
 /// What a part adds to the length of a pair, and how far it turns.
 template <class SceneT>
 PartSize<Scalar_of<SceneT>> size_of(const Bodies<SceneT>& bodies, int proxy) {

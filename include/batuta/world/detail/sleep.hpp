@@ -74,18 +74,13 @@ bool Sleep<SceneT>::is_moving(const BodiesT& bodies, std::size_t slot) const {
   const auto& actor = bodies.actor(slot);
   const auto& plan = bodies.states[slot].plan;
   const Twist<Scalar> twist = BodiesT::Kinematics::twist_at(actor.body, plan);
-  Scalar reach = 0;
-  for (int i = 0; i < parts_of(actor); ++i) {  // Bound: kCapsulesPerBody
-    const Capsule<Scalar>& part = part_of(actor, i);
-    reach = max_of(reach, max_of(length(part.axis.a), length(part.axis.b)) + part.radius);
-  }
-  return length(twist.v_W) + length(twist.w_W) * reach > bodies.settings.rest_speed;
+  return most_speed(actor, twist) > bodies.settings.rest_speed;
 }
 
 template <class SceneT>
 void Sleep<SceneT>::begin_step(BodiesT& bodies, const GroupsT& groups) {
   const auto wake_neighbours = [&](std::size_t slot) {
-    groups.for_each_neighbour(
+    groups.contacts.for_each_neighbour(
         slot, [&](std::size_t other) { wake(bodies, groups, other, [](std::size_t) {}); });
   };
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
@@ -101,9 +96,9 @@ void Sleep<SceneT>::begin_step(BodiesT& bodies, const GroupsT& groups) {
 /// Those that something touches which moves.
 template <class SceneT>
 void Sleep<SceneT>::wake_pressed(BodiesT& bodies, const GroupsT& groups) {
-  for (int i = 0; i < groups.size(); ++i) {  // Bound: kMaxContacts
-    const std::size_t a = BodiesT::body_of(groups[i].pair.first);
-    const std::size_t b = BodiesT::body_of(groups[i].pair.second);
+  for (int i = 0; i < groups.contacts.size(); ++i) {  // Bound: kMaxContacts
+    const std::size_t a = BodiesT::body_of(groups.contacts[i].pair.first);
+    const std::size_t b = BodiesT::body_of(groups.contacts[i].pair.second);
     if (bodies.states[a].asleep == bodies.states[b].asleep) continue;
     const std::size_t sleeper = bodies.states[a].asleep ? a : b;
     if (is_moving(bodies, a + b - sleeper)) wake(bodies, groups, sleeper, [](std::size_t) {});
@@ -122,7 +117,7 @@ void Sleep<SceneT>::wake(BodiesT& bodies, const GroupsT& groups, std::size_t slo
   while (!stack_.empty()) {  // Bound: kMaxBodies: each is woken once
     const std::size_t next = stack_[stack_.size() - 1];
     stack_.remove_swapping(stack_.size() - 1);
-    groups.for_each_neighbour(next, [&](std::size_t other) {
+    groups.contacts.for_each_neighbour(next, [&](std::size_t other) {
       if (!bodies.states[other].asleep) return;
       start_over(bodies, other);
       stack_.push(static_cast<std::uint16_t>(other));
@@ -142,7 +137,7 @@ void Sleep<SceneT>::wake_all(BodiesT& bodies) {
 template <class SceneT>
 bool Sleep<SceneT>::has_left(const BodiesT& bodies, const GroupsT& groups, std::size_t slot) const {
   const auto& actor = bodies.actor(slot);
-  const Scalar limit = max_of(2 * groups.widest_rest_gap(slot),
+  const Scalar limit = max_of(2 * groups.contacts.widest_rest_gap(slot),
                               bodies.settings.rest_speed * static_cast<Scalar>(SceneT::kSleepTime));
   const auto is_far = [&](const Vec3<Scalar>& x_B) {
     const Vec3<Scalar> way = to_world(actor.body.X_WB, x_B) - to_world(rests_[slot].anchor, x_B);

@@ -115,9 +115,7 @@ struct TurningKinematics {
   static void add_momentum(BodyType& body, const Vec3<Scalar>& change_W) {
     body.momentum.linear_W += change_W;
   }
-  static Vec3<Scalar> momentum_velocity(const BodyType& body) {
-    return body.inverse_mass * body.momentum.linear_W;
-  }
+  static Vec3<Scalar> momentum_velocity(const BodyType& body) { return velocity_of(body); }
   static MotionType standing_at(const Vec3<Scalar>& center_W, Scalar duration) {
     return still<Scalar>({center_W, Quat<Scalar>(1, 0, 0, 0)}, duration);
   }

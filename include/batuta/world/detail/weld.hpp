@@ -74,7 +74,7 @@ template <class SceneT>
 template <class SceneT>
 [[gnu::cold]] void Welds<SceneT>::weld(std::size_t a, std::size_t b, Scalar until) {
   if (name_of(a) == name_of(b)) return;  // they go together already
-  if constexpr (kLasts<SceneT>) end_openings(bodies_);
+  if constexpr (kLasts<SceneT>) end_openings(bodies_, a, b);
   const Slot name = min_of(name_of(a), name_of(b));
   // Both groups are settled before anybody goes by another name.
   const bool stands_a = stop(a);
