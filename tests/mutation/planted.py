@@ -29,9 +29,9 @@ FAULTS = [
           "  add(all.linear_W, Scalar(1) + Scalar(1) / 1024, own.linear_W);", "Lasting/*Momentum*"),
     Fault("a weld without its spin", MOTION, "  add(all.angular_W, Scalar(1), own.angular_W);", "", "Lasting/*Momentum*"),
     Fault("friction with the old normal impulse", "src/world/detail/contact_visit.cpp",
-          "if (contact.friction > Scalar(0)) gain += relax_friction(point, A, B, contact.friction);",
+          "gain = relax_along(contact, point, A, B, gain);",
           "point.normal -= sides[k].change;\n"
-          "if (contact.friction > Scalar(0)) gain += relax_friction(point, A, B, contact.friction);\n"
+          "gain = relax_along(contact, point, A, B, gain);\n"
           "point.normal += sides[k].change;", "Lasting/*Friction*"),
 ]
 

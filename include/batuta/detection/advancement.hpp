@@ -76,6 +76,6 @@ Scalar inflation_of(const MovingPair<Scalar>& pair);
 template <class Scalar>
 SearchResult<Scalar> search_advancement(const MovingPair<Scalar>& pair,
                                         const AdvancementOptions<Scalar>& options,
-                                        const Vec3<Scalar>& seed_AB = Vec3<Scalar>::Zero());
+                                        const Vec3<Scalar>& seed_AB = detail::zero<Scalar>());
 
 }  // namespace batuta

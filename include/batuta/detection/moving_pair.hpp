@@ -26,20 +26,20 @@ namespace detail {
 /// (src/detection/moving_pair.md).
 template <class Scalar>
 struct EndPath {
-  Vec3<Scalar> start = Vec3<Scalar>::Zero();  ///< the end at t = 0, m
-  Vec3<Scalar> arm = Vec3<Scalar>::Zero();  ///< from the axis of rotation to `start`, perpendicular
-                                            ///< to that axis, m
-  Vec3<Scalar> side = Vec3<Scalar>::Zero();  ///< axis of rotation x arm, m
+  Vec3<Scalar> start = zero<Scalar>();  ///< the end at t = 0, m
+  Vec3<Scalar> arm = zero<Scalar>();    ///< from the axis of rotation to `start`, perpendicular
+                                        ///< to that axis, m
+  Vec3<Scalar> side = zero<Scalar>();   ///< axis of rotation x arm, m
 };
 
 /// Path of a capsule over a constant twist: those of the two ends of its axis, and what bounds
 /// them.
 template <class Scalar>
 struct CapsulePath {
-  std::array<EndPath<Scalar>, 2> ends;    ///< of axis.a and axis.b
-  Vec3<Scalar> v = Vec3<Scalar>::Zero();  ///< of the centre of mass, m/s
-  Scalar turn_rate = 0;                   ///< |w|, rad/s; 0: arms and sides are zero
-  Scalar bounding_radius = 0;             ///< of the ends from the centre of mass, m, to within 3 u
+  std::array<EndPath<Scalar>, 2> ends;  ///< of axis.a and axis.b
+  Vec3<Scalar> v = zero<Scalar>();      ///< of the centre of mass, m/s
+  Scalar turn_rate = 0;                 ///< |w|, rad/s; 0: arms and sides are zero
+  Scalar bounding_radius = 0;           ///< of the ends from the centre of mass, m, to within 3 u
   Scalar longest_arm = 0;  ///< of the two ends, m, to within 3 u; at most the bounding radius
   Scalar radius = 0;       ///< m
 };
@@ -63,11 +63,11 @@ Capsule<Scalar> capsule_at(const CapsulePath<Scalar>& path, Scalar t);
 /// Two capsules over [0, duration], ready for evaluation at any instant, in the pair's frame P.
 template <class Scalar>
 struct MovingPair {
-  detail::CapsulePath<Scalar> A;                   ///< v = 0
-  detail::CapsulePath<Scalar> B;                   ///< v = v_B - v_A
-  Vec3<Scalar> origin_W = Vec3<Scalar>::Zero();    ///< A's centre of mass at t = 0, m
-  Vec3<Scalar> origin_v_W = Vec3<Scalar>::Zero();  ///< and its velocity, m/s
-  Scalar duration = 0;                             ///< s
+  detail::CapsulePath<Scalar> A;                     ///< v = 0
+  detail::CapsulePath<Scalar> B;                     ///< v = v_B - v_A
+  Vec3<Scalar> origin_W = detail::zero<Scalar>();    ///< A's centre of mass at t = 0, m
+  Vec3<Scalar> origin_v_W = detail::zero<Scalar>();  ///< and its velocity, m/s
+  Scalar duration = 0;                               ///< s
   /// S: distance of the centres + relative travel + bounding radii + radii, m (an upper bound)
   Scalar scale = 0;
 };

@@ -13,10 +13,10 @@ namespace batuta {
 /// rounded once: what is claimed holds for the spheres themselves too.
 template <class Scalar>
 struct SphereFlight {
-  Vec3<Scalar> between = Vec3<Scalar>::Zero();  ///< centre of B - centre of A at t = 0, m
-  Vec3<Scalar> v = Vec3<Scalar>::Zero();        ///< velocity of B - velocity of A, m/s
-  Scalar radii = 0;                             ///< sum of the two, m, >= 0
-  Scalar duration = 0;                          ///< s, >= 0
+  Vec3<Scalar> between = detail::zero<Scalar>();  ///< centre of B - centre of A at t = 0, m
+  Vec3<Scalar> v = detail::zero<Scalar>();        ///< velocity of B - velocity of A, m/s
+  Scalar radii = 0;                               ///< sum of the two, m, >= 0
+  Scalar duration = 0;                            ///< s, >= 0
 };
 
 /// Answer of search_spheres().

@@ -14,9 +14,9 @@ namespace detail {
 /// motion: its centres run from start_W to end_W.
 template <class Scalar>
 struct SweptSphere {
-  Vec3<Scalar> start_W = Vec3<Scalar>::Zero();  ///< the centre of mass at t = 0, m
-  Vec3<Scalar> end_W = Vec3<Scalar>::Zero();    ///< the centre of mass at the end, m
-  Scalar radius = 0;                            ///< m, rounded outward
+  Vec3<Scalar> start_W = zero<Scalar>();  ///< the centre of mass at t = 0, m
+  Vec3<Scalar> end_W = zero<Scalar>();    ///< the centre of mass at the end, m
+  Scalar radius = 0;                      ///< m, rounded outward
 };
 /// The swept ball of a moving capsule, rounded outward. @pre `moving` valid. Bound: two ends.
 template <class Scalar>
@@ -25,11 +25,11 @@ SweptSphere<Scalar> swept_sphere(const MovingCapsule<Scalar>& moving);
 /// What the supports of one moving capsule share, whatever the direction.
 template <class Scalar>
 struct CapsuleSweep {
-  CapsulePath<Scalar> path;                      ///< seen from the centre of mass at t = 0
-  Vec3<Scalar> start_W = Vec3<Scalar>::Zero();   ///< the centre of mass at t = 0, m
-  Vec3<Scalar> travel_W = Vec3<Scalar>::Zero();  ///< what it moves by, v T, m
-  Scalar turn = 0;                               ///< |w| T, rad
-  SinCos<Scalar> at_end;                         ///< of the turn, where that is <= kMaxAngle
+  CapsulePath<Scalar> path;                ///< seen from the centre of mass at t = 0
+  Vec3<Scalar> start_W = zero<Scalar>();   ///< the centre of mass at t = 0, m
+  Vec3<Scalar> travel_W = zero<Scalar>();  ///< what it moves by, v T, m
+  Scalar turn = 0;                         ///< |w| T, rad
+  SinCos<Scalar> at_end;                   ///< of the turn, where that is <= kMaxAngle
   Scalar outward = 0;       ///< what a support is rounded outward by, m: its error bound
   bool is_bounded = false;  ///< the lengths sum up to at most kLargestCoordinate
 };

@@ -23,8 +23,8 @@ struct Capsule {
 /// A ball.
 template <class Scalar>
 struct Sphere {
-  Vec3<Scalar> center = Vec3<Scalar>::Zero();  ///< m
-  Scalar radius = 0;                           ///< m, >= 0
+  Vec3<Scalar> center = detail::zero<Scalar>();  ///< m
+  Scalar radius = 0;                             ///< m, >= 0
 };
 
 /// How two capsules stand to each other; "I cannot tell" does not occur for finite input.
@@ -41,8 +41,8 @@ struct CapsuleGap {
   Proximity proximity = Proximity::kInvalid;  ///< the sign of the gap, or that there is none
   Scalar gap = 0;  ///< distance of the surfaces, m; negative: depth of the overlap along normal_AB
   ClosestPoints<Scalar> axes;  ///< closest points of the two axes, with normal_AB
-  Vec3<Scalar> surface_A = Vec3<Scalar>::Zero();  ///< point of A's surface furthest towards B
-  Vec3<Scalar> surface_B = Vec3<Scalar>::Zero();  ///< point of B's surface furthest towards A
+  Vec3<Scalar> surface_A = detail::zero<Scalar>();  ///< point of A's surface furthest towards B
+  Vec3<Scalar> surface_B = detail::zero<Scalar>();  ///< point of B's surface furthest towards A
 };
 
 /// Finite coordinates and a finite radius >= 0, none beyond kLargestCoordinate.

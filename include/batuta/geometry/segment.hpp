@@ -11,8 +11,8 @@ namespace batuta {
 /// The points a + s (b - a), s in [0, 1]. a == b is a point, and ordinary input.
 template <class Scalar>
 struct Segment {
-  Vec3<Scalar> a = Vec3<Scalar>::Zero();  ///< m
-  Vec3<Scalar> b = Vec3<Scalar>::Zero();  ///< m
+  Vec3<Scalar> a = detail::zero<Scalar>();  ///< m
+  Vec3<Scalar> b = detail::zero<Scalar>();  ///< m
 
   /// b - a, m; of any length.
   Vec3<Scalar> direction() const { return b - a; }
@@ -27,18 +27,18 @@ struct Segment {
 /// A point of a segment that is closest to a given point.
 template <class Scalar>
 struct PointOnSegment {
-  Scalar s = 0;                               ///< parameter in [0, 1]
-  Vec3<Scalar> point = Vec3<Scalar>::Zero();  ///< m
-  Scalar distance = 0;                        ///< to the given point, m
+  Scalar s = 0;                                 ///< parameter in [0, 1]
+  Vec3<Scalar> point = detail::zero<Scalar>();  ///< m
+  Scalar distance = 0;                          ///< to the given point, m
 };
 
 /// A closest pair of points of segments A and B.
 template <class Scalar>
 struct ClosestPoints {
-  Scalar s = 0;                             ///< parameter on A in [0, 1]
-  Scalar u = 0;                             ///< parameter on B in [0, 1]
-  Vec3<Scalar> p_A = Vec3<Scalar>::Zero();  ///< point of A, m
-  Vec3<Scalar> p_B = Vec3<Scalar>::Zero();  ///< point of B, m
+  Scalar s = 0;                               ///< parameter on A in [0, 1]
+  Scalar u = 0;                               ///< parameter on B in [0, 1]
+  Vec3<Scalar> p_A = detail::zero<Scalar>();  ///< point of A, m
+  Vec3<Scalar> p_B = detail::zero<Scalar>();  ///< point of B, m
   /// Unit, from p_A to p_B. Where the points coincide (to 4 u of the root of |d_A|^2 + |d_B|^2 +
   /// |r|^2, r between two ends): perpendicular to both segments if they are not parallel, else a
   /// fixed perpendicular of the longer one, else (two points) the x axis; then `arbitrary` is set.

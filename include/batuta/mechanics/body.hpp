@@ -17,23 +17,23 @@ namespace batuta {
 /// Where B is in W: x_W = p_W + R(q_WB) x_B [Kavan eq. 4].
 template <class Scalar>
 struct Pose {
-  Vec3<Scalar> p_W = Vec3<Scalar>::Zero();       ///< origin of B in W, m
-  Quat<Scalar> q_WB = Quat<Scalar>::Identity();  ///< unit
+  Vec3<Scalar> p_W = detail::zero<Scalar>();     ///< origin of B in W, m
+  Quat<Scalar> q_WB = Quat<Scalar>(1, 0, 0, 0);  ///< unit
 };
 
 /// How a body moves: velocity of its centre of mass and angular velocity, components in W.
 template <class Scalar>
 struct Twist {
-  Vec3<Scalar> v_W = Vec3<Scalar>::Zero();  ///< m/s
-  Vec3<Scalar> w_W = Vec3<Scalar>::Zero();  ///< rad/s
+  Vec3<Scalar> v_W = detail::zero<Scalar>();  ///< m/s
+  Vec3<Scalar> w_W = detail::zero<Scalar>();  ///< rad/s
 };
 
 /// Linear and angular momentum about the centre of mass, or a change of them (impulse and impulsive
 /// torque), in W.
 template <class Scalar>
 struct Momentum {
-  Vec3<Scalar> linear_W = Vec3<Scalar>::Zero();   ///< kg m/s
-  Vec3<Scalar> angular_W = Vec3<Scalar>::Zero();  ///< kg m^2/s
+  Vec3<Scalar> linear_W = detail::zero<Scalar>();   ///< kg m/s
+  Vec3<Scalar> angular_W = detail::zero<Scalar>();  ///< kg m^2/s
 };
 
 namespace detail {
@@ -43,7 +43,7 @@ namespace detail {
 template <class Scalar>
 struct FlightMemory {
   /// The angular momentum of the flight: with another one the rest counts for nothing.
-  Vec3<Scalar> angular_W = Vec3<Scalar>::Zero();
+  Vec3<Scalar> angular_W = zero<Scalar>();
   /// 2 E - |b|^2 / I_axis, E the energy of turning, J.
   Scalar excess = 0;
   std::uint8_t axis = 0;  ///< the axis of B nearest to b when the flight began: 0, 1, 2
@@ -58,7 +58,7 @@ struct Body {
   Momentum<Scalar> momentum;  ///< linear and angular, in W
   Scalar inverse_mass = 0;    ///< 1/kg; 0: fixed in place
   /// 1/(kg m^2), along the axes of B; 0: does not turn
-  Vec3<Scalar> inverse_moments = Vec3<Scalar>::Zero();
+  Vec3<Scalar> inverse_moments = detail::zero<Scalar>();
   /// Something seen of it lies off its axis of symmetry, so that its orientation about that axis
   /// matters to free_flight(). A World sets it from the capsule; without meaning for a body that is
   /// not axisymmetric.

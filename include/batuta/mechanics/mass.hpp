@@ -11,17 +11,17 @@ namespace batuta {
 /// Mass, centre and inertia of a shape, in the frame S in which it is modelled.
 template <class Scalar>
 struct MassProperties {
-  Scalar mass = 0;                                ///< kg
-  Vec3<Scalar> center_S = Vec3<Scalar>::Zero();   ///< m
-  Mat3<Scalar> inertia_S = Mat3<Scalar>::Zero();  ///< about the centre, axes of S, kg m^2
+  Scalar mass = 0;                                 ///< kg
+  Vec3<Scalar> center_S = detail::zero<Scalar>();  ///< m
+  Mat3<Scalar> inertia_S = Mat3<Scalar>::Zero();   ///< about the centre, axes of S, kg m^2
 };
 
 /// A body's own frame B: origin in the centre of mass, axes the principal axes of inertia.
 template <class Scalar>
 struct PrincipalFrame {
-  Vec3<Scalar> center_S = Vec3<Scalar>::Zero();  ///< origin of B in S, m
-  Quat<Scalar> q_SB = Quat<Scalar>::Identity();  ///< turns components in B into components in S
-  Vec3<Scalar> moments = Vec3<Scalar>::Zero();   ///< ascending, kg m^2
+  Vec3<Scalar> center_S = detail::zero<Scalar>();  ///< origin of B in S, m
+  Quat<Scalar> q_SB = Quat<Scalar>(1, 0, 0, 0);    ///< turns components in B into components in S
+  Vec3<Scalar> moments = detail::zero<Scalar>();   ///< ascending, kg m^2
 };
 
 /// A solid capsule of uniform density: a cylinder and two half balls.

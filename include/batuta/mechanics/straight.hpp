@@ -11,9 +11,9 @@ namespace batuta {
 /// Of inverse mass 0: nothing can move it, whatever its momentum.
 template <class Scalar>
 struct StraightBody {
-  Vec3<Scalar> p_W = Vec3<Scalar>::Zero();         ///< its point, m
-  Vec3<Scalar> momentum_W = Vec3<Scalar>::Zero();  ///< N s
-  Scalar inverse_mass = 0;                         ///< 1/kg
+  Vec3<Scalar> p_W = detail::zero<Scalar>();         ///< its point, m
+  Vec3<Scalar> momentum_W = detail::zero<Scalar>();  ///< N s
+  Scalar inverse_mass = 0;                           ///< 1/kg
 };
 
 namespace detail {
@@ -21,9 +21,9 @@ namespace detail {
 /// Place at t in [0, duration]: p_W + v_W t.
 template <class Scalar>
 struct StraightMotion {
-  Vec3<Scalar> p_W = Vec3<Scalar>::Zero();  ///< at t = 0, m
-  Vec3<Scalar> v_W = Vec3<Scalar>::Zero();  ///< m/s
-  Scalar duration = 0;                      ///< s, >= 0
+  Vec3<Scalar> p_W = zero<Scalar>();  ///< at t = 0, m
+  Vec3<Scalar> v_W = zero<Scalar>();  ///< m/s
+  Scalar duration = 0;                ///< s, >= 0
 };
 
 }  // namespace detail

@@ -11,7 +11,7 @@ namespace batuta {
 /// and opposite impulses conserve angular momentum exactly.
 template <class Scalar>
 struct Contact {
-  Vec3<Scalar> point_W = Vec3<Scalar>::Zero();  ///< midway between the surfaces, m
+  Vec3<Scalar> point_W = detail::zero<Scalar>();  ///< midway between the surfaces, m
   Vec3<Scalar> normal_BA_W =
       detail::unit_x<Scalar>();  ///< the paper's n_B: unit, out of B, towards A
   Scalar gap = 0;                ///< m, at this instant; may be slightly positive

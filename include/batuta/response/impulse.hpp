@@ -15,7 +15,7 @@ struct Collider {
   Twist<Scalar> twist;      ///< how it moves before the blow, W
   Scalar inverse_mass = 0;  ///< 1/kg, >= 0; 0: nothing can push it
   /// 1/(kg m^2), >= 0, along the axes of B; 0: nothing can turn it
-  Vec3<Scalar> inverse_moments = Vec3<Scalar>::Zero();
+  Vec3<Scalar> inverse_moments = detail::zero<Scalar>();
 };
 
 /// What the impulse needs to know of a body that moves by its momenta.

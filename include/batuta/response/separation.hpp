@@ -22,9 +22,9 @@ struct SeparationOptions {
 /// would lift a resting body step by step (src/response/separation.md).
 template <class Scalar>
 struct Separation {
-  Vec3<Scalar> shift_A_W = Vec3<Scalar>::Zero();  ///< m, along +n_B, share m_B / (m_A + m_B)
-  Vec3<Scalar> shift_B_W = Vec3<Scalar>::Zero();  ///< m, along -n_B
-  Scalar duration = 0;                            ///< f(D), s
+  Vec3<Scalar> shift_A_W = detail::zero<Scalar>();  ///< m, along +n_B, share m_B / (m_A + m_B)
+  Vec3<Scalar> shift_B_W = detail::zero<Scalar>();  ///< m, along -n_B
+  Scalar duration = 0;                              ///< f(D), s
 };
 
 /// Shares by inverse masses, which is the paper's rule and also serves a fixed body (share 0); both

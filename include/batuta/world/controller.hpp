@@ -21,9 +21,9 @@ struct PlannedMotion {
 /// ones.
 template <class Scalar>
 struct Feedback {
-  Scalar time = 0;                              ///< in the step, s
-  Scalar impulse = 0;                           ///< j, N s; 0 after a pure separation
-  Vec3<Scalar> shift_W = Vec3<Scalar>::Zero();  ///< by separation, m
+  Scalar time = 0;                                ///< in the step, s
+  Scalar impulse = 0;                             ///< j, N s; 0 after a pure separation
+  Vec3<Scalar> shift_W = detail::zero<Scalar>();  ///< by separation, m
 };
 
 /// A body that nobody moves.

@@ -10,7 +10,7 @@ import sys
 import rows
 
 SECTIONS = ["search", "simulation", "flight", "peers", "misses", "climb", "swept", "response", "friction", "stiff", "haptics", "footprint", "growth",
-            "worlds", "motion"]
+            "worlds", "costs", "motion"]
 BLOCKS = "blocks"  # folder of what readme.py puts into pages of the repository
 BUSY = "busy.txt"  # which times of these blocks were taken on a busy host
 

@@ -137,8 +137,7 @@ template <class SceneT>
 void GeneralWorld<SceneT>::strike_neighbour(ProxyPair pair) {
   const CapsuleGap<Scalar> gap =
       capsule_gap(bodies_.shape_W(pair.first), bodies_.shape_W(pair.second));
-  const Nearest<Scalar> at = {contact_from(gap, Vec3<Scalar>::Zero().eval()), gap.axes.s,
-                              gap.axes.u};
+  const Nearest<Scalar> at = {contact_from(gap, zero<Scalar>()), gap.axes.s, gap.axes.u};
   const auto hit = strike(pair, sides_of(pair), at.contact, restitution_of(pair));
   if (!hit.ok()) return;
   Answer<Scalar> result;
@@ -146,7 +145,7 @@ void GeneralWorld<SceneT>::strike_neighbour(ProxyPair pair) {
   result.v_rel = hit.value.v_rel;
   result.impulse = hit.value.magnitude;
   touches_.record(bodies_, pair, at, result);
-  tell_controllers(pair, result.impulse, Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero());
+  tell_controllers(pair, result.impulse, zero<Scalar>(), zero<Scalar>());
 }
 
 template <class SceneT>

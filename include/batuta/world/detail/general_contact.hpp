@@ -167,7 +167,7 @@ void GeneralWorld<SceneT>::finish_turning(ProxyPair pair, const PairQuery& query
     if (is_resting || contact.gap < -query.contact_gap) {
       separate_pair(pair, query, contact, result, is_resting);
     } else {
-      tell_controllers(pair, result.impulse, Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero());
+      tell_controllers(pair, result.impulse, zero<Scalar>(), zero<Scalar>());
     }
     if constexpr (kBends<SceneT>) shorten_courses(bodies_, pair, contact, query.contact_gap);
   }
@@ -180,7 +180,7 @@ void GeneralWorld<SceneT>::finish_lasting(ProxyPair pair, const PairQuery& query
                                           const Answer<Scalar>& result) {
   const std::size_t a = BodiesT::body_of(pair.first);
   const std::size_t b = BodiesT::body_of(pair.second);
-  tell_controllers(pair, result.impulse, Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero());
+  tell_controllers(pair, result.impulse, zero<Scalar>(), zero<Scalar>());
   const bool again = answers_of_pair_ > 1 || !(result.impulse > Scalar(0));
   if (again) share_off(bodies_, a, b);
   if (answers_of_pair_ >= SceneT::kMaxSeparations) end_openings(bodies_, a, b);
@@ -276,8 +276,8 @@ template <class SceneT>
     ++bodies_.report.resolutions_invalid;
     return bodies_.weld(a, b, bodies_.dt);
   }
-  bodies_.actor(a).body.X_WB.p_W += made.value.shift_A_W;
-  bodies_.actor(b).body.X_WB.p_W += made.value.shift_B_W;
+  add_to(bodies_.actor(a).body.X_WB.p_W, made.value.shift_A_W);
+  add_to(bodies_.actor(b).body.X_WB.p_W, made.value.shift_B_W);
   tell_controllers(pair, result.impulse, made.value.shift_A_W, made.value.shift_B_W);
   if (stays_deep(contact, made.value, margin)) {
     if constexpr (kSolves) {

@@ -14,11 +14,10 @@ namespace batuta::detail {
 template <class Scalar>
 struct RigidGroup {
   Scalar mass = 0;
-  Vec3<Scalar> center_W = Vec3<Scalar>::Zero();  ///< of mass
-  Momentum<Scalar> momentum;                     ///< summed; angular: about the centre
+  Vec3<Scalar> center_W = zero<Scalar>();  ///< of mass
+  Momentum<Scalar> momentum;               ///< summed; angular: about the centre
   /// About the centre: columns.
-  std::array<Vec3<Scalar>, 3> inertia_W = {Vec3<Scalar>::Zero(), Vec3<Scalar>::Zero(),
-                                           Vec3<Scalar>::Zero()};
+  std::array<Vec3<Scalar>, 3> inertia_W = {zero<Scalar>(), zero<Scalar>(), zero<Scalar>()};
   /// False: one of them cannot be turned about each axis, so they all cannot; or the angular
   /// momentum is beyond the numbers.
   bool turns = true;
@@ -27,7 +26,7 @@ struct RigidGroup {
 template <class Scalar>
 struct StraightGroup {
   Scalar mass = 0;
-  Vec3<Scalar> momentum_W = Vec3<Scalar>::Zero();
+  Vec3<Scalar> momentum_W = zero<Scalar>();
 };
 
 /// Adds a body. @pre inverse mass > 0

@@ -18,7 +18,7 @@ class SeedMemory {
   Vec3<Scalar> recall(ProxyPair pair) const {
     const Entry& entry = entries_[place_of(pair)];
     const bool same = entry.pair.first == pair.first && entry.pair.second == pair.second;
-    return same ? entry.normal : Vec3<Scalar>(Vec3<Scalar>::Zero());
+    return same ? entry.normal : zero<Scalar>();
   }
   void remember(ProxyPair pair, const Vec3<Scalar>& normal) {
     entries_[place_of(pair)] = {pair, normal};
@@ -39,7 +39,7 @@ class SeedMemory {
  private:
   struct Entry {
     ProxyPair pair;  ///< first == second: empty
-    Vec3<Scalar> normal = Vec3<Scalar>::Zero();
+    Vec3<Scalar> normal = zero<Scalar>();
   };
 
   /// Pairs are numbered (0, 1), (0, 2), (1, 2), (0, 3) ...

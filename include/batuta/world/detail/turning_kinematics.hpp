@@ -30,7 +30,7 @@ struct TurningKinematics {
   /// What a search saw of a pair.
   struct TurningQuery {
     SearchResult<Scalar> search;
-    Vec3<Scalar> origin_W = Vec3<Scalar>::Zero();
+    Vec3<Scalar> origin_W = zero<Scalar>();
     Scalar scale = 0;        ///< S of the pair, m
     Scalar contact_gap = 0;  ///< the search may speak of contact up to this gap, m
     bool is_early = false;   ///< t_free is before the time of what it saw
@@ -117,12 +117,12 @@ struct TurningKinematics {
   }
   static Vec3<Scalar> momentum_velocity(const BodyType& body) { return velocity_of(body); }
   static MotionType standing_at(const Vec3<Scalar>& center_W, Scalar duration) {
-    return still<Scalar>({center_W, Quat<Scalar>::Identity()}, duration);
+    return still<Scalar>({center_W, Quat<Scalar>(1, 0, 0, 0)}, duration);
   }
   /// The motion of what a body takes along.
   static MotionType turned_about(const BodyType& leader, const MotionType& motion,
                                  Scalar duration) {
-    return {{leader.X_WB.p_W, Quat<Scalar>::Identity()}, motion.twist, duration};
+    return {{leader.X_WB.p_W, Quat<Scalar>(1, 0, 0, 0)}, motion.twist, duration};
   }
   /// The motion of a group for one of its bodies.
   static const MotionType& seat(const MotionType& group, const BodyType& /*body*/) { return group; }
@@ -146,7 +146,7 @@ struct TurningKinematics {
   static Nearest<Scalar> nearest(const ActorType& A, int part_A, const ActorType& B, int part_B) {
     const CapsuleGap<Scalar> gap = capsule_gap(to_world(A.body.X_WB, part_of(A, part_A)),
                                                to_world(B.body.X_WB, part_of(B, part_B)));
-    return {contact_from(gap, Vec3<Scalar>::Zero().eval()), gap.axes.s, gap.axes.u};
+    return {contact_from(gap, zero<Scalar>()), gap.axes.s, gap.axes.u};
   }
 };
 

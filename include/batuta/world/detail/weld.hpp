@@ -246,8 +246,8 @@ template <class SceneT>
   }
   if (whole.is_led_group) return;
   Momentum<Scalar>& heaviest = bodies_.actor(sums.heaviest).body.momentum;
-  heaviest.linear_W += left.linear_W;
-  if (sums.group.turns) heaviest.angular_W += left.angular_W;
+  add_to(heaviest.linear_W, left.linear_W);
+  if (sums.group.turns) add_to(heaviest.angular_W, left.angular_W);
 }
 
 template <class SceneT>

@@ -5,7 +5,7 @@ from markdown import number, share, table
 from plot import Panel, Series, draw
 
 TITLE = "Worlds, side by side with Bullet's"
-FILES = ["worlds", "costs"]
+FILES = ["worlds"]
 
 LEAST_ENERGY_ERROR = 1e-7  # a zero on a logarithmic axis
 LEAST_DEPTH = 1e-7  # m
@@ -56,52 +56,6 @@ def _picture(rows, folder):
     return draw(folder, "worlds", "Worlds of capsules: error against cost", panels)
 
 
-COSTS = """
-### What a step of many bodies costs
-
-Nobody sleeps; one thread; both engines make each step in turn, and the time is that of the step alone, the mean of a run; the middle of the
-runs is shown. *Standing* and *collapsing*: bars of 0.3 m crossed in layers of four on eight fixed logs (counted), C = 0.2, mu = 0.5: at
-60 steps a second more than some 40 fall over, and what that takes is the second kind. *Sparse*: capsules in flight, half a metre to the next
-one. Bullet as above, with all its defaults. *Steps that were not complete*: in which batuta says that something did not fit, and bodies went on
-together. Bytes are those of the world with room for the next power of two of bodies.
-"""
-BOUNDS = {"standing": 1.5, "collapsing": 4, "sparse": 0.8}
-
-
-def _over(row):
-    over = row["time_over_bullet"].quantile(0.5)
-    bound = BOUNDS[row["scene"]]
-    if over is None:
-        return "-"
-    return f"{over:.2f} ×" + (f" **above {bound}**" if over > bound else "")
-
-
-def _cost_cells(row, before):
-    time = row["time_us"].quantile(0.5)
-    bullet = row["time_of_bullet_us"].quantile(0.5)
-    growth = f"{time / before:.2f} ×" if before else "-"
-    room = 32
-    while room < int(row["bodies"]):
-        room *= 2
-    return [row["scene"], row["bodies"], row["hz"], f"{time:.1f}", "-" if bullet is None else f"{bullet:.1f}", _over(row), growth,
-            share(row["incomplete"], row["steps"]), f"{int(float(row['bytes'])) / room:.0f}"]
-
-
-def _costs(rows):
-    lines = []
-    sparse = {}
-    for row in rows.rows:
-        if not row["steps"]:
-            continue
-        before = sparse.get(int(row["bodies"]) // 2) if row["scene"] == "sparse" else None
-        lines.append(_cost_cells(row, before))
-        if row["scene"] == "sparse":
-            sparse[int(row["bodies"])] = row["time_us"].quantile(0.5)
-    header = ["scene", "bodies", "steps a second", "µs a step", "Bullet", "over Bullet", "over half as many", "steps that were not complete",
-              "bytes a body"]
-    return COSTS + "\n" + table(header, lines)
-
-
 TEXT = """The same capsules, masses, moments, restitution and friction for both. batuta: `World` in float with friction, line
 contacts, settling and sleep, all defaults. Bullet: `btDiscreteDynamicsWorld`, sequential impulses, ten iterations, in double,
 damping off, its threshold of restitution lowered to what batuta calls rest (0.01 m/s). The figure after a name is steps a second;
@@ -119,5 +73,4 @@ def page(tables, folder):
     for play, what in PLAYS.items():
         parts.append(f"\n### {play.capitalize()}\n\n{what[0].upper()}{what[1:]}.\n\n")
         parts.append(table(_header(play), [_cells(play, row) for row in _asked(rows, play)]))
-    parts.append(_costs(tables["costs"]))
-    return "".join(parts + ["\nData: [worlds.csv](worlds.csv), [costs.csv](costs.csv).\n"])
+    return "".join(parts + ["\nData: [worlds.csv](worlds.csv).\n"])

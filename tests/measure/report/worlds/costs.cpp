@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "batuta/core/arithmetic.hpp"
 #include "plans.hpp"
@@ -40,8 +41,8 @@ const char* name(Kind kind) {
 struct Row {
   std::uint64_t steps = 0;
   std::uint64_t incomplete = 0;
-  std::size_t bytes = 0;
-  report::Histogram time_us;  ///< of a step, mean of a run
+  double bytes = std::numeric_limits<double>::quiet_NaN();  ///< of the world
+  report::Histogram time_us;                                ///< of a step, mean of a run
   report::Histogram time_of_bullet_us;
   report::Histogram time_over_bullet;
 };
@@ -104,7 +105,7 @@ void run(const Case& asked, double seconds, std::uint64_t number, Row& row) {
   }
   row.steps += static_cast<std::uint64_t>(steps);
   row.incomplete += static_cast<std::uint64_t>(engines[0]->incomplete());
-  row.bytes = engines[0]->bytes();
+  row.bytes = static_cast<double>(engines[0]->bytes());
   row.time_us.add(1e6 * sums[0] / steps);
   if (!engines[1]) return;
   row.time_of_bullet_us.add(1e6 * sums[1] / steps);
@@ -113,9 +114,8 @@ void run(const Case& asked, double seconds, std::uint64_t number, Row& row) {
 
 void write(report::Table& table, const Case& asked, const Row& row) {
   table.key("scene", name(asked.kind)).key("bodies", asked.bodies).key("hz", asked.hz);
-  table.key("bytes", static_cast<double>(row.bytes));
-  table.sum("steps", row.steps).sum("incomplete", row.incomplete).hist("time_us", row.time_us);
-  table.hist("time_of_bullet_us", row.time_of_bullet_us);
+  table.max("bytes", row.bytes).sum("steps", row.steps).sum("incomplete", row.incomplete);
+  table.hist("time_us", row.time_us).hist("time_of_bullet_us", row.time_of_bullet_us);
   table.hist("time_over_bullet", row.time_over_bullet);
   table.end_row();
 }
