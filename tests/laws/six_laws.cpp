@@ -185,7 +185,7 @@ class Checker {
     for (const Pair& pair : pairs_) {
       margin = std::max(margin, pair.margin);
       D = std::max(D, pair.D);
-      if (told_.settles && pair.was < 0.4L * pair.D) sum += (pair.D / 2 - pair.was) / 2;
+      if (told_.settles && pair.was < pair.D / 2) sum += (pair.D / 2 - pair.was) / 2;
       if (!told_.settles && pair.was < -pair.margin / 2) sum += pair.margin - pair.was;
     }
     // From a margin's depth to as far apart, or to D.
