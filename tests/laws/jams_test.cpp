@@ -107,5 +107,16 @@ TYPED_TEST(Jams, HeavyBeamOnLightBalls_IsCarried) {
   EXPECT_LT(highest, 0.371 + 1e-5);
 }
 
+// Half of what is missing in each step: 5 cm become less than what the search can tell in 20.
+TYPED_TEST(Jams, PairPutIntoEachOther_IsOpened) {
+  using SceneT = Settling<TypeParam, test::kFloating>;
+  auto world = std::make_unique<World<SceneT>>();
+  (void)world->add(test::solid_ball<SceneT>(0.1, {0, 0, 0}));
+  (void)world->add(test::solid_ball<SceneT>(0.05, {0.1, 0, 0}));
+  for (int i = 0; i < 20; ++i) ASSERT_EQ(world->step(TypeParam(0.001F)), Status::kOk);
+  EXPECT_GT(test::smallest_gap(*world), -1e-6);
+  EXPECT_NEAR(test::sums_of(*world).momentum.norm(), 0, 1e-9);
+}
+
 }  // namespace
 }  // namespace batuta

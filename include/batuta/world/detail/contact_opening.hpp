@@ -65,17 +65,24 @@ void find_held(const Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups) {
   }
 }
 
-/// Whether what opens gaps would take a body further than it may go for that in a step: kFar of D.
-/// Between two that give way to each other there would be no end to it.
-/// @param opening  what it would be, in place of what it is
+/// How far what opens the gaps of a contact may take a body in what is left of a step, m: kFar of
+/// D, and as far as the two are in each other. Between two that give way to each other there would
+/// be no end to it.
+template <class Traits>
+typename Traits::Scalar furthest_way(const LastingContact<Traits>& contact) {
+  using Scalar = typename Traits::Scalar;
+  constexpr Scalar kFar = 8;
+  return kFar * contact.rest_gap + max_of(Scalar(0), -least_gap(contact));
+}
+
+/// Whether an opening would take a body further than that, and further than what it is now.
 template <class SceneT>
 bool goes_too_far(const Bodies<SceneT>& bodies, std::size_t slot,
-                  const Twist<Scalar_of<SceneT>>& opening, Scalar_of<SceneT> rest_gap) {
-  constexpr Scalar_of<SceneT> kFar = 8;
+                  const Twist<Scalar_of<SceneT>>& opening, Scalar_of<SceneT> furthest) {
   const auto& actor = bodies.actor(slot);
   const auto now = most_speed(actor, bodies.states[slot].opening);
   const auto next = most_speed(actor, opening);
-  return next > now && !(next * (bodies.dt - bodies.now) < kFar * rest_gap);
+  return next > now && !(next * (bodies.dt - bodies.now) < furthest);
 }
 
 /// One contact, with the velocities that open gaps. What would take one of the two too far is left
@@ -104,8 +111,8 @@ Scalar_of<SceneT> visit_opening(Bodies<SceneT>& bodies, const ContactGroups<Scen
   if (!(change > Scalar(0))) return change;
   const Twist<Scalar> A = {sides[0].v_W, sides[0].w_W};
   const Twist<Scalar> B = {sides[1].v_W, sides[1].w_W};
-  if (goes_too_far(bodies, slots[0], A, contact.rest_gap) ||
-      goes_too_far(bodies, slots[1], B, contact.rest_gap)) {
+  const Scalar furthest = furthest_way(contact);
+  if (goes_too_far(bodies, slots[0], A, furthest) || goes_too_far(bodies, slots[1], B, furthest)) {
     for (std::size_t k = 0; k < kPoints; ++k) contact.points[k].opening = before[k];
     return Scalar(0);
   }
