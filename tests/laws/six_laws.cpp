@@ -259,8 +259,8 @@ class Checker {
       if (!(body.mass > 0)) continue;
       const Real way = (after_[i].x - body.x).norm();
       const Real speed = std::sqrt(2 * energy * body.inverse_mass) + told_.g.norm() * told_.dt;
-      const Real may_be =
-          (8 * D + told_.deepest) * shifts + speed * told_.dt + 8 * told_.u * body.x.norm();
+      const Real may_be = (8 * D + told_.deepest) * shifts + (1 + 64 * told_.u) * speed * told_.dt +
+                          8 * told_.u * body.x.norm();
       hold(way <= may_be, "way", "of one body", way, may_be);
     }
   }

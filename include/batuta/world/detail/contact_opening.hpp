@@ -106,14 +106,18 @@ Scalar_of<SceneT> visit_opening(Bodies<SceneT>& bodies, const ContactGroups<Scen
   }
   constexpr std::size_t kPoints = LastingContactOf<SceneT>::kPoints;
   std::array<Scalar, kPoints> before;
-  for (std::size_t k = 0; k < kPoints; ++k) before[k] = contact.points[k].opening;
+  for (std::size_t k = 0; k < kPoints; ++k) {  // Bound: 2
+    before[k] = contact.points[k].opening;
+  }
   const Scalar change = relax_opening(contact, sides[0], sides[1], bodies.dt, share);
   if (!(change > Scalar(0))) return change;
   const Twist<Scalar> A = {sides[0].v_W, sides[0].w_W};
   const Twist<Scalar> B = {sides[1].v_W, sides[1].w_W};
   const Scalar furthest = furthest_way(contact);
   if (goes_too_far(bodies, slots[0], A, furthest) || goes_too_far(bodies, slots[1], B, furthest)) {
-    for (std::size_t k = 0; k < kPoints; ++k) contact.points[k].opening = before[k];
+    for (std::size_t k = 0; k < kPoints; ++k) {  // Bound: 2
+      contact.points[k].opening = before[k];
+    }
     return Scalar(0);
   }
   bodies.states[slots[0]].opening = A;
