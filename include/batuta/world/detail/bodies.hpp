@@ -43,6 +43,8 @@ struct BentState {
 template <class Scalar>
 struct OpeningState {
   Twist<Scalar> opening;  ///< for this step, to open gaps; no part of its momentum
+  bool is_held = false;   ///< something holds those it was opened with
+  bool is_opened = true;  ///< may still be moved to open gaps
 };
 
 /// The numbers of all capsules of all bodies: parts of one body follow each other.
@@ -92,8 +94,6 @@ class Bodies : public Proxies<SceneT> {
     bool boxed = false;         ///< its boxes are those of its planned motion
     bool asleep = false;        ///< it sleeps (sleep.hpp)
     bool is_led_group = false;  ///< its group goes where a controller leads, or stands
-    bool is_held = false;       ///< where contacts last: something holds those it was opened with
-    bool is_opened = true;      ///< where contacts last: may still be moved to open gaps
   };
 
   explicit Bodies(std::uint16_t number) : actors(number) {}
