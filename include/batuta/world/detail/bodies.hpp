@@ -73,7 +73,9 @@ class Bodies : public Proxies<SceneT> {
   using Proxies<SceneT>::part_at;
   static constexpr std::size_t kSlots = static_cast<std::size_t>(SceneT::kMaxBodies);
   /// In no group.
-  static constexpr Slot kAlone = 0xFFFF;
+  /// Names a group: the lowest slot of those that go on together.
+  using Group = std::conditional_t<(SceneT::kMaxBodies < 255), std::uint8_t, std::uint16_t>;
+  static constexpr Group kAlone = std::numeric_limits<Group>::max();
   /// Nobody has a controller that leads, or is to be told anything.
   static constexpr bool kIsFree =
       !SceneT::kRotation || std::is_same_v<typename SceneT::Controller, FreeFlight<Scalar>>;
@@ -86,7 +88,7 @@ class Bodies : public Proxies<SceneT> {
     typename Kinematics::PlanType plan;
     Scalar start = 0;           ///< in the step, s: the body's own pose is the one of this time
     Scalar held_until = 0;      ///< in the step, s: until then it goes with its group
-    Slot group = kAlone;        ///< the lowest slot of those that go on together
+    Group group = kAlone;       ///< with whom it goes on together
     bool present = false;       ///< takes part in the step
     bool changed = false;       ///< it has to be planned anew
     bool fresh = false;         ///< it was planned, its pairs are not collected yet

@@ -96,8 +96,10 @@ template <class SceneT>
 bool GeneralWorld<SceneT>::uses_up_answers(ProxyPair pair) {
   if constexpr (kSolves) {
     constexpr Scalar kSoon = Scalar(1) / 128;  // of the step
-    answers_of_pair_ = this->repeat(pair, bodies_.now, kSoon * bodies_.dt);
-    return answers_of_pair_ > SceneT::kMaxSeparations;
+    constexpr int kMost = std::numeric_limits<std::uint16_t>::max();
+    const int count = this->repeat(pair, bodies_.now, kSoon * bodies_.dt);
+    answers_of_pair_ = static_cast<std::uint16_t>(min_of(count, kMost));
+    return count > SceneT::kMaxSeparations;
   } else {
     return false;
   }

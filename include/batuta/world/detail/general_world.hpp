@@ -187,15 +187,15 @@ class GeneralWorld : private RepeatsOf<SceneT> {
 
   BodiesT bodies_;
   PairsT pairs_;
-  std::conditional_t<kSolves, ContactGroups<SceneT>, NoCollaborator<0>> groups_;
   Touches<SceneT> touches_;
+  std::conditional_t<kSolves, ContactGroups<SceneT>, NoCollaborator<0>> groups_;
   std::conditional_t<SceneT::kSleep, Sleep<SceneT>, NoCollaborator<1>> sleep_;
   /// Where contacts last: those that were answered in this round.
   std::conditional_t<kSolves, FixedList<StruckPair<Scalar>, kTies>, NoCollaborator<2>> struck_;
+  bool is_begin_ = false;  ///< nobody is planned in this step yet
   bool is_moved_ = false;  ///< where contacts last: the last one answered was moved apart
+  std::uint16_t answers_of_pair_ = 0;  ///< where contacts last: of the pair that is answered
   int contacts_answered_ = 0;
-  int answers_of_pair_ = 0;  ///< where contacts last: of the pair being answered, in this step
-  bool is_begin_ = false;    ///< nobody is planned in this step yet
 };
 
 }  // namespace batuta::detail

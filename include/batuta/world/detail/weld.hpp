@@ -30,7 +30,7 @@ class Welds {
  public:
   using BodiesT = Bodies<SceneT>;
   using Scalar = Scalar_of<SceneT>;
-  using Slot = typename BodiesT::Slot;
+  using Group = typename BodiesT::Group;
 
   explicit Welds(BodiesT& bodies) : bodies_(bodies) {}
   /// Bodies::weld().
@@ -42,19 +42,19 @@ class Welds {
   using Kinematics = KinematicsOf<SceneT>;
   using BodyState = typename BodiesT::BodyState;
 
-  Slot name_of(std::size_t slot) const {
-    const Slot group = bodies_.states[slot].group;
-    return group == BodiesT::kAlone ? static_cast<Slot>(slot) : group;
+  Group name_of(std::size_t slot) const {
+    const Group group = bodies_.states[slot].group;
+    return group == BodiesT::kAlone ? static_cast<Group>(slot) : group;
   }
   bool stop(std::size_t slot);
-  void take_in(std::size_t slot, Slot name);
-  GroupSums<SceneT> sums_of(Slot name) const;
+  void take_in(std::size_t slot, Group name);
+  GroupSums<SceneT> sums_of(Group name) const;
   typename Kinematics::MotionType plan_of(const GroupSums<SceneT>& sums, Scalar duration) const;
-  void start_group(const GroupSums<SceneT>& sums, Slot name, Scalar until);
-  void settle(Slot group);
+  void start_group(const GroupSums<SceneT>& sums, Group name, Scalar until);
+  void settle(Group group);
   void settle_turning(const BodyState& whole);
   void settle_straight(const BodyState& whole);
-  bool is_pushed_in(Slot group, std::size_t slot) const;
+  bool is_pushed_in(Group group, std::size_t slot) const;
   void end_fall(std::size_t slot);
 
   BodiesT& bodies_;
@@ -75,7 +75,7 @@ template <class SceneT>
 [[gnu::cold]] void Welds<SceneT>::weld(std::size_t a, std::size_t b, Scalar until) {
   if (name_of(a) == name_of(b)) return;  // they go together already
   if constexpr (kLasts<SceneT>) end_openings(bodies_, a, b);
-  const Slot name = min_of(name_of(a), name_of(b));
+  const Group name = min_of(name_of(a), name_of(b));
   // Both groups are settled before anybody goes by another name.
   const bool stands_a = stop(a);
   const bool stands_b = stop(b);
@@ -104,8 +104,8 @@ template <class SceneT>
 
 /// They go by another name. A wall that is alone goes by none.
 template <class SceneT>
-[[gnu::cold]] void Welds<SceneT>::take_in(std::size_t slot, Slot name) {
-  const Slot group = bodies_.states[slot].group;
+[[gnu::cold]] void Welds<SceneT>::take_in(std::size_t slot, Group name) {
+  const Group group = bodies_.states[slot].group;
   if (group == BodiesT::kAlone) {
     if (!bodies_.is_wall(slot)) bodies_.states[slot].group = name;
   } else if constexpr (SceneT::kMaxBodies > 2) {
@@ -116,7 +116,7 @@ template <class SceneT>
 }
 
 template <class SceneT>
-[[gnu::cold]] GroupSums<SceneT> Welds<SceneT>::sums_of(Slot name) const {
+[[gnu::cold]] GroupSums<SceneT> Welds<SceneT>::sums_of(Group name) const {
   GroupSums<SceneT> sums;
   for (std::size_t slot = 0; slot < BodiesT::kSlots; ++slot) {  // Bound: kMaxBodies
     if (bodies_.states[slot].group != name) continue;
@@ -166,7 +166,7 @@ template <class SceneT>
 
 /// Gives all of a group one motion.
 template <class SceneT>
-[[gnu::cold]] void Welds<SceneT>::start_group(const GroupSums<SceneT>& sums, Slot name,
+[[gnu::cold]] void Welds<SceneT>::start_group(const GroupSums<SceneT>& sums, Group name,
                                               Scalar until) {
   const Scalar rest = until - bodies_.now;
   auto motion = Kinematics::standing_at(position_of(bodies_.actor(name)), rest);
@@ -197,7 +197,7 @@ template <class SceneT>
 
 template <class SceneT>
 [[gnu::cold]] void Welds<SceneT>::part_group(std::size_t slot) {
-  const Slot group = bodies_.states[slot].group;
+  const Group group = bodies_.states[slot].group;
   settle(group);
   for (BodyState& state : bodies_.states) {  // Bound: kMaxBodies
     if (state.group == group) state.group = BodiesT::kAlone;
@@ -206,7 +206,7 @@ template <class SceneT>
 
 /// All of a group are where it has come to, each with the velocity of its place.
 template <class SceneT>
-[[gnu::cold]] void Welds<SceneT>::settle(Slot group) {
+[[gnu::cold]] void Welds<SceneT>::settle(Group group) {
   std::size_t first = 0;
   while (bodies_.states[first].group != group) ++first;  // Bound: kMaxBodies: who asks is in it
   const BodyState& whole = bodies_.states[first];
@@ -269,7 +269,7 @@ template <class SceneT>
 
 /// Whether a body is of a group, and its momentum is the group's.
 template <class SceneT>
-bool Welds<SceneT>::is_pushed_in(Slot group, std::size_t slot) const {
+bool Welds<SceneT>::is_pushed_in(Group group, std::size_t slot) const {
   const BodyState& state = bodies_.states[slot];
   if (state.group != group || !(bodies_.actor(slot).body.inverse_mass > Scalar(0))) return false;
   return BodiesT::kIsFree || !state.is_led_group || state.plan.by_momentum;
