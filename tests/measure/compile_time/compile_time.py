@@ -39,7 +39,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("compiler")
     parser.add_argument("flag_file", help="options, one a line, in a form that the compiler reads with @")
-    parser.add_argument("pairs", nargs="?", type=int, default=9)
+    parser.add_argument("pairs", nargs="?", type=int, default=25, help="so many that one run of each is undisturbed")
     parser.add_argument("--at-most", type=float, help="fail where the ratio of the shortest runs is larger")
     parser.add_argument("--bound", type=float, help="what was promised: said where it is missed")
     arguments = parser.parse_args()

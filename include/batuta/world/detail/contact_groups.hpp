@@ -229,26 +229,27 @@ void ContactGroups<SceneT>::end_step() {
   }
 }
 
+/// Each contact that is solved: use(its bodies). @param loaded_only  those that press
+template <class SceneT, class Use>
+void for_each_solved(const ContactGroups<SceneT>& groups, bool loaded_only, const Use& use) {
+  for (int i = 0; i < groups.contacts.size(); ++i) {  // Bound: kMaxContacts
+    const auto& contact = groups.contacts[i];
+    const bool is_one = contact.is_solved && (!loaded_only || is_loaded(contact));
+    if (is_one) use(a_of<SceneT>(contact), b_of<SceneT>(contact));
+  }
+}
+
 /// Groups of bodies that contacts join. What is led belongs to none: it holds those that it
 /// touches. @param loaded_only  contacts that press
 template <class SceneT>
 void join_all(const Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups, bool loaded_only) {
   groups.joined.clear();
-  for (int pass = 0; pass < 2; ++pass) {                // Bound: 2: who is joined, then who holds
-    for (int i = 0; i < groups.contacts.size(); ++i) {  // Bound: kMaxContacts
-      const auto& contact = groups.contacts[i];
-      if (!contact.is_solved || (loaded_only && !is_loaded(contact))) continue;
-      const std::size_t a = a_of<SceneT>(contact);
-      const std::size_t b = b_of<SceneT>(contact);
-      const bool led_A = bodies.is_led(a);
-      const bool led_B = bodies.is_led(b);
-      if (pass == 0) {
-        if (!led_A && !led_B) groups.joined.join(a, b);
-      } else if (led_A || led_B) {
-        groups.joined.hold(led_A ? b : a);
-      }
-    }
-  }
+  for_each_solved(groups, loaded_only, [&](std::size_t a, std::size_t b) {
+    if (!bodies.is_led(a) && !bodies.is_led(b)) groups.joined.join(a, b);
+  });
+  for_each_solved(groups, loaded_only, [&](std::size_t a, std::size_t b) {
+    if (bodies.is_led(a) || bodies.is_led(b)) groups.joined.hold(bodies.is_led(a) ? b : a);
+  });
 }
 
 }  // namespace batuta::detail

@@ -85,6 +85,24 @@ bool goes_too_far(const Bodies<SceneT>& bodies, std::size_t slot,
   return next > now && !(next * (bodies.dt - bodies.now) < furthest);
 }
 
+/// One side of a contact, with what opens gaps for its velocity: the lower one counts as held, and
+/// who is opened no more. @param side  0: A, 1: B
+template <class SceneT>
+SolvedBody<Scalar_of<SceneT>> opening_side(const Bodies<SceneT>& bodies,
+                                           const ContactGroups<SceneT>& groups,
+                                           const LastingContactOf<SceneT>& contact,
+                                           std::size_t side) {
+  const std::size_t slot = side == 0 ? a_of<SceneT>(contact) : b_of<SceneT>(contact);
+  const auto& state = bodies.states[slot];
+  SolvedBody<Scalar_of<SceneT>> body = groups.solved[slot];
+  body.v_W = state.opening.v_W;
+  body.w_W = state.opening.w_W;
+  const bool stays = contact.below == side + 1 || !state.is_opened;
+  if (stays) body.inverse_mass = 0;
+  if (stays || !contact.is_held) body.inverse_inertia_W.setZero();
+  return body;
+}
+
 /// One contact, with the velocities that open gaps. What would take one of the two too far is left
 /// out; and where nothing holds them, all that only one of the two would follow: the common centre
 /// stays. @param share  of what is missing, in a step
@@ -92,39 +110,29 @@ template <class SceneT>
 Scalar_of<SceneT> visit_opening(Bodies<SceneT>& bodies, const ContactGroups<SceneT>& groups,
                                 LastingContactOf<SceneT>& contact, Scalar_of<SceneT> share) {
   using Scalar = Scalar_of<SceneT>;
-  std::array<SolvedBody<Scalar>, 2> sides;
-  const std::array<std::size_t, 2> slots = {a_of<SceneT>(contact), b_of<SceneT>(contact)};
-  const bool both = bodies.states[slots[0]].is_opened && bodies.states[slots[1]].is_opened;
+  const std::size_t a = a_of<SceneT>(contact);
+  const std::size_t b = b_of<SceneT>(contact);
+  const bool both = bodies.states[a].is_opened && bodies.states[b].is_opened;
   if (!both && !contact.is_held) return Scalar(0);
-  for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2
-    sides[i] = groups.solved[slots[i]];
-    sides[i].v_W = bodies.states[slots[i]].opening.v_W;
-    sides[i].w_W = bodies.states[slots[i]].opening.w_W;
-    const bool stays = contact.below == i + 1 || !bodies.states[slots[i]].is_opened;
-    if (stays) sides[i].inverse_mass = 0;
-    if (stays || !contact.is_held) sides[i].inverse_inertia_W.setZero();
-  }
-  constexpr std::size_t kPoints = LastingContactOf<SceneT>::kPoints;
-  std::array<Scalar, kPoints> before;
-  for (std::size_t k = 0; k < kPoints; ++k) {  // Bound: 2
-    before[k] = contact.points[k].opening;
-  }
-  const Scalar change = relax_opening(contact, sides[0], sides[1], bodies.dt, share);
+  SolvedBody<Scalar> A = opening_side(bodies, groups, contact, 0);
+  SolvedBody<Scalar> B = opening_side(bodies, groups, contact, 1);
+  auto& points = contact.points;
+  const Scalar front = points.front().opening;
+  const Scalar back = points.back().opening;
+  const Scalar change = relax_opening(contact, A, B, bodies.dt, share);
   if (!(change > Scalar(0))) return change;
-  const Twist<Scalar> A = {sides[0].v_W, sides[0].w_W};
-  const Twist<Scalar> B = {sides[1].v_W, sides[1].w_W};
+  const Twist<Scalar> of_A = {A.v_W, A.w_W};
+  const Twist<Scalar> of_B = {B.v_W, B.w_W};
   const Scalar furthest = furthest_way(contact);
-  if (goes_too_far(bodies, slots[0], A, furthest) || goes_too_far(bodies, slots[1], B, furthest)) {
-    for (std::size_t k = 0; k < kPoints; ++k) {  // Bound: 2
-      contact.points[k].opening = before[k];
-    }
+  if (goes_too_far(bodies, a, of_A, furthest) || goes_too_far(bodies, b, of_B, furthest)) {
+    points.front().opening = front;
+    points.back().opening = back;
     return Scalar(0);
   }
-  bodies.states[slots[0]].opening = A;
-  bodies.states[slots[1]].opening = B;
-  for (const std::size_t slot : slots) {  // Bound: 2
-    bodies.states[slot].is_held = bodies.states[slot].is_held || contact.is_held;
-  }
+  bodies.states[a].opening = of_A;
+  bodies.states[b].opening = of_B;
+  bodies.states[a].is_held = bodies.states[a].is_held || contact.is_held;
+  bodies.states[b].is_held = bodies.states[b].is_held || contact.is_held;
   return change;
 }
 

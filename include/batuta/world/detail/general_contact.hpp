@@ -207,16 +207,24 @@ template <class SceneT>
                bodies_.dt);
 }
 
-/// Whether one of the two may take all of a shift: what holds them takes the other's share.
+/// Who has no room for his share of a shift leaves it to the other, where something holds them:
+/// that takes the momentum. @param[in,out] soft_A, soft_B  inverse masses that share it
 template <class SceneT>
-bool GeneralWorld<SceneT>::may_take_all(std::size_t a, std::size_t b) const {
-  const bool is_shared = bodies_.actor(a).body.inverse_mass > Scalar(0) &&
-                         bodies_.actor(b).body.inverse_mass > Scalar(0);
-  return is_shared && (groups_.contacts.is_held_up(a) || groups_.contacts.is_held_up(b));
+void GeneralWorld<SceneT>::leave_share([[maybe_unused]] std::size_t a,
+                                       [[maybe_unused]] std::size_t b,
+                                       [[maybe_unused]] const SeparationOptions<Scalar>& options,
+                                       [[maybe_unused]] Scalar shift,
+                                       [[maybe_unused]] Scalar& soft_A,
+                                       [[maybe_unused]] Scalar& soft_B) const {
+  if constexpr (kSolves) {
+    if (!(min_of(options.limit_A, options.limit_B) < shift)) return;
+    const bool is_shared = soft_A > Scalar(0) && soft_B > Scalar(0);
+    if (!is_shared || !(groups_.contacts.is_held_up(a) || groups_.contacts.is_held_up(b))) return;
+    Scalar& soft = options.limit_A < options.limit_B ? soft_A : soft_B;
+    soft = 0;
+  }
 }
 
-/// Whether nobody made room: each further answer would let them sink by what the search cannot
-/// tell. Not so the first answer at the start of a step. @param parted_W  the shifts' difference, m
 template <class SceneT>
 bool GeneralWorld<SceneT>::stays_deep([[maybe_unused]] const Contact<Scalar>& contact,
                                       [[maybe_unused]] const Separation<Scalar>& made,
@@ -266,13 +274,7 @@ template <class SceneT>
   }
   Scalar soft_A = bodies_.actor(a).body.inverse_mass;
   Scalar soft_B = bodies_.actor(b).body.inverse_mass;
-  if constexpr (kSolves) {
-    const bool is_tight = min_of(options.limit_A, options.limit_B) < shift;
-    if (is_tight && may_take_all(a, b)) {
-      Scalar& soft = options.limit_A < options.limit_B ? soft_A : soft_B;
-      soft = 0;
-    }
-  }
+  leave_share(a, b, options, shift, soft_A, soft_B);
   const auto made = separate(contact, result.v_rel, soft_A, soft_B, options);
   if (!made.ok()) {
     ++bodies_.report.resolutions_invalid;

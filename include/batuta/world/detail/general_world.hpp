@@ -175,7 +175,8 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   bool is_due(ProxyPair pair);
   void answer_ties(ProxyPair last);
   void pass_on();
-  bool may_take_all(std::size_t a, std::size_t b) const;
+  void leave_share(std::size_t a, std::size_t b, const SeparationOptions<Scalar>& options,
+                   Scalar shift, Scalar& soft_A, Scalar& soft_B) const;
   bool stays_deep(const Contact<Scalar>& contact, const Separation<Scalar>& made,
                   Scalar margin) const;
   SeparationOptions<Scalar> separation_options(Scalar margin, bool is_charged) const;

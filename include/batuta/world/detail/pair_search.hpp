@@ -204,16 +204,23 @@ void let_part(Bodies<SceneT>& bodies, ProxyPair pair, MovingPair<Scalar_of<Scene
   }
 }
 
+/// Of bodies that do not turn. Those that part from in each other are told.
+template <class SceneT>
+void search_straight(Bodies<SceneT>& bodies, ProxyPair pair, Scalar_of<SceneT> until,
+                     typename Pairs<SceneT>::PairQuery& query) {
+  query = KinematicsOf<SceneT>::search(bodies.mover(pair.first, until),
+                                       bodies.mover(pair.second, until), bodies.settings.search);
+  const bool parts = SceneT::kResponse && query.outcome() == Outcome::kFree;
+  if (!parts || !(query.gap() < Scalar_of<SceneT>(0))) return;
+  ++bodies.report.overlaps_at_start;
+  bodies.report.deepest_overlap = max_of(bodies.report.deepest_overlap, -query.gap());
+}
+
 template <class SceneT>
 void Pairs<SceneT>::search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, Scalar lasts,
                                 PairQuery& query) {
   if constexpr (!SceneT::kRotation) {
-    query = BodiesT::Kinematics::search(bodies.mover(pair.first, until),
-                                        bodies.mover(pair.second, until), bodies.settings.search);
-    if (SceneT::kResponse && query.outcome() == Outcome::kFree && query.gap() < Scalar(0)) {
-      ++bodies.report.overlaps_at_start;
-      bodies.report.deepest_overlap = max_of(bodies.report.deepest_overlap, -query.gap());
-    }
+    search_straight(bodies, pair, until, query);
   } else {
     auto moving_pair =
         make_moving_pair(bodies.mover(pair.first, until), bodies.mover(pair.second, until));
