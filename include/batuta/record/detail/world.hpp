@@ -56,6 +56,7 @@ template <class Traits>
 void archive(Archive& ar, detail::ContactPoint<Traits>& point) {
   ar(point.normal_W, point.normal);
   if constexpr (Traits::kFriction) ar(point.along, point.across);
+  if constexpr (Traits::kRolling) ar(point.rolling_W);
   if constexpr (Traits::kLine) ar(point.place);
 }
 template <class Traits>

@@ -86,6 +86,8 @@ class ContactGroups {
   BodyGroups<SceneT> joined;
   BodyChanges<SceneT> changes;
   std::array<SolvedBody<Scalar>, BodiesT::kSlots> solved{};
+  /// Length of the step for which what stands was boxed, s; 0: anew. The boxes have D in them.
+  Scalar boxed_for = 0;
 };
 
 /// Whether one of a contact's bodies goes with a group.

@@ -50,12 +50,15 @@ void GeneralWorld<SceneT>::begin_bodies() {
 /// are planned from what came out.
 template <class SceneT>
 void GeneralWorld<SceneT>::solve_lasting() {
+  const bool is_as_long = groups_.boxed_for == bodies_.dt;
+  groups_.boxed_for = bodies_.dt;
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
     auto& state = bodies_.states[slot];
     if (!state.present) continue;
     state.changed = false;
     const bool idle = state.stands && Kinematics::is_still(state.plan.motion);
-    if (idle && state.boxed && pairs_.boxes().is_idle(BodiesT::proxy_of(slot, 0))) continue;
+    if (idle && is_as_long && state.boxed && pairs_.boxes().is_idle(BodiesT::proxy_of(slot, 0)))
+      continue;
     pairs_.put_wide_boxes(bodies_, slot, idle);
   }
   is_begin_ = bodies_.is_changed = false;
@@ -187,6 +190,7 @@ Status GeneralWorld<SceneT>::configure(const WorldSettings<SceneT>& settings) {
   if constexpr (SceneT::kSleep && SceneT::kGravity) {
     if (!is_same(settings.gravity_W, bodies_.settings.gravity_W)) sleep_.wake_all(bodies_);
   }
+  if constexpr (kSolves) groups_.boxed_for = 0;
   bodies_.settings = settings;
   return status;
 }
