@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Twelve rods fall into a trough of two logs, pile up, rub and come to rest. A scene of one's
+// Twelve rods fall into a trough of four logs, pile up, rub and come to rest. A scene of one's
 // own starts from a ready-made one; gravity, friction, rolling resistance and sleep are options of
 // it. What sleeps costs nothing until something happens to it.
+#include <array>
 #include <cstdio>
 #include <limits>
 
@@ -10,11 +11,12 @@
 #include "batuta/world/world.hpp"
 using namespace batuta;
 
+constexpr int kLogs = 4;
 constexpr int kRods = 12;
 
 constexpr SceneOptions trough() {
   SceneOptions scene = rack();  // gravity, friction, line contact, settling, sleep
-  scene.max_bodies = kRods + 2;
+  scene.max_bodies = kLogs + kRods;
   scene.rolling_resistance = true;
   return scene;
 }
@@ -28,13 +30,17 @@ bool add(World<Trough>& world, const Capsule<float>& capsule_G, float density,
   return actor.ok() && world.add(actor.value).ok();
 }
 
-// Two fixed logs along y, which touch, with their tops at height 0; above them the rods, turned and
-// tilted each in its own way.
+// Two fixed logs along y, with their tops at height 0, between two higher ones; each touches the
+// next. Above them the rods, turned and tilted each in its own way.
 bool fill(World<Trough>& world) {
   const float fixed = std::numeric_limits<float>::infinity();
-  const Capsule<float> left = {{{-0.5F, -4, -0.5F}, {-0.5F, 4, -0.5F}}, 0.5F};
-  const Capsule<float> right = {{{0.5F, -4, -0.5F}, {0.5F, 4, -0.5F}}, 0.5F};
-  bool good = add(world, left, fixed, {}) && add(world, right, fixed, {});
+  bool good = true;
+  for (const float side : {-1.0F, 1.0F}) {
+    for (const auto& [x, z] : {std::array{0.5F, -0.5F}, std::array{1.3F, 0.1F}}) {
+      const Capsule<float> log = {{{side * x, -4, z}, {side * x, 4, z}}, 0.5F};
+      good = good && add(world, log, fixed, {});
+    }
+  }
   const Capsule<float> rod = {{{-0.15F, 0, 0}, {0.15F, 0, 0}}, 0.03F};
   for (int i = 0; i < kRods; ++i) {
     const auto n = static_cast<float>(i);
@@ -46,12 +52,12 @@ bool fill(World<Trough>& world) {
 
 int print_rods(const World<Trough>& world) {
   int asleep = 0;
-  for (std::uint16_t slot = 2; slot < kRods + 2; ++slot) {
+  for (std::uint16_t slot = kLogs; slot < kLogs + kRods; ++slot) {
     const auto id = world.id_at(slot);
     const auto& rod = *world.get(id);
     const Segment<float> axis = to_world(rod.body.X_WB, rod.capsule_B).axis;
     asleep += world.is_asleep(id) ? 1 : 0;
-    std::printf("rod %2d from (%.4f %.4f %.4f) to (%.4f %.4f %.4f), %s\n", slot - 1,
+    std::printf("rod %2d from (%.4f %.4f %.4f) to (%.4f %.4f %.4f), %s\n", slot - kLogs + 1,
                 static_cast<double>(axis.a.x()), static_cast<double>(axis.a.y()),
                 static_cast<double>(axis.a.z()), static_cast<double>(axis.b.x()),
                 static_cast<double>(axis.b.y()), static_cast<double>(axis.b.z()),

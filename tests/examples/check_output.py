@@ -83,7 +83,7 @@ def heap(text):
     need(len(rods) == asleep == of >= 10, f"{len(rods)} rods sleep")
     need(0.25 < seconds < 20, "they sleep after 250 still steps, and not before")
     rods = [(rod[:3], rod[3:]) for rod in rods]
-    logs = [((x, -2.0, -0.5), (x, 2.0, -0.5)) for x in (-0.5, 0.5)]
+    logs = [((x, -4.0, z), (x, 4.0, z)) for x, z in ((-1.3, 0.1), (-0.5, -0.5), (0.5, -0.5), (1.3, 0.1))]
     for i, rod in enumerate(rods):
         near(math.dist(*rod), 0.3, 2e-4, f"length of rod {i + 1}")
         gaps = [distance(rod, log) - 0.53 for log in logs]
