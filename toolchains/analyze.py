@@ -23,6 +23,7 @@ STEPS = ("format", "database", "sources", "canaries", "cppcheck", "tidy")
 SOURCES = ("src", "port", "examples", "tests")  # of which every .cpp is in a compile database, but for:
 IN_NO_DATABASE = {
     "port/programs/live/open_sdl_absent.cpp": "is compiled where SDL is missing",
+    "port/programs/duel/view/view_absent.cpp": "is compiled where SDL is missing",
     "tests/compile_fail/cases/": "must not compile",
     "tests/consumer/project/": "projects of their own, built by a test",
     "tests/measure/compile_time/": "are compiled by the test that times them",

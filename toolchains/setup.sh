@@ -1,25 +1,32 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Installs the Debian packages that the work on batuta needs. May be repeated: only what is missing is fetched.
-#   sh toolchains/setup.sh [host|target|all]     default: host
+#   sh toolchains/setup.sh [duel|host|target|all|web]     default: host
 # Exit codes: 0 everything is there, 1 it could not be installed, 2 wrong use.
 set -u
 
-HOST_PACKAGES="g++ cmake ninja-build pkg-config libeigen3-dev libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev \
-libevdev-dev libevemu-dev libsdl2-dev libcli11-dev gnuplot-nox libbullet-dev libfcl-dev libode-dev libccd-dev \
+# What batuta-duel is built with; with the window of --view, which is SDL's.
+DUEL_PACKAGES="g++ cmake ninja-build pkg-config libeigen3-dev libevdev-dev libevemu-dev libsdl2-dev libcli11-dev"
+HOST_PACKAGES="$DUEL_PACKAGES libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev \
+xvfb gnuplot-nox libbullet-dev libfcl-dev libode-dev libccd-dev \
 cppcheck clang clang-tidy clang-format libclang-rt-dev gcovr doxygen doxygen-awesome-css make python3 git"
 TARGET_PACKAGES="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm qemu-user \
 g++-aarch64-linux-gnu g++-arm-linux-gnueabihf g++-riscv64-linux-gnu"
+# What the page in the browser is built with, and the browser of its tests. Debian's npm comes only where there is no other.
+WEB_PACKAGES="g++ cmake ninja-build libeigen3-dev python3 emscripten nodejs chromium"
+WEB_MODULES="port/platforms/web"  # holds package.json and its lock; the modules go to build/node
 
 say() { printf '%s\n' "setup: $*"; }
 fail() { printf '%s\n' "setup: $*" >&2; exit 1; }
 
 usage() {
   cat <<'USAGE'
-usage: sh toolchains/setup.sh [host|target|all]
+usage: sh toolchains/setup.sh [duel|host|target|all|web]
+  duel    what the preset duel needs: compiler, CMake, Eigen, libraries for devices and the window; no tests
   host    compiler, CMake, libraries, test and analysis tools (default)
   target  cross compilers and emulators: Cortex-M boards; AArch64, ARMv7 and RISC-V for the same bits
-  all     both
+  all     host and target
+  web     emscripten, Chromium, and the modules of port/platforms/web/package-lock.json from npm into build/node
 USAGE
 }
 
@@ -47,11 +54,31 @@ install() {
     fail "could not install:$1 (is there a network, and is this a Debian 12 or later?)"
 }
 
+# The modules that the lock file names, with their check sums; no script of theirs is run.
+install_modules() {
+  root=$(cd "$(dirname "$0")/.." && pwd) || fail "where is this script?"
+  if cmp -s "$root/$WEB_MODULES/package-lock.json" "$root/build/node/package-lock.json" &&
+    [ -d "$root/build/node/node_modules" ]; then
+    say "the modules for 'web' are in build/node"
+    return
+  fi
+  mkdir -p "$root/build/node" && cp "$root/$WEB_MODULES/package.json" "$root/build/node/" || fail "build/node cannot be written"
+  cp "$root/$WEB_MODULES/package-lock.json" "$root/build/node/lock" || fail "build/node cannot be written"
+  mv "$root/build/node/lock" "$root/build/node/package-lock.json"
+  npm ci --prefix "$root/build/node" --ignore-scripts --no-audit --no-fund ||
+    { rm -f "$root/build/node/package-lock.json"; fail "npm could not install the modules (is there a network?)"; }
+}
+
 [ $# -le 1 ] || { usage >&2; exit 2; }
 case "${1-host}" in
+  duel) packages=$DUEL_PACKAGES ;;
   host) packages=$HOST_PACKAGES ;;
   target) packages=$TARGET_PACKAGES ;;
   all) packages="$HOST_PACKAGES $TARGET_PACKAGES" ;;
+  web)
+    packages=$WEB_PACKAGES
+    command -v npm >/dev/null 2>&1 || packages="$packages npm"
+    ;;
   -h | --help | help) usage; exit 0 ;;
   *) printf '%s\n' "setup: unknown word: $1" >&2; usage >&2; exit 2 ;;
 esac
@@ -66,11 +93,12 @@ for package in $packages; do
 done
 if [ -z "$missing" ]; then
   say "everything for '${1-host}' is installed"
-  exit 0
+else
+  say "installing:$missing"
+  install "$missing"
+  for package in $missing; do
+    is_installed "$package" || fail "$package is still missing"
+  done
 fi
-say "installing:$missing"
-install "$missing"
-for package in $missing; do
-  is_installed "$package" || fail "$package is still missing"
-done
+[ "${1-host}" != web ] || install_modules
 say "done"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "batuta/control/stick.hpp"
 
+#include <initializer_list>
+
 namespace batuta {
 namespace {
 
@@ -37,7 +39,9 @@ Status StickTracker<Scalar>::configure(const StickSettings& settings) {
 
 template <class Scalar>
 SampleUse StickTracker<Scalar>::judge(const InputSample& sample) const {
-  if (!is_finite(sample.x) || !is_finite(sample.y)) return SampleUse::kInvalid;
+  for (const float at : {sample.x, sample.y, sample.feet_x, sample.feet_y}) {  // Bound: 4
+    if (!is_finite(at)) return SampleUse::kInvalid;
+  }
   if (!started_) return SampleUse::kRestart;
   if (sample.time == last_.time) return SampleUse::kRepeated;
   if (stale_) return SampleUse::kRestart;  // a device whose clock was set back is believed again
@@ -60,7 +64,7 @@ SampleUse StickTracker<Scalar>::accept(const InputSample& sample) {
       ++report_.repeated;
       follow(sample);
       if (stale_) return use;
-      last_.buttons = sample.buttons;
+      keep(sample);
       aim(sample, max_of(remaining_, seconds<Scalar>(settings_.min_interval_us)));
       return use;
     case SampleUse::kRestart:
@@ -74,13 +78,23 @@ SampleUse StickTracker<Scalar>::accept(const InputSample& sample) {
       break;
   }
   ++report_.used;
-  last_ = sample;
+  last_.time = sample.time;
+  last_.sequence = sample.sequence;
   last_.x = static_cast<float>(goal_.x());  // what it said may be beyond what restore() takes
   last_.y = static_cast<float>(goal_.y());
+  keep(sample);
   silence_ = 0;
   stale_ = false;
   started_ = true;
   return use;
+}
+
+/// What holds from now on, without a way to it.
+template <class Scalar>
+void StickTracker<Scalar>::keep(const InputSample& sample) {
+  last_.buttons = sample.buttons;
+  last_.feet_x = clamp(sample.feet_x, -1.0F, 1.0F);
+  last_.feet_y = clamp(sample.feet_y, -1.0F, 1.0F);
 }
 
 /// Counts the samples between the last one and this one that never came; none where the numbering
@@ -100,10 +114,23 @@ void StickTracker<Scalar>::aim(const InputSample& sample, Scalar duration) {
   goal_ = {clamp(asked.x(), Scalar(-1), Scalar(1)), clamp(asked.y(), Scalar(-1), Scalar(1))};
   if (goal_ != asked) ++report_.clamped;
 
-  const Vec2<Scalar> way = (goal_ - position_).cwiseAbs();
-  const Scalar shortest = max_of(way.x(), way.y()) / static_cast<Scalar>(settings_.max_speed);
+  const Scalar shortest = shortest_way();
   if (shortest > duration) ++report_.slowed;
   remaining_ = max_of(duration, shortest);
+}
+
+/// Time to the goal at max_speed.
+template <class Scalar>
+Scalar StickTracker<Scalar>::shortest_way() const {
+  const Vec2<Scalar> way = (goal_ - position_).cwiseAbs();
+  return max_of(way.x(), way.y()) / static_cast<Scalar>(settings_.max_speed);
+}
+
+template <class Scalar>
+void StickTracker<Scalar>::start_from_centre() {
+  position_ = Vec2<Scalar>::Zero();
+  velocity_ = Vec2<Scalar>::Zero();
+  remaining_ = shortest_way();
 }
 
 template <class Scalar>

@@ -145,8 +145,8 @@ Fencer<Scalar> second_fencer() {
 }
 
 template <class Scalar>
-Pose<Scalar> Salle<Scalar>::X_WF(Side side) const {
-  const Scalar half = distance / Scalar(2);
+Pose<Scalar> Salle<Scalar>::X_WF(Side side, Scalar way) const {
+  const Scalar half = distance / Scalar(2) - way;
   if (side == Side::kLeft) return {{-half, Scalar(0), Scalar(0)}, Quat<Scalar>::Identity()};
   const Quat<Scalar> facing_back(Scalar(0), Scalar(0), Scalar(0),
                                  Scalar(1));  // half a turn about z

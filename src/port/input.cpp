@@ -3,6 +3,8 @@
 
 #include "batuta/port/input.hpp"
 
+#include <initializer_list>
+
 namespace batuta {
 namespace {
 
@@ -17,7 +19,9 @@ Status InputDevice::read(Microseconds now, InputSample& sample) {
   InputSample fresh = sample;
   const Status status = do_read(now, fresh);
   if (status != Status::kOk) return status;
-  if (!is_in_unit_range(fresh.x) || !is_in_unit_range(fresh.y)) return Status::kInvalidArgument;
+  for (const float at : {fresh.x, fresh.y, fresh.feet_x, fresh.feet_y}) {  // Bound: 4
+    if (!is_in_unit_range(at)) return Status::kInvalidArgument;
+  }
   sample = fresh;
   return Status::kOk;
 }

@@ -2,6 +2,8 @@
 
 #include "batuta/port/sample_builder.hpp"
 
+#include <initializer_list>
+
 namespace batuta {
 namespace {
 
@@ -34,17 +36,32 @@ float deflection(const AxisCalibration& axis, std::int32_t counts) {
 Status SampleBuilder::configure(const AxisCalibration& x, const AxisCalibration& y) {
   if (!is_valid(x) || !is_valid(y)) return Status::kInvalidArgument;
   *this = SampleBuilder{};
-  x_ = x;
-  y_ = y;
-  synced_ = {centre(x), centre(y), 0};
-  pending_ = synced_;
+  return set_pair(0, x, y);
+}
+
+Status SampleBuilder::configure_feet(const AxisCalibration& x, const AxisCalibration& y) {
+  if (!is_valid(x) || !is_valid(y)) return Status::kInvalidArgument;
+  count_ = 2 * kPair;
+  return set_pair(kPair, x, y);
+}
+
+/// @pre both valid
+Status SampleBuilder::set_pair(std::size_t first, const AxisCalibration& x,
+                               const AxisCalibration& y) {
+  axes_[first] = x;
+  axes_[first + 1] = y;
+  for (State* state : {&synced_, &pending_}) {  // Bound: 2
+    state->at[first] = centre(x);
+    state->at[first + 1] = centre(y);
+  }
   return Status::kOk;
 }
 
 void SampleBuilder::axis(Axis which, std::int32_t counts) {
-  if (discarding_ || which > Axis::kY) return;
-  const AxisCalibration& calibration = which == Axis::kX ? x_ : y_;
-  std::int32_t& position = which == Axis::kX ? pending_.x : pending_.y;
+  const auto index = static_cast<std::size_t>(which);
+  if (discarding_ || index >= count_) return;
+  const AxisCalibration& calibration = axes_[index];
+  std::int32_t& position = pending_.at[index];
   const bool relative = calibration.kind == AxisKind::kRelative;
   position = clamp_counts(relative ? std::int64_t{position} + counts : counts, calibration);
 }
@@ -71,8 +88,12 @@ Result<InputSample> SampleBuilder::sync(Microseconds time) {
   synced_ = pending_;
   InputSample sample;
   sample.time = time;
-  sample.x = deflection(x_, synced_.x);
-  sample.y = deflection(y_, synced_.y);
+  sample.x = deflection(axes_[0], synced_.at[0]);
+  sample.y = deflection(axes_[1], synced_.at[1]);
+  if (count_ > kPair) {
+    sample.feet_x = deflection(axes_[kPair], synced_.at[kPair]);
+    sample.feet_y = deflection(axes_[kPair + 1], synced_.at[kPair + 1]);
+  }
   sample.buttons = synced_.buttons;
   sample.sequence = sequence_;
   ++sequence_;

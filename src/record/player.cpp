@@ -59,10 +59,41 @@ Playback Player::fetch_state(detail::SnapshotHead& head) {
   const Playback fetched = fetch(detail::kSnapshotHead);
   if (fetched != Playback::kReady) return fetched;
   const Playback known = playback_of(detail::read_head(buffer_, filled_, head));
+  if (known == Playback::kOtherScene) {
+    stage_ = Stage::kOtherState;
+    passing_ = std::uint64_t{head.length} + detail::kCheckSum;
+    drop();
+    return pass_other_state();
+  }
   if (known != Playback::kReady) return stop(known);
   const int room = capacity_ - detail::kSnapshotHead - detail::kCheckSum;
   if (room < 0 || head.length > static_cast<std::uint32_t>(room)) return stop(Playback::kTooLarge);
   return fetch(detail::kSnapshotHead + static_cast<int>(head.length) + detail::kCheckSum);
+}
+
+// What follows tells whether a state is of another type because the recording is of another
+// version.
+Playback Player::pass_other_state() {
+  while (passing_ > 0) {  // Bound: the bytes of the state
+    const auto room = static_cast<std::uint64_t>(capacity_);
+    const int count = static_cast<int>(passing_ < room ? passing_ : room);
+    const Playback fetched = fetch(count);
+    if (fetched != Playback::kReady) return end_of_other(fetched);
+    drop();
+    passing_ -= static_cast<std::uint64_t>(count);
+  }
+  const Playback fetched = fetch_record();
+  if (fetched != Playback::kReady) return end_of_other(fetched);
+  detail::RunRecord run;
+  const bool good = kind() == detail::RecordKind::kRun && take(run);
+  if (good) version_ = run.version;
+  const bool other = good && run.version != detail::kRecordingVersion;
+  return stop(other ? Playback::kOtherVersion : Playback::kOtherScene);
+}
+
+// Whatever is wrong there, the state was of another type.
+Playback Player::end_of_other(Playback fetched) {
+  return fetched == Playback::kWaiting ? fetched : stop(Playback::kOtherScene);
 }
 
 Playback Player::read_run(std::uint64_t input) {
@@ -71,6 +102,7 @@ Playback Player::read_run(std::uint64_t input) {
   detail::RunRecord run;
   const bool good = kind() == detail::RecordKind::kRun && take(run);
   if (!good) return stop(Playback::kDamaged);
+  version_ = run.version;
   if (run.version != detail::kRecordingVersion) return stop(Playback::kOtherVersion);
   if (run.input != input) return stop(Playback::kOtherScene);
   stage_ = Stage::kSteps;

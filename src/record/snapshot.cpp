@@ -46,8 +46,8 @@ Restored detail::read_head(const std::uint8_t* bytes, int size, detail::Snapshot
   const detail::SnapshotHead& head = words.head;
   if (head.version != wanted.version || words.zero != 0) return Restored::kOtherVersion;
   if (head.scalar != wanted.scalar) return Restored::kOtherScalar;
-  if (head.fingerprint != wanted.fingerprint) return Restored::kOtherScene;
   wanted.length = head.length;
+  if (head.fingerprint != wanted.fingerprint) return Restored::kOtherScene;
   return Restored::kOk;
 }
 

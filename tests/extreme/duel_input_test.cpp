@@ -81,6 +81,8 @@ std::optional<InputSample> garbage(std::uint32_t k) {
   std::memcpy(&sample.x, &bits, sizeof(sample.x));
   const std::uint64_t more = draw.bits();
   std::memcpy(&sample.y, &more, sizeof(sample.y));
+  const std::uint64_t feet = draw.bits();
+  std::memcpy(&sample.feet_y, &feet, sizeof(sample.feet_y));
   if (draw.chance(0.5)) sample.y = -1.0F;  // mostly out of reach, so that the bout goes on
   sample.time = static_cast<Microseconds>(draw.bits());
   sample.buttons = static_cast<std::uint32_t>(draw.bits());
@@ -117,6 +119,7 @@ class DuelInputs : public testing::Test {
       ASSERT_LE(stick.position().cwiseAbs().maxCoeff(), S(1));
       // A difference of places over a step of 1 ms: their rounding shows a thousandfold.
       ASSERT_LE(stick.velocity().cwiseAbs().maxCoeff(), fastest + 4000 * kRoundOff<S>);
+      ASSERT_LE(std::abs(duel.X_WF(side).p_W.x()), S(7 - 0.4 + 1e-5)) << "on the strip";
       ASSERT_TRUE(is_valid(duel.blade_W(side)));
       ASSERT_TRUE(is_finite(duel.hand(side).X_WH.p_W) && is_finite(duel.hand(side).jacobian));
     }

@@ -157,6 +157,41 @@ TYPED_TEST(Fencing, HostileBuild_IsRefusedOrStands) {
   });
 }
 
+TYPED_TEST(Fencing, HostileFeet_AreRefusedOrStayInTheirRoom) {
+  using S = TypeParam;
+  for (const S number : test::kHostile<S>) {
+    for (int member = 0; member < 3; ++member) {
+      FeetSettings<S> settings;
+      if (member == 0) settings.forward_speed = number;
+      if (member == 1) settings.backward_speed = number;
+      if (member == 2) settings.acceleration = number;
+      BothFeet<S> feet;
+      if (validate(settings) != Status::kOk) continue;
+      for (const S room : {S(0), S(1e-30), S(0.01), S(1000)}) {
+        feet[0].stand();
+        for (int i = 0; i < 300; ++i) {
+          const S behind = S(1) + feet[0].way();
+          const auto rooms = rooms_of<S>(feet, settings, room - feet[0].way(), {behind, S(1)});
+          feet[0].advance(settings, i < 200 ? S(1) : S(-1), rooms[0], S(1e-3));
+          ASSERT_TRUE(is_finite(feet[0].way()) && is_finite(feet[0].velocity())) << number;
+          ASSERT_LE(feet[0].way(), room * (1 + 8 * kRoundOff<S>)) << number << " " << room;
+          ASSERT_GE(feet[0].way(), S(-1 - 1e-5));
+        }
+      }
+    }
+  }
+  // Lengths beyond all strips: nobody can go anywhere that has no number.
+  const auto ready = std::make_unique<Ready<S>>();
+  for (const S number : test::kHostile<S>) {
+    auto settings = duel_settings<DuelScene<two_fencers, Advancement<S>>>();
+    settings.strip.length = number;
+    settings.strip.least_distance = number;
+    if (ready->configure(settings) != Status::kOk) continue;
+    fence(ready->duel, 50);
+    EXPECT_TRUE(is_finite(ready->duel.X_WF(Side::kLeft).p_W)) << number;
+  }
+}
+
 TYPED_TEST(Fencing, HostileDuelSettings_AreRefusedAndTheBoutGoesOn) {
   using S = TypeParam;
   const auto ready = std::make_unique<Ready<S>>();
@@ -173,6 +208,16 @@ TYPED_TEST(Fencing, HostileDuelSettings_AreRefusedAndTheBoutGoesOn) {
   for (const std::int32_t bad : {kLeast, -1, 10000001, kMost}) {
     auto settings = duel_settings<DuelScene<two_fencers, Advancement<S>>>();
     settings.double_window_us = bad;
+    EXPECT_EQ(ready->configure(settings), Status::kInvalidArgument) << bad;
+  }
+  for (const std::int32_t bad : {kLeast, -1, 0, kMostTouches + 1, kMost}) {
+    auto settings = duel_settings<DuelScene<two_fencers, Advancement<S>>>();
+    settings.touches = bad;
+    EXPECT_EQ(ready->configure(settings), Status::kInvalidArgument) << bad;
+  }
+  for (const std::int32_t bad : {kLeast, -1, 10000001, kMost}) {
+    auto settings = duel_settings<DuelScene<two_fencers, Advancement<S>>>();
+    settings.halt_us = bad;
     EXPECT_EQ(ready->configure(settings), Status::kInvalidArgument) << bad;
   }
   for (const S number : test::kHostile<S>) {
@@ -195,6 +240,8 @@ TYPED_TEST(Fencing, SideThatThereIsNot_IsTheRightOne) {
     EXPECT_EQ(other(side), Side::kLeft);
     EXPECT_EQ(&ready->duel.stick(side), &ready->duel.stick(Side::kRight));
     EXPECT_EQ(&ready->duel.grip(side), &ready->duel.grip(Side::kRight));
+    EXPECT_EQ(&ready->duel.feet(side), &ready->duel.feet(Side::kRight));
+    EXPECT_EQ(ready->duel.X_WF(side).p_W, ready->duel.X_WF(Side::kRight).p_W);
     EXPECT_EQ(&ready->duel.body_W(side), &ready->duel.body_W(Side::kRight));
     EXPECT_EQ(ready->duel.blade_W(side).axis.a, ready->duel.blade_W(Side::kRight).axis.a);
   }

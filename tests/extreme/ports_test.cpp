@@ -39,14 +39,22 @@ TEST(HostilePort, CalibrationThatMakesNoSense_IsRefusedAndTheOldStays) {
   for (const AxisCalibration& axis : bad) {
     EXPECT_EQ(builder.configure(axis, good), Status::kInvalidArgument);
     EXPECT_EQ(builder.configure(good, axis), Status::kInvalidArgument);
+    EXPECT_EQ(builder.configure_feet(axis, good), Status::kInvalidArgument);
+    EXPECT_EQ(builder.configure_feet(good, axis), Status::kInvalidArgument);
   }
-  EXPECT_EQ(builder.sync(0).value.x, 0.5F);
+  builder.axis(Axis::kFeetX, 50);
+  const InputSample sample = builder.sync(0).value;
+  EXPECT_EQ(sample.x, 0.5F);
+  EXPECT_EQ(sample.feet_x, 0.0F) << "a second pair that was refused is none";
 }
 
 TEST(HostilePort, AxisOrButtonThatThereIsNot_ChangesNothing) {
   SampleBuilder builder;
   ASSERT_EQ(builder.configure({}, {}), Status::kOk);
   builder.axis(static_cast<Axis>(2), 30000);
+  builder.axis(static_cast<Axis>(3), 30000);
+  ASSERT_EQ(builder.configure_feet({}, {}), Status::kOk);
+  builder.axis(static_cast<Axis>(4), 30000);
   builder.axis(static_cast<Axis>(255), -30000);
   for (const int index :
        {-1, SampleBuilder::kMaxButtons, static_cast<int>(kLow), static_cast<int>(kHigh)}) {
@@ -55,6 +63,8 @@ TEST(HostilePort, AxisOrButtonThatThereIsNot_ChangesNothing) {
   const auto sample = builder.sync(0).value;
   EXPECT_EQ(sample.x, 0.0F);
   EXPECT_EQ(sample.y, 0.0F);
+  EXPECT_EQ(sample.feet_x, 0.0F);
+  EXPECT_EQ(sample.feet_y, 0.0F);
   EXPECT_EQ(sample.buttons, 0U);
 }
 

@@ -10,15 +10,15 @@ import struct
 import sys
 import zlib
 
-VERSION = 2
+VERSION = 3
 RAW, WRAPPED = b"\x00", b"\x01"  # first byte of a seed: how the fuzz target uses the rest
 
-SAMPLE = struct.pack("<IffII", 123456, 0.5, -1.0, 1, 7)
+SAMPLE = struct.pack("<IffffII", 123456, 0.5, -1.0, 0.25, -0.75, 1, 7)
 UNIT = struct.pack("<3f", 0.0, 0.6, -0.8)
 POINT = struct.pack("<3f", 0.25, -1.5, 1.125)
 
 MESSAGES = {
-    "hello": (0x01, struct.pack("<IB", 0xC0FFEE, 0)),
+    "hello": (0x01, struct.pack("<IBB", 0xC0FFEE, 0, 5)),
     "step_none": (0x02, struct.pack("<IB", 1, 0)),
     "step_left": (0x02, struct.pack("<IB", 2, 1) + SAMPLE),
     "step_both": (0x02, struct.pack("<IB", 3, 3) + SAMPLE + SAMPLE),
@@ -31,7 +31,7 @@ MESSAGES = {
     "touch": (0x85, struct.pack("<IBBBBIf", 17, 0, 1, 2, 1, 16, 0.0005) + POINT + UNIT
               + struct.pack("<2f", 0.0, 1.0)),
     "stick_used": (0x86, struct.pack("<IB", 17, 1) + SAMPLE),
-    "step_report": (0x87, struct.pack("<IBBBB10I3H", 17, 7, 1, 1, 5, *range(10), 0xFFEE, 2, 3)),
+    "step_report": (0x87, struct.pack("<IBBBBBB10I3H", 17, 7, 1, 1, 5, 3, 4, *range(10), 0xFFEE, 2, 3)),
     "refused": (0x88, struct.pack("<BBII", 2, 0x02, 9, 17)),
 }
 

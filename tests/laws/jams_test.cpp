@@ -66,7 +66,8 @@ TYPED_TEST(Jams, ChainThatFalls_ComesFreeAndHangs) {
 
 // A beam of 158 kg on four balls of 8 g: each ball carries five thousand times its own mass, and an
 // impulse has to go to and fro some ten thousand times, or be led ahead. The beam rolls off them in
-// the end; until then it is carried, and nothing lifts it.
+// the end; until then it is carried, nothing lifts it, and an answer is found in nearly every step
+// (with sweeps that nobody leads, one in ten of double finds none).
 TYPED_TEST(Jams, HeavyBeamOnLightBalls_IsCarried) {
   using SceneT = Settling<TypeParam, test::kHeaps>;
   using S = TypeParam;
@@ -96,8 +97,10 @@ TYPED_TEST(Jams, HeavyBeamOnLightBalls_IsCarried) {
   beam.friction = S(0.5);
   const auto id = world->add(beam).value;
   double highest = 0;
+  int incomplete = 0;
   for (int i = 0; i < 500; ++i) {
     ASSERT_EQ(world->step(S(1e-3)), Status::kOk);
+    incomplete += std::as_const(*world).report().complete() ? 0 : 1;
     const auto place = std::as_const(*world).get(id)->body.X_WB.p_W;
     highest = max_of(highest, static_cast<double>(place.z()));
     if (i == 200) {
@@ -105,6 +108,7 @@ TYPED_TEST(Jams, HeavyBeamOnLightBalls_IsCarried) {
     }
   }
   EXPECT_LT(highest, 0.371 + 1e-5);
+  EXPECT_LE(incomplete, 5);
 }
 
 // Half of what is missing in each step: 5 cm become less than what the search can tell in 20.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Heaps of bodies of several capsules that fall on a floor of rods: light ones are struck again and
-// again between heavy ones, late in a step. Nobody goes further than the energy there is would take
-// it.
+// again between heavy ones, late in a step. Every law holds. With openings that have no end
+// (furthest_way) some of these eighty heaps throw a body by 1 m to 8 km in a step.
 #include <gtest/gtest.h>
 
 #include "choices.hpp"
@@ -20,17 +20,18 @@ TYPED_TEST_SUITE(RandomHeap, Scalars);
 
 constexpr int kFloor = 11;
 
-/// A rod; with an arm at one end or at both.
+/// A rod; with an arm at one end or at both. Light or forty times as dense.
 template <class SceneT>
 Actor<SceneT> body_of(test::Choices& draw, double height) {
   using S = typename SceneT::Scalar;
   const double s = 0.06 + 0.04 * draw.of(3);
   const Vec3<S> low = Vector(0, 0, -s).cast<S>();
   const Vec3<S> high = Vector(0, 0, s).cast<S>();
+  const S density = draw.of(2) == 0 ? S(200) : S(8000);
   const S radius = static_cast<S>(s / 4);
-  const CapsulePart<S> parts[] = {{{{low, high}, radius}, S(1000)},
-                                  {{{high, Vector(0, s, s).cast<S>()}, radius}, S(1000)},
-                                  {{{low, Vector(s, 0, -s).cast<S>()}, radius}, S(1000)}};
+  const CapsulePart<S> parts[] = {{{{low, high}, radius}, density},
+                                  {{{high, Vector(0, s, s).cast<S>()}, radius}, density},
+                                  {{{low, Vector(s, 0, -s).cast<S>()}, radius}, density}};
   const Vector place(0.4 * draw.signed_share(), 0.3 * draw.signed_share(), height);
   const Pose<S> X_WB = {place.cast<S>(), draw.rotation().template cast<S>()};
   const auto made = make_compound<3>(&parts[0], 1 + draw.of(3), X_WB).value;
@@ -55,9 +56,9 @@ test::Seen seen_of(const World<SceneT>& world) {
   return seen;
 }
 
-TYPED_TEST(RandomHeap, LightBodiesBetweenHeavyOnes_GoAsFarAsTheirEnergy) {
+TYPED_TEST(RandomHeap, LightBodiesBetweenHeavyOnes_KeepEveryLaw) {
   using SceneT = test::Settling<TypeParam, test::kHeaps>;
-  for (std::uint64_t seed = 0; seed < 24; ++seed) {
+  for (std::uint64_t seed = 64; seed < 104; ++seed) {
     test::Choices draw(seed);
     auto world = std::make_unique<World<SceneT>>();
     for (int i = 0; i < kFloor; ++i) {
@@ -73,9 +74,9 @@ TYPED_TEST(RandomHeap, LightBodiesBetweenHeavyOnes_GoAsFarAsTheirEnergy) {
       test::Seen after = seen_of(*world);
       const auto told = test::told_by(std::as_const(*world), dt, Vector(0, 0, -9.81));
       for (const auto& breach : test::broken_laws(before, after, told)) {
-        if (breach.law != std::string("way")) continue;
-        ADD_FAILURE() << static_cast<double>(breach.by) << " m, at most "
-                      << static_cast<double>(breach.may_be) << "; seed " << seed << ", step " << i;
+        ADD_FAILURE() << breach.law << ' ' << breach.what << ": " << static_cast<double>(breach.by)
+                      << ", at most " << static_cast<double>(breach.may_be) << "; seed " << seed
+                      << ", step " << i;
       }
       before = std::move(after);
     }

@@ -228,11 +228,10 @@ class Checker {
       const Real turn = std::max(body.w().norm(), after_[i].w().norm()) * told_.dt;
       const Real turning =
           std::max(body.b.norm() * body.w().norm(), after_[i].b.norm() * after_[i].w().norm());
-      if (body.is_unlike())
-        slack +=
-            (told_.impulses > 0 || impulses() > 0 ? 0.144L * turn * turn
-                                                  : 1e-5L * std::max<Real>(1, 100 * turn * turn)) *
-            turning;
+      const Real bent = told_.impulses > 0 || impulses() > 0
+                            ? 0.144L * turn * turn
+                            : 1e-5L * std::max<Real>(1, 100 * turn * turn);
+      if (body.is_unlike()) slack += bent * turning;
       if (told_.held > 0) slack += turn * turn * turning;
     }
     slack += depth * opening();
@@ -241,7 +240,7 @@ class Checker {
          slack);
   }
 
-  /// Nobody goes further than all the energy there is would take it, and what opens gaps: 8 D
+  /// Nobody goes further than all the energy there is would take it, and what opens gaps: 64 D
   /// (world.md, "Opening"), and what is separated.
   void check_ways() {
     if (driven_) return;
@@ -259,8 +258,8 @@ class Checker {
       if (!(body.mass > 0)) continue;
       const Real way = (after_[i].x - body.x).norm();
       const Real speed = std::sqrt(2 * energy * body.inverse_mass) + told_.g.norm() * told_.dt;
-      const Real may_be = (8 * D + told_.deepest) * shifts + (1 + 64 * told_.u) * speed * told_.dt +
-                          8 * told_.u * body.x.norm();
+      const Real may_be = (64 * D + told_.deepest) * shifts +
+                          (1 + 64 * told_.u) * speed * told_.dt + 8 * told_.u * body.x.norm();
       hold(way <= may_be, "way", "of one body", way, may_be);
     }
   }

@@ -117,6 +117,8 @@ def may_read(own, other):
         return True
     if own == "programs":
         return other == "platforms/host"
+    if own == "platforms/web":
+        return other == "programs"  # the page plays the host's scripts
     return own.startswith("platforms/") and other == SHARED_BY_PLATFORMS
 
 

@@ -69,6 +69,14 @@ class Arrows(Tree):
         self.put("port/platforms/mps2/m.hpp", "")
         self.assert_found(self.check(), "port platforms/host", "port platforms/host")
 
+    def test_only_the_page_reads_the_programs(self):
+        self.put("port/programs/devices/d.hpp", "")
+        self.put("port/platforms/web/b.cpp", '#include "programs/devices/d.hpp"\n#include "shared/link/frame.hpp"\n')
+        self.assertEqual(self.check(), [])
+        self.put("port/platforms/mps2/m.cpp", '#include "programs/devices/d.hpp"\n')
+        self.put("port/platforms/web/c.cpp", '#include "platforms/mps2/m.hpp"\n')
+        self.assert_found(self.check(), "port platforms/mps2", "port platforms/web")
+
 
 class Words(Tree):
     def check(self):

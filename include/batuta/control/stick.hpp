@@ -72,6 +72,10 @@ class StickTracker {
   /// Moves on by one step. @pre dt > 0 and finite, s
   void advance(Scalar dt);
 
+  /// Puts the stick to the centre, still; from there it goes to where the last sample says it is,
+  /// as fast as max_speed. A stick that is stale stays at the centre.
+  void start_from_centre();
+
   /// Where the stick is, in [-1, 1]^2.
   const Vec2<Scalar>& position() const { return position_; }
   /// Mean velocity over the last step, 1/s; zero after the stick has arrived and while it is stale:
@@ -79,6 +83,12 @@ class StickTracker {
   const Vec2<Scalar>& velocity() const { return velocity_; }
   /// No sign of life for StickSettings::stale_after_us, or none at all yet.
   bool is_stale() const { return stale_; }
+  /// The second pair of axes, in [-1, 1]^2, as the last sample has it that was used or repeated;
+  /// zero while the stick is stale.
+  Vec2<Scalar> feet() const {
+    if (stale_) return Vec2<Scalar>::Zero();
+    return {static_cast<Scalar>(last_.feet_x), static_cast<Scalar>(last_.feet_y)};
+  }
   /// The buttons of the last sample that was used or repeated, a bit each.
   std::uint32_t buttons() const { return last_.buttons; }
   /// What became of the samples since configure().
@@ -95,7 +105,9 @@ class StickTracker {
  private:
   SampleUse judge(const InputSample& sample) const;
   void follow(const InputSample& sample);
+  void keep(const InputSample& sample);
   void aim(const InputSample& sample, Scalar duration);
+  Scalar shortest_way() const;
 
   StickSettings settings_;
   StickReport report_;

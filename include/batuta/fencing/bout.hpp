@@ -27,13 +27,18 @@ std::uint64_t time_us(const Moment<Scalar>& moment, std::int32_t step_us) {
   return std::uint64_t{moment.step} * static_cast<std::uint64_t>(step_us) + in_step;
 }
 
-/// How far a bout is.
+/// How far a bout is. An exchange begins on guard and ends with a touch, or with two; then there is
+/// a halt, and the next exchange, until a fencer has as many touches as the bout goes to.
 enum class BoutState : std::uint8_t {
-  kFencing,  ///< nobody is touched yet
+  kFencing,  ///< nobody is touched in this exchange yet
   kLockout,  ///< somebody is touched; the other may still touch within the window
-  kTouched,  ///< over: one touch
-  kDouble,   ///< over: two touches within the window
+  kTouched,  ///< over: the last exchange brought one touch
+  kDouble,   ///< over: it brought two within the window
+  kHalt,     ///< an exchange is over: nobody scores until both are on guard again
 };
+
+/// Most touches that a bout can go to.
+inline constexpr int kMostTouches = 99;
 
 /// A touch of a blade on the other fencer's body.
 template <class Scalar>
@@ -54,10 +59,19 @@ struct Touch {
 template <class Scalar>
 struct Bout {
   BoutState state = BoutState::kFencing;  ///< how far it is
-  FixedList<Touch<Scalar>, 2> touches;    ///< in the order of time
+  /// The touches of this exchange do not count: two at once, where one was missing to either fencer
+  bool annulled = false;
+  /// Touches that count, of the exchanges that are over, by index_of(side)
+  std::array<std::uint8_t, 2> score{};
+  /// Of this exchange, in the order of time; they stay until both are on guard again
+  FixedList<Touch<Scalar>, 2> touches;
+  std::uint32_t exchange = 1;    ///< the number of this one
+  std::uint32_t halt_steps = 0;  ///< steps of the halt that are still to come
 
   /// Whether the bout is decided.
   bool is_over() const { return state == BoutState::kTouched || state == BoutState::kDouble; }
+  /// Whether the next step puts both on guard again.
+  bool is_halt_over() const { return state == BoutState::kHalt && halt_steps == 0; }
 };
 
 /// The bout of a scene without targets: nobody can be touched, it never ends.

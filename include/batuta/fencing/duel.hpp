@@ -7,6 +7,7 @@
 // First, as in world.hpp.
 #include "batuta/fencing/duel_scene.hpp"
 
+#include "batuta/fencing/detail/footwork.hpp"
 #include "batuta/fencing/detail/referee.hpp"
 
 namespace batuta::fencing {
@@ -42,7 +43,10 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
   Status configure(const Settings& settings, const Fencer<Scalar>& left,
                    const Fencer<Scalar>& right);
 
-  /// One step. After the bout is over it changes nothing.
+  /// One step. After the bout is over it changes nothing. The first step after a halt begins with
+  /// both fencers on guard, where configure() puts them, and with their sticks at the centre, from
+  /// where they go to where they are held, no faster than StickSettings::max_speed. The blades know
+  /// nothing of the exchange before.
   /// @param left, right  a new sample of the fencer's device, or null where there is none
   /// @returns kOk | kUnavailable (the bout is over) | kInvalidArgument (not configured)
   /// Bound: one World::step() and, with targets, 2 (kMaxContacts + 1) touch searches.
@@ -66,6 +70,14 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
   const WorldType& world() const { return world_; }
   /// The stick of a fencer, as it is after the last step.
   const StickTracker<Scalar>& stick(Side side) const { return at(side).stick; }
+  /// Where a fencer's feet have carried him. @pre the scene has feet
+  template <class S = Played>
+  const Feet<Scalar>& feet(Side side) const {
+    static_assert(S::kFeet, "Duel: without feet there is no feet(); fencers stay where they are");
+    return scoring_.feet[index_of(side)];
+  }
+  /// Where a fencer's frame F is, W: x towards the opponent.
+  Pose<Scalar> X_WF(Side side) const;
   /// The grip of a fencer on the blade. @pre configured; the scene has grip
   template <class S = Played>
   const Grip<Scalar>& grip(Side side) const {
@@ -125,18 +137,18 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
   struct FencerSetup {
     FencerGrid<Scalar> grid;
     WeaponBody<Scalar> weapon;
-    Pose<Scalar> X_WF;
     KeyedPose<Scalar> hand;
     Actor<SceneType> blade;
   };
 
-  /// A referee is a base: where there is none, it takes no room.
-  struct Scoring : RefereeOf<Played> {
+  /// A referee and feet are bases: where there are none, they take no room.
+  struct Scoring : RefereeOf<Played>, FootworkOf<Played> {
     DuelReport report;
 
     template <class ArchiveT>
     void archive(ArchiveT& ar) {
       RefereeOf<Played>::archive(ar);
+      if constexpr (Played::kFeet) ar(this->feet);
       ar(report);
     }
   };
@@ -146,8 +158,14 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
   static Result<FencerSetup> setup_for(const Fencer<Scalar>& fencer, const Pose<Scalar>& X_WF);
   static Status arm(const Fencer<Scalar>& fencer, FencerSetup& setup);
   void take_place(Side side, const FencerSetup& setup, const FencerBuild<Scalar>& build);
+  void resume_after_halt();
+  void stand(Side side, Actor<SceneType>& blade);
   const Actor<SceneType>& blade_of(Side side) const;
-  void move_hand(Side side, const InputSample* sample);
+  void move_stick(Side side, const InputSample* sample);
+  static Scalar feet_order(const StickTracker<Scalar>& stick);
+  void walk();
+  KeyedPose<Scalar> hand_at(Side side, const Vec2<Scalar>& stick) const;
+  void move_hand(Side side);
   void add_up();
   bool is_sound() const;
 

@@ -20,11 +20,31 @@ inline constexpr std::int32_t kShortestStepUs = 100;
 inline constexpr std::int32_t kLongestStepUs = 20000;
 /// Largest TouchSettings::double_window_us.
 inline constexpr std::int32_t kLongestWindowUs = 10000000;
+/// Largest TouchSettings::halt_us.
+inline constexpr std::int32_t kLongestHaltUs = 10000000;
+
+/// @returns kOk | kInvalidArgument: out of range
+template <class SceneT>
+Status validate(const TouchSettings<SceneT>& settings) {
+  const bool good = settings.touches >= 1 && settings.touches <= kMostTouches &&
+                    settings.halt_us >= 0 && settings.halt_us <= kLongestHaltUs &&
+                    settings.double_window_us >= 0 && settings.double_window_us <= kLongestWindowUs;
+  return good ? validate(settings.touch) : Status::kInvalidArgument;
+}
+
+/// @returns kOk | kInvalidArgument: out of range
+template <class Scalar>
+Status validate(const Strip<Scalar>& strip) {
+  const Vec3<Scalar> lengths(strip.length, strip.end_room, strip.least_distance);
+  const bool good = is_finite(lengths) && lengths.minCoeff() >= Scalar(0) &&
+                    lengths.maxCoeff() <= kLargestReach<Scalar>;
+  return good ? Status::kOk : Status::kInvalidArgument;
+}
 
 }  // namespace detail
 
-/// @returns kOk | kInvalidArgument: a setting out of its range (DuelSettings, TouchSettings), or a
-/// distance of the fencers that is not positive or too large
+/// @returns kOk | kInvalidArgument: a setting out of its range (DuelSettings, TouchSettings,
+/// FootworkSettings), or a distance of the fencers that is not positive or too large
 template <class SceneT>
 Status validate(const DuelSettings<SceneT>& settings) {
   using Played = PlayedScene<SceneT>;
@@ -34,9 +54,12 @@ Status validate(const DuelSettings<SceneT>& settings) {
               settings.salle.distance <= kLargestReach<Scalar> &&
               validate(settings.stick) == Status::kOk && validate(settings.world) == Status::kOk;
   if constexpr (Played::kTargets) {
-    good = good && settings.double_window_us >= 0 &&
-           settings.double_window_us <= detail::kLongestWindowUs &&
-           validate(settings.touch) == Status::kOk;
+    good = good &&
+           detail::validate(static_cast<const TouchSettings<Played>&>(settings)) == Status::kOk;
+  }
+  if constexpr (Played::kFeet) {
+    good = good && validate(settings.feet) == Status::kOk &&
+           detail::validate(settings.strip) == Status::kOk;
   }
   return good ? Status::kOk : Status::kInvalidArgument;
 }
@@ -74,8 +97,10 @@ Status Duel<SceneT>::configure(const Settings& settings, const Fencer<Scalar>& l
   (void)world_.configure(settings.world);
   for (DuelSide& place : places_) (void)world_.remove(place.blade);  // Bound: 2
   if constexpr (Played::kTargets) scoring_.begin();
+  if constexpr (Played::kFeet) scoring_.stand_feet();
   take_place(Side::kLeft, left_setup.value, left.build);
   take_place(Side::kRight, right_setup.value, right.build);
+  BATUTA_INVARIANT(world_.size() == 2);
   scoring_.report = {};
   steps_ = 0;
   dt_ = static_cast<Scalar>(settings.step_us) * kSecondsPerUs<Scalar>;
@@ -103,7 +128,6 @@ Result<typename Duel<SceneT>::FencerSetup> Duel<SceneT>::setup_for(const Fencer<
     return failure<FencerSetup>(Status::kInvalidArgument);
   }
   setup.weapon = weapon.value;
-  setup.X_WF = X_WF;
   setup.hand = setup.grid.at(Vec2<Scalar>::Zero());  // where a stick starts
   if (arm(fencer, setup) != Status::kOk) return failure<FencerSetup>(Status::kInvalidArgument);
   return success(setup);
@@ -128,20 +152,54 @@ void Duel<SceneT>::take_place(Side side, const FencerSetup& setup,
   DuelSide& place = at(side);
   place.grid = setup.grid;
   place.weapon = setup.weapon;
-  place.hand = setup.hand;
   (void)place.stick.configure(settings_.stick);
-  if constexpr (Played::kTargets) scoring_.place(side, build, setup.X_WF, setup.hand.X_WH);
-  const auto blade = world_.add(setup.blade);
-  BATUTA_INVARIANT(blade.ok());
-  place.blade = blade.value;
+  if constexpr (Played::kTargets) scoring_.take_place(side, build);
+  Actor<SceneType> blade = setup.blade;
+  stand(side, blade);
+}
+
+/// On guard, with a blade that is at rest. What was restored may be such that no blade can be
+/// there: the duel is then one that was not configured. @pre it is not in the world
+template <class SceneT>
+void Duel<SceneT>::stand(Side side, Actor<SceneType>& blade) {
+  DuelSide& place = at(side);
+  place.hand = hand_at(side, Vec2<Scalar>::Zero());  // where a stick starts
+  const Pose<Scalar> X_WB = chained(place.hand.X_WH, place.weapon.X_HB);
+  const auto body = make_body(X_WB, place.weapon.mass, place.weapon.moments);
+  blade.body = body.value;
+  blade.controller.place(X_WB);
+  if constexpr (Played::kTargets) scoring_.stand(side, {X_WF(side), place.hand.X_WH});
+  const auto added = world_.add(blade);
+  if (!body.ok() || !added.ok()) dt_ = 0;
+  place.blade = added.value;
+}
+
+/// The next exchange. Both blades leave the world before one comes back: it keeps nothing of them.
+template <class SceneT>
+void Duel<SceneT>::resume_after_halt() {
+  std::array<Actor<SceneType>, 2> blades = {blade_of(Side::kLeft), blade_of(Side::kRight)};
+  for (DuelSide& place : places_) (void)world_.remove(place.blade);  // Bound: 2
+  if constexpr (Played::kFeet) scoring_.stand_feet();
+  for (const Side side : {Side::kLeft, Side::kRight}) {  // Bound: 2
+    at(side).stick.start_from_centre();
+    stand(side, blades[index_of(side)]);
+  }
+  if constexpr (Played::kTargets) scoring_.resume();
 }
 
 template <class SceneT>
 Status Duel<SceneT>::step(const InputSample* left, const InputSample* right) {
   if (!(dt_ > Scalar(0))) return Status::kInvalidArgument;
   if (bout().is_over()) return Status::kUnavailable;
-  move_hand(Side::kLeft, left);
-  move_hand(Side::kRight, right);
+  if constexpr (Played::kTargets) {
+    if (bout().is_halt_over()) resume_after_halt();
+    if (!(dt_ > Scalar(0))) return Status::kInvalidArgument;
+  }
+  move_stick(Side::kLeft, left);
+  move_stick(Side::kRight, right);
+  walk();
+  move_hand(Side::kLeft);
+  move_hand(Side::kRight);
   const Status status = world_.step(dt_);
   if (status != Status::kOk) return status;
   add_up();
@@ -155,14 +213,55 @@ Status Duel<SceneT>::step(const InputSample* left, const InputSample* right) {
 }
 
 template <class SceneT>
-void Duel<SceneT>::move_hand(Side side, const InputSample* sample) {
+void Duel<SceneT>::move_stick(Side side, const InputSample* sample) {
+  StickTracker<Scalar>& stick = at(side).stick;
+  if (sample != nullptr) (void)stick.accept(*sample);
+  stick.advance(dt_);
+}
+
+/// What a stick asks of the feet, -1 ... 1. The one place that knows: a map of one stick alone may
+/// order them from here.
+template <class SceneT>
+typename Duel<SceneT>::Scalar Duel<SceneT>::feet_order(const StickTracker<Scalar>& stick) {
+  return stick.feet().y();
+}
+
+template <class SceneT>
+void Duel<SceneT>::walk() {
+  if constexpr (Played::kFeet) {
+    const Vec2<Scalar> orders(feet_order(at(Side::kLeft).stick),
+                              feet_order(at(Side::kRight).stick));
+    scoring_.walk(orders, settings_, dt_);
+  }
+}
+
+/// The hand that a stick means, carried by the feet.
+template <class SceneT>
+KeyedPose<typename Duel<SceneT>::Scalar> Duel<SceneT>::hand_at(Side side,
+                                                               const Vec2<Scalar>& stick) const {
+  KeyedPose<Scalar> hand = at(side).grid.at(stick);
+  if constexpr (Played::kFeet) {
+    const Scalar way = feet(side).way();
+    hand.X_WH.p_W.x() += side == Side::kLeft ? way : -way;
+  }
+  return hand;
+}
+
+template <class SceneT>
+Pose<typename Duel<SceneT>::Scalar> Duel<SceneT>::X_WF(Side side) const {
+  if constexpr (Played::kFeet) return settings_.salle.X_WF(side, feet(side).way());
+  return settings_.salle.X_WF(side);
+}
+
+template <class SceneT>
+void Duel<SceneT>::move_hand(Side side) {
   DuelSide& place = at(side);
-  if (sample != nullptr) (void)place.stick.accept(*sample);
-  place.stick.advance(dt_);
-  place.hand = place.grid.at(place.stick.position());
+  place.hand = hand_at(side, place.stick.position());
 
   auto& actor = *world_.get(place.blade);
-  if constexpr (Played::kTargets) scoring_.follow(side, place.hand.X_WH, actor.body.X_WB, dt_);
+  if constexpr (Played::kTargets) {
+    scoring_.follow(side, {X_WF(side), place.hand.X_WH}, actor.body.X_WB, dt_);
+  }
   actor.controller.command(chained(place.hand.X_WH, place.weapon.X_HB), dt_);
 }
 
@@ -186,9 +285,14 @@ bool Duel<SceneT>::is_sound() const {
   for (const DuelSide& place : places_) {  // Bound: 2
     const auto* blade = world_.get(place.blade);
     good = good && blade != nullptr && is_valid(blade->capsule_B) &&
-           place.stick.position().cwiseAbs().maxCoeff() <= Scalar(1);
+           place.stick.position().cwiseAbs().maxCoeff() <= Scalar(1) &&
+           place.stick.feet().cwiseAbs().maxCoeff() <= Scalar(1);
   }
-  if constexpr (Played::kTargets) good = good && scoring_.is_sound(dt_);
+  if constexpr (Played::kFeet) {
+    good = good && scoring_.feet[0].is_within(settings_.feet) &&
+           scoring_.feet[1].is_within(settings_.feet);
+  }
+  if constexpr (Played::kTargets) good = good && scoring_.is_sound(settings_, dt_);
   const bool both = at(Side::kLeft).blade != at(Side::kRight).blade;
   return good && both && world_.size() == 2;
 }

@@ -8,6 +8,7 @@
 
 #include "batuta/control/stick.hpp"
 #include "batuta/fencing/bout.hpp"
+#include "batuta/fencing/feet.hpp"
 #include "batuta/fencing/grip.hpp"
 #include "batuta/fencing/target.hpp"
 #include "batuta/world/world.hpp"
@@ -23,6 +24,8 @@ struct DuelOptions : SceneOptions {
   /// Fencers have bodies that can be touched, in a hierarchy of k-DOPs. Off: blades only, nobody
   /// can be touched; Fencer::build is not looked at.
   batuta::detail::TrueOrFalse targets = true;
+  /// Fencers advance and retreat on a strip. Off: they stay where they are.
+  batuta::detail::TrueOrFalse feet = true;
   /// What a hand feels can be asked for (haptics/hand_force.hpp). Off: Duel::held_hand_W() is
   /// absent, and what needs it: nothing of room haptics is linked.
   batuta::detail::TrueOrFalse haptics = true;
@@ -47,6 +50,8 @@ struct DuelScene : batuta::detail::SceneConstants<
   static constexpr bool kGrip = DuelScene::kStated.grip;
   /// DuelOptions::targets.
   static constexpr bool kTargets = DuelScene::kStated.targets;
+  /// DuelOptions::feet.
+  static constexpr bool kFeet = DuelScene::kStated.feet;
   /// DuelOptions::haptics.
   static constexpr bool kHaptics = DuelScene::kStated.haptics;
 };
@@ -175,12 +180,16 @@ struct BladeController : CornersOf<SceneT> {
 
   /// Takes the blade where it is. @returns kOk | kInvalidArgument (settings)
   Status take(const Pose<Scalar>& X_WB, [[maybe_unused]] const GripSettings<Scalar>& settings) {
+    place(X_WB);
+    if constexpr (SceneT::kGrip) return carrier.configure(settings);
+    return Status::kOk;
+  }
+  /// Puts hand and blade somewhere, still.
+  void place(const Pose<Scalar>& X_WB) {
     if constexpr (SceneT::kGrip) {
       carrier.place(X_WB);
-      return carrier.configure(settings);
     } else {
       carrier.target_W = X_WB;
-      return Status::kOk;
     }
   }
   /// Where the blade is wanted at the end of the coming step of length dt. @pre finite; dt > 0
@@ -218,6 +227,12 @@ struct BladesOf : SceneT {
 /// What there is to say about touches.
 template <class SceneT>
 struct TouchSettings {
+  /// The bout goes to so many touches of one fencer, 1 ... kMostTouches. Two at once count for
+  /// both; where one touch is missing to either, they are annulled, but not in a bout to one touch,
+  /// which ends with them.
+  std::int32_t touches = 1;
+  /// From the end of an exchange until both are on guard again, us, 0 ... 10000000
+  std::int32_t halt_us = 1000000;
   /// A second touch within this time counts as double, us, 0 ... 10000000
   std::int32_t double_window_us = 40000;
   /// Search for touches.
@@ -227,6 +242,28 @@ struct TouchSettings {
 /// TouchSettings, in a scene whose fencers can be touched.
 template <class SceneT>
 using TouchSettingsOf = batuta::detail::FeatureIf<SceneT::kTargets, TouchSettings<SceneT>, 17>;
+
+/// The strip on which fencers advance and retreat, its middle that of the salle. Lengths in m.
+template <class Scalar>
+struct Strip {
+  Scalar length = Scalar(14);  ///< between its end lines
+  /// The origin of F comes no nearer to the end line behind: the rear foot of a guard stays on the
+  /// strip. Nobody leaves it, so that no touch is given for that.
+  Scalar end_room = Scalar(0.4F);
+  /// The origins of both F come no nearer to each other: trunks and heads of two full lunges are
+  /// still apart.
+  Scalar least_distance = Scalar(1.5F);
+};
+
+/// What there is to say about feet.
+template <class SceneT>
+struct FootworkSettings {
+  FeetSettings<typename SceneT::Scalar> feet;  ///< of both fencers
+  Strip<typename SceneT::Scalar> strip;        ///< where they walk
+};
+/// FootworkSettings, in a scene whose fencers have feet.
+template <class SceneT>
+using FootworkSettingsOf = batuta::detail::FeatureIf<SceneT::kFeet, FootworkSettings<SceneT>, 18>;
 
 }  // namespace batuta::fencing
 
@@ -244,7 +281,8 @@ namespace batuta::fencing {
 /// What a duel can be told.
 /// @tparam SceneT  a DuelScene
 template <class SceneT = DuelScene<>>
-struct DuelSettings : TouchSettingsOf<typename detail::DuelVerdict<SceneT>::Played> {
+struct DuelSettings : TouchSettingsOf<typename detail::DuelVerdict<SceneT>::Played>,
+                      FootworkSettingsOf<PlayedScene<SceneT>> {
   std::int32_t step_us = 1000;                         ///< length of a step, us, 100 ... 20000
   StickSettings stick;                                 ///< of both sticks
   WorldSettings<BladesOf<PlayedScene<SceneT>>> world;  ///< blades: defaults of duel_settings()

@@ -64,7 +64,8 @@ struct Salle {
   Scalar distance = Scalar(2.25);
 
   /// Where a fencer's frame F is in W: x towards the opponent.
-  Pose<Scalar> X_WF(Side side) const;
+  /// @param way  that his feet have gone forward, m
+  Pose<Scalar> X_WF(Side side, Scalar way = Scalar(0)) const;
 };
 
 }  // namespace batuta::fencing

@@ -50,6 +50,9 @@ class HandForce {
   /// @pre dt > 0, s. Bound: no loop.
   Vec2<Scalar> advance(const HandState<Scalar>& state, Scalar dt);
 
+  /// The hand is put somewhere else before the next step, which therefore has no velocities.
+  void leap() { started_ = false; }
+
   /// The pulses of blows, to read what is left of them.
   const ImpactTransient<Scalar>& transient() const { return transient_; }
   /// What the coupling's springs held at the end of the last step, J: for PassivityObserver.

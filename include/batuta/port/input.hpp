@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Motion of a two-axis device as the library wants it: whole samples, time-stamped, the latest one
+// Motion of a stick as the library wants it: whole samples, time-stamped, the latest one
 // wins. A device speaks in single axis events; a sync mark says that a consistent set is complete
 // (the Linux input stack and Zephyr do the same). A port turns events into samples with
 // SampleBuilder and hands them out by read().
@@ -12,9 +12,14 @@ namespace batuta {
 
 /// One consistent state of the device.
 struct InputSample {
-  Microseconds time = 0;      ///< when the device was in this state
-  float x = 0;                ///< stick position, -1 left ... 1 right
-  float y = 0;                ///< stick position, -1 down ... 1 up
+  Microseconds time = 0;  ///< when the device was in this state
+  float x = 0;            ///< stick position, -1 left ... 1 right
+  float y = 0;            ///< stick position, -1 down ... 1 up
+  /// Second pair of axes, -1 left ... 1 right: kept for what footwork may want of it; nothing yet
+  float feet_x = 0;
+  /// The same, -1 down ... 1 up: the feet go back or forward. A device with one pair of axes leaves
+  /// both zero.
+  float feet_y = 0;
   std::uint32_t buttons = 0;  ///< bit i: button i is pressed
   /// Counts samples of this device; a gap tells how many were overwritten unread
   std::uint32_t sequence = 0;

@@ -6,14 +6,18 @@
 // between is a mixture of two states, and is discarded. Integers up to the last division: a stick
 // that returns to a count returns to the same bits.
 
+#include <array>
+
 #include "batuta/port/input.hpp"
 
 namespace batuta {
 
-/// One of the two axes of a stick.
+/// One of the axes of a device: those of its stick, and those of a second pair, if it has one.
 enum class Axis : std::uint8_t {
-  kX,  ///< to the right
-  kY,  ///< up
+  kX,      ///< to the right
+  kY,      ///< up
+  kFeetX,  ///< to the right, of the second pair
+  kFeetY,  ///< up, of the second pair
 };
 
 /// What the counts of an axis mean.
@@ -50,12 +54,17 @@ class SampleBuilder {
  public:
   static constexpr int kMaxButtons = 32;  ///< as many as InputSample::buttons has bits
 
-  /// Calibrates and starts anew: both axes at their centre, no button pressed, sequence 0.
+  /// Calibrates and starts anew: both axes at their centre, no second pair, no button pressed,
+  /// sequence 0.
   /// @returns kOk | kInvalidArgument: !is_valid(x) or !is_valid(y); nothing changed
   Status configure(const AxisCalibration& x, const AxisCalibration& y);
 
+  /// There is a second pair of axes, at their centre. Without it they are zero.
+  /// @returns kOk | kInvalidArgument: !is_valid(x) or !is_valid(y); nothing changed
+  Status configure_feet(const AxisCalibration& x, const AxisCalibration& y);
+
   /// An event: position or movement in counts, by the axis's kind. Movement beyond the rim is not
-  /// remembered, nor is an axis that there is not.
+  /// remembered, nor is an axis that the device does not have.
   void axis(Axis which, std::int32_t counts);
 
   /// A button was pressed or let go. @returns kOk | kInvalidArgument: index not in [0, kMaxButtons)
@@ -73,16 +82,19 @@ class SampleBuilder {
   std::uint32_t losses() const { return losses_; }
 
  private:
+  static constexpr std::size_t kPair = 2;
+
   struct State {
-    std::int32_t x = 0;
-    std::int32_t y = 0;
+    std::array<std::int32_t, 2 * kPair> at{};  ///< by Axis
     std::uint32_t buttons = 0;
   };
 
-  AxisCalibration x_;
-  AxisCalibration y_;
-  State pending_;  ///< with the events since the last mark
-  State synced_;   ///< as of that mark
+  Status set_pair(std::size_t first, const AxisCalibration& x, const AxisCalibration& y);
+
+  std::array<AxisCalibration, 2 * kPair> axes_;  ///< by Axis
+  std::size_t count_ = kPair;                    ///< of the axes that there are
+  State pending_;                                ///< with the events since the last mark
+  State synced_;                                 ///< as of that mark
   std::uint32_t sequence_ = 0;
   std::uint32_t losses_ = 0;
   bool discarding_ = false;

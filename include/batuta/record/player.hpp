@@ -58,11 +58,14 @@ class Player {
   std::uint32_t steps() const { return steps_; }
   /// Hashes that agreed so far.
   std::uint32_t agreed() const { return agreed_; }
+  /// Of the recording's format, once begin() has answered kReady, kOtherVersion or kOtherScene; 0:
+  /// it could not be read.
+  int version() const { return version_; }
   /// Steps of which the end mark says that they are missing.
   std::uint32_t lost() const { return lost_; }
 
  private:
-  enum class Stage : std::uint8_t { kState, kRun, kSteps, kOver };
+  enum class Stage : std::uint8_t { kState, kOtherState, kRun, kSteps, kOver };
 
   Playback stop(Playback end);
   /// Sees to it that the buffer holds `bytes` bytes. @returns kReady | kWaiting | kCut | kTooLarge
@@ -70,6 +73,8 @@ class Player {
   /// The same for the next record, whose check sum is then good.
   Playback fetch_record();
   Playback fetch_state(detail::SnapshotHead& head);
+  Playback pass_other_state();
+  Playback end_of_other(Playback fetched);
   void drop();
   detail::RecordKind kind() const { return static_cast<detail::RecordKind>(buffer_[0]); }
   int body_size() const { return buffer_[1] | buffer_[2] << 8; }
@@ -88,6 +93,8 @@ class Player {
   std::uint32_t steps_ = 0;
   std::uint32_t agreed_ = 0;
   std::uint32_t lost_ = 0;
+  std::uint64_t passing_ = 0;  ///< bytes of a state of another type that are still to come
+  std::uint16_t version_ = 0;
   Playback end_ = Playback::kWaiting;
   Stage stage_ = Stage::kState;
   bool compared_ = false;  ///< the state after steps() steps
@@ -104,6 +111,7 @@ bool Player::take(Body& body) {
 
 template <class Input, class State>
 Playback Player::begin(State& state) {
+  if (stage_ == Stage::kOtherState) return pass_other_state();
   if (stage_ == Stage::kState) {
     detail::SnapshotHead head = detail::head_for(state);
     const Playback fetched = fetch_state(head);

@@ -10,7 +10,7 @@ namespace batuta {
 namespace detail {
 
 /// Of the format of what follows the state; another one is not read.
-inline constexpr std::uint16_t kRecordingVersion = 1;
+inline constexpr std::uint16_t kRecordingVersion = 2;
 
 /// What a record of a recording tells; src/record/recorder.md.
 enum class RecordKind : std::uint8_t {

@@ -3,7 +3,8 @@
 // Controllers: the paper's black box [Kavan §2.1]. A controller says where its body goes during the
 // rest of a step, and is told what a contact did to it. A scene names one type, its Controller,
 // with the members of FreeFlight below; a scene with several kinds names AnyController<...>
-// (any_controller.hpp). No virtual calls: the compiler sees the whole step.
+// (any_controller.hpp). No virtual calls: the compiler sees the whole step. A body that nothing can
+// push (is_fixed()) is asked once a step: contacts do not change its course.
 
 #include "batuta/mechanics/motion.hpp"
 

@@ -20,6 +20,8 @@ int button_index(std::uint16_t code) {
 
 EventDecoder::EventDecoder(const MotionAxes& axes) : axes_(axes) {
   if (builder_.configure(axes.x, axes.y) != Status::kOk) BATUTA_INVARIANT(false);
+  if (!axes.feet) return;
+  if (builder_.configure_feet(axes.feet->x, axes.feet->y) != Status::kOk) BATUTA_INVARIANT(false);
 }
 
 Result<InputSample> EventDecoder::decode(const DeviceEvent& event, Microseconds time) {
@@ -60,6 +62,9 @@ void EventDecoder::decode_motion(const DeviceEvent& event) {
   if (event.type != axes_.type) return;
   if (event.code == axes_.code_x) builder_.axis(Axis::kX, event.value);
   if (event.code == axes_.code_y) builder_.axis(Axis::kY, event.value);
+  if (!axes_.feet) return;
+  if (event.code == axes_.feet->code_x) builder_.axis(Axis::kFeetX, event.value);
+  if (event.code == axes_.feet->code_y) builder_.axis(Axis::kFeetY, event.value);
 }
 
 }  // namespace batuta::host

@@ -29,6 +29,12 @@ constexpr std::array<Candidate, 3> kCandidates = {{
     {EV_ABS, ABS_MT_POSITION_X, ABS_MT_POSITION_Y, true},
 }};
 
+/// For the feet: a second stick, a hat.
+constexpr std::array<Candidate, 2> kFeet = {{
+    {EV_ABS, ABS_RX, ABS_RY, false},
+    {EV_ABS, ABS_HAT0X, ABS_HAT0Y, false},
+}};
+
 MotionAxes uncalibrated(const Candidate& candidate) {
   MotionAxes axes;
   axes.type = candidate.type;
@@ -111,6 +117,23 @@ AxisCalibration calibrate_absolute(MotionAxes& axes, const std::vector<DeviceEve
   return calibrate(AxisKind::kAbsolute, *range, vertical);
 }
 
+/// @param is_used   whether a pair of axes is to be looked at
+/// @param range_of  of the axis with this code, or nothing
+template <class IsUsed, class RangeOf>
+std::optional<FeetAxes> find_feet(const MotionAxes& axes, const IsUsed& is_used,
+                                  const RangeOf& range_of) {
+  if (axes.type != EV_ABS || axes.fingers) return std::nullopt;
+  for (const Candidate& feet : kFeet) {  // Bound: kFeet
+    if (!is_used(feet)) continue;
+    const std::optional<AxisRange> x = range_of(feet.code_x);
+    const std::optional<AxisRange> y = range_of(feet.code_y);
+    if (!x || !y) continue;
+    return FeetAxes{feet.code_x, feet.code_y, calibrate(AxisKind::kAbsolute, *x, false),
+                    calibrate(AxisKind::kAbsolute, *y, true)};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<MotionAxes> find_motion_axes(const std::vector<DeviceEvent>& events,
@@ -124,6 +147,11 @@ std::optional<MotionAxes> find_motion_axes(const std::vector<DeviceEvent>& event
   } else {
     axes.x = calibrate_absolute(axes, events, description, false);
     axes.y = calibrate_absolute(axes, events, description, true);
+  }
+  if (description) {
+    axes.feet = find_feet(
+        axes, [&](const Candidate& feet) { return moves(events, feet); },
+        [&](std::uint16_t code) { return description->range(code); });
   }
   return axes;
 }
@@ -142,6 +170,12 @@ std::optional<MotionAxes> find_motion_axes(const Abilities& device) {
     const AxisKind kind = relative ? AxisKind::kRelative : AxisKind::kAbsolute;
     axes.x = calibrate(kind, *x, false);
     axes.y = calibrate(kind, *y, true);
+    axes.feet = find_feet(
+        axes,
+        [&](const Candidate& feet) {
+          return device.has(feet.type, feet.code_x) && device.has(feet.type, feet.code_y);
+        },
+        device.range);
     return axes;
   }
   return std::nullopt;

@@ -16,6 +16,7 @@ class ReplayDevice final : public Source {
   std::string description() const override;
   double duration() const override { return recording_.duration; }
   std::uint32_t losses() const override { return recording_.losses; }
+  void rewind() override { next_ = 0; }
 
  private:
   /// Bound: the samples between two calls.

@@ -88,6 +88,12 @@ double ScriptDevice::duration() const {
   return std::numeric_limits<double>::infinity();
 }
 
+void ScriptDevice::rewind() {
+  phase_ms_ = 0;
+  latest_ = InputSample();
+  started_ = false;
+}
+
 Status ScriptDevice::do_read(Microseconds now, InputSample& sample) {
   const std::int32_t since_us = elapsed_us(latest_.time, now);
   const std::uint32_t periods =

@@ -38,6 +38,7 @@ class ScriptDevice final : public Source {
 
   std::string description() const override;
   double duration() const override;
+  void rewind() override;
 
  private:
   /// Bound: the moves of the script.

@@ -12,6 +12,7 @@
 #include "programs/devices/replay_device.hpp"
 #include "programs/devices/reported_stick.hpp"
 #include "programs/devices/script_device.hpp"
+#include "programs/devices/seeing_device.hpp"
 #include "programs/live/open_live.hpp"
 
 namespace batuta::host {
@@ -20,7 +21,7 @@ namespace {
 constexpr std::string_view kSerial = "serial:";
 
 constexpr const char* kKnown =
-    "a recording (.events, .evemu), default, script:guard|parry|attack, "
+    "a recording (.events, .evemu), default, script:guard|parry|attack|novice|club|master, "
     "device:/dev/input/eventN, device:sdl[:INDEX|NAME], or serial:LINE[@BAUD][,SOURCE]";
 
 OpenedSource refuse(const std::string& error) {
@@ -34,10 +35,16 @@ bool starts_with(std::string_view words, std::string_view beginning) {
 }
 
 OpenedSource open_script(const std::string& words) {
-  const std::optional<Script> script = script_named(words.substr(words.find(':') + 1));
-  if (!script) return refuse(words + ": unknown script; known are guard, parry and attack");
+  const std::string name = words.substr(words.find(':') + 1);
   OpenedSource opened;
-  opened.source = std::make_unique<ScriptDevice>(*script);
+  if (const std::optional<Script> script = script_named(name)) {
+    opened.source = std::make_unique<ScriptDevice>(*script);
+  } else if (const std::optional<SeeingScript> fencer = seeing_script(name)) {
+    opened.source = std::make_unique<SeeingDevice>(*fencer);
+  } else {
+    return refuse(words + ": unknown script; known are guard, parry, attack, and those that see: " +
+                  "novice, club, master, each with @SEED or without");
+  }
   return opened;
 }
 

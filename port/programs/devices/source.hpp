@@ -8,6 +8,10 @@
 
 #include "batuta/port/input.hpp"
 
+namespace batuta::fencing {
+struct Observation;
+}  // namespace batuta::fencing
+
 namespace batuta::host {
 
 class LiveForce;
@@ -27,10 +31,16 @@ class Source : public InputDevice {
   virtual double duration() const = 0;
   /// Samples that could not be made because the device had lost events.
   virtual std::uint32_t losses() const { return 0; }
+  /// Another bout begins: read() is called with `now` from 0 again.
+  virtual void rewind() {}
   /// It happens now, and cannot be played faster.
   virtual bool is_live() const { return false; }
   /// Times that it was unplugged.
   virtual std::uint32_t unplugs() const { return 0; }
+  /// It decides by what it sees: see() comes before read(), once a step.
+  virtual bool sees() const { return false; }
+  /// What it would see in the step to come, of length step_us.
+  virtual void see(const fencing::Observation& /*sight*/, std::int32_t /*step_us*/) {}
   /// The way back into the hand, opened when it is first asked for; null: there is none.
   virtual LiveForce* force(const ForceOptions& /*options*/) { return nullptr; }
 };
@@ -50,7 +60,8 @@ struct OpenedSource {
   bool own_stick = false;
 };
 
-/// SOURCE: "default", "script:guard|parry|attack", the path of a recording,
+/// SOURCE: "default", "script:guard|parry|attack", "script:novice|club|master[@SEED]", the path of
+/// a recording,
 /// "device:/dev/input/eventN|sdl[:INDEX|NAME]", or "serial:LINE[@BAUD][,SOURCE]" with one of the
 /// former. Opens recordings and devices, but no line.
 OpenedSource open_source(const std::string& words);

@@ -8,19 +8,29 @@ using namespace fencing;
 void BoutLog::on_start(const DuelRunner& runner) {
   std::fprintf(out_, "left   %s\n", runner.source(Side::kLeft).description().c_str());
   std::fprintf(out_, "right  %s\n", runner.source(Side::kRight).description().c_str());
+  const BoutRules& rules = runner.rules();
+  std::fprintf(out_, "bout   to %d touch%s, search %s\n", rules.touches,
+               rules.touches == 1 ? "" : "es", name_of(rules.search));
   std::fprintf(out_, "%9.3f s  en garde\n", 0.0);
 }
 
 void BoutLog::on_step(const DuelRunner& runner) {
-  for (const auto& event : runner.duel().world().events()) {  // Bound: DuelScene::kMaxEvents
+  for (const auto& event : runner.duel().events()) {  // Bound: DuelScene::kMaxEvents
     print_contact(time_of(runner, event), event);
   }
-  touches_.for_each_new(runner, [&](const Touch<float>& touch) {
+  if (touches_.is_next(runner.duel())) {
+    std::fprintf(out_, "%9.3f s  en garde\n", time_of(runner.duel()) - 1e-6 * DuelRunner::kStep_us);
+  }
+  touches_.for_each_new(runner.duel(), [&](const Touch<float>& touch) {
     std::fprintf(out_, "%9.3f s  touch   %s touches the %s at %.2f m height%s\n",
                  time_of(runner, touch), name_of(touch.by), fencing::name_of(touch.part),
                  static_cast<double>(touch.contact.point_W.z()),
                  touch.certain ? "" : " (perhaps not the first)");
   });
+  if (!touches_.is_halt(runner.duel())) return;
+  const Bout<float>& bout = runner.duel().bout();
+  std::fprintf(out_, "%9.3f s  halt    %d : %d%s\n", runner.now(), bout.score[0], bout.score[1],
+               bout.annulled ? ", the double touch is annulled" : "");
 }
 
 void BoutLog::print_contact(double time, const ContactEvent<float>& event) {
@@ -53,9 +63,10 @@ void BoutLog::print_parting(double time) {
 void BoutLog::on_end(const DuelRunner& runner) {
   const DuelReport& report = runner.duel().report();
   const Tally& tally = runner.tally();
-  const bool won = runner.ending() == Ending::kTouch;
-  std::fprintf(out_, "%9.3f s  halt    %s%s\n", runner.now(), result_of(runner),
-               won ? " wins" : "");
+  const bool won = runner.ending() == Ending::kWon;
+  const auto [left, right] = score_of(runner.duel().bout());
+  std::fprintf(out_, "%9.3f s  halt    %s%s, %d : %d\n", runner.now(), result_of(runner),
+               won ? " wins" : "", left, right);
   std::fprintf(out_, "\nbeats %u; contacts begun %u, kept %u, ended %u; blows %u, rests %u\n",
                tally.beats, tally.begins, tally.persists, tally.ends, report.blows, report.rests);
   std::fprintf(out_, "smallest gap between the blades %.4f mm, deepest overlap %.4f mm\n",

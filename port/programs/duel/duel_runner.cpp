@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "batuta/fencing/observation.hpp"
+
 namespace batuta::host {
 using namespace fencing;
 namespace {
@@ -20,13 +22,23 @@ double bout_length(const Source& left, const Source& right, double limit) {
 
 }  // namespace
 
-DuelRunner::DuelRunner(Source& left, Source& right, double limit)
-    : sources_{&left, &right}, limit_(bout_length(left, right, limit)) {}
+std::array<int, 2> score_of(const Bout<float>& bout) {
+  std::array<int, 2> score = {bout.score[0], bout.score[1]};
+  if (bout.state == BoutState::kLockout) ++score[index_of(bout.touches[0].by)];
+  return score;
+}
+
+DuelRunner::DuelRunner(Source& left, Source& right, double limit, const BoutRules& rules)
+    : sources_{&left, &right},
+      rules_(rules),
+      bout_(make_bout(rules.search)),
+      limit_(bout_length(left, right, limit)) {}
 
 Status DuelRunner::start() {
   firmware::BoutSettings settings;
   settings.step_us = kStep_us;
-  return bout_.start(settings);
+  settings.touches = rules_.touches;
+  return bout_->start(settings);
 }
 
 bool DuelRunner::step() {
@@ -34,7 +46,7 @@ bool DuelRunner::step() {
   const InputSample* left = read(Side::kLeft, samples[0]);
   const InputSample* right = read(Side::kRight, samples[1]);
   const auto before = std::chrono::steady_clock::now();
-  status_ = bout_.step(left, right);
+  status_ = bout_->step(left, right);
   const auto spent = std::chrono::steady_clock::now() - before;
   if (status_ != Status::kOk) return false;
   add_up(spent);
@@ -45,7 +57,8 @@ bool DuelRunner::step() {
 const InputSample* DuelRunner::read(Side side, InputSample& sample) {
   Source& source = *sources_[index_of(side)];
   DeviceTally& tally = tally_.devices[index_of(side)];
-  const auto now_us = static_cast<Microseconds>(std::uint64_t{bout_.steps()} * kStep_us);
+  if (source.sees()) source.see(observation_of(duel(), side), kStep_us);
+  const auto now_us = static_cast<Microseconds>(std::uint64_t{bout_->steps()} * kStep_us);
   const Status status = source.read(now_us, sample);
   if (status == Status::kInvalidArgument) ++tally.refused;
   if (status == Status::kOk) ++tally.samples;
@@ -57,8 +70,8 @@ const InputSample* DuelRunner::read(Side side, InputSample& sample) {
 }
 
 void DuelRunner::add_up(std::chrono::nanoseconds spent) {
-  const auto& report = duel().world().report();
-  for (const auto& event : duel().world().events()) {  // Bound: DuelScene::kMaxEvents
+  const auto& report = duel().step_report();
+  for (const auto& event : duel().events()) {  // Bound: DuelScene::kMaxEvents
     const bool blow = event.contact_kind == ContactKind::kColliding;
     tally_.beats += event.kind == EventKind::kBegin && blow ? 1 : 0;
     tally_.begins += event.kind == EventKind::kBegin ? 1 : 0;
@@ -77,17 +90,11 @@ void DuelRunner::add_up(std::chrono::nanoseconds spent) {
 }
 
 Ending DuelRunner::judge() const {
-  switch (duel().bout().state) {
-    case BoutState::kTouched:
-      return Ending::kTouch;
-    case BoutState::kDouble:
-      return Ending::kDouble;
-    case BoutState::kFencing:
-    case BoutState::kLockout:
-      break;
-  }
-  if (now() < limit_) return Ending::kNone;
-  return duel().bout().state == BoutState::kLockout ? Ending::kTouch : Ending::kDraw;
+  const Bout<float>& bout = duel().bout();
+  if (!bout.is_over() && now() < limit_) return Ending::kNone;
+  const auto [left, right] = score_of(bout);
+  if (left != right) return Ending::kWon;
+  return bout.is_over() ? Ending::kDouble : Ending::kDraw;
 }
 
 }  // namespace batuta::host

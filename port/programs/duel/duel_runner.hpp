@@ -8,17 +8,21 @@
 #include <limits>
 
 #include "programs/devices/source.hpp"
-#include "shared/firmware/stepped_bout.hpp"
+#include "programs/duel/played_bout.hpp"
 
 namespace batuta::host {
 
 /// How a bout ended.
 enum class Ending : std::uint8_t {
   kNone,    ///< it is still going on
-  kTouch,   ///< one touch
-  kDouble,  ///< two within the window
-  kDraw,    ///< no touch until the recordings, or the time, were at an end
+  kWon,     ///< one fencer has more touches, when there were enough or the time was over
+  kDouble,  ///< a bout to one touch, with two within the window
+  kDraw,    ///< as many touches for either, when the recordings, or the time, were at an end
 };
+
+/// The touches of the left and the right fencer that count, with that of an exchange which nobody
+/// has ended yet.
+std::array<int, 2> score_of(const fencing::Bout<float>& bout);
 
 /// Of one fencer's device.
 struct DeviceTally {
@@ -46,15 +50,21 @@ struct Tally {
   std::uint64_t host_ns_worst = 0;
 };
 
+/// What bout it is.
+struct BoutRules {
+  int touches = 1;  ///< to which it goes
+  SearchKind search = SearchKind::kAdvancement;
+};
+
 class DuelRunner {
  public:
-  using DuelType = firmware::DuelType;
+  using DuelType = SeenDuel;
   static constexpr Microseconds kStep_us = 1000;
   /// Where no source ends: a bout of the preliminary rounds.
   static constexpr double kBoutLength = 180;
 
   /// @param limit  s; infinite: as long as the longest recording
-  DuelRunner(Source& left, Source& right, double limit);
+  DuelRunner(Source& left, Source& right, double limit, const BoutRules& rules = {});
 
   /// Puts the fencers on guard.
   Status start();
@@ -65,15 +75,16 @@ class DuelRunner {
   /// Of the last step(): other than kOk, there was none, and the bout has not come to its end.
   Status status() const { return status_; }
   Ending ending() const { return ending_; }
-  const DuelType& duel() const { return bout_.duel(); }
+  const BoutRules& rules() const { return rules_; }
+  const DuelType& duel() const { return bout_->duel(); }
   /// The duel with the forces on the sticks and the samples of the last step.
-  const firmware::SteppedBout& bout() const { return bout_; }
+  const PlayedBout& bout() const { return *bout_; }
   const Tally& tally() const { return tally_; }
   const Source& source(fencing::Side side) const { return *sources_[index_of(side)]; }
   /// When the bout ends without a touch, s.
   double limit() const { return limit_; }
   /// Simulated time since the start, s.
-  double now() const { return bout_.steps() * 1e-6 * kStep_us; }
+  double now() const { return bout_->steps() * 1e-6 * kStep_us; }
 
  private:
   const InputSample* read(fencing::Side side, InputSample& sample);
@@ -81,7 +92,8 @@ class DuelRunner {
   Ending judge() const;
 
   std::array<Source*, 2> sources_;
-  firmware::SteppedBout bout_;
+  BoutRules rules_;
+  std::unique_ptr<PlayedBout> bout_;
   Tally tally_;
   double limit_;
   Ending ending_ = Ending::kNone;

@@ -36,12 +36,17 @@ void add_result(JsonLine& line, const DuelRunner& runner) {
   line.text("result", result_of(runner))
       .count("steps", runner.duel().steps())
       .number("simulated_seconds", runner.now());
-  const auto& touches = runner.duel().bout().touches;
-  if (touches.empty()) return;
-  line.text("touch_by", batuta::host::name_of(touches[0].by))
-      .text("touch_part", fencing::name_of(touches[0].part))
-      .number("touch_time", time_of(runner, touches[0]))
-      .flag("touch_certain", touches[0].certain);
+  const auto [left, right] = score_of(runner.duel().bout());
+  line.count("score_left", static_cast<unsigned>(left))
+      .count("score_right", static_cast<unsigned>(right))
+      .count("exchanges", runner.duel().bout().exchange);
+}
+
+void add_touch(JsonLine& line, const DuelRunner& runner, const Touch<float>& touch) {
+  line.text("touch_by", batuta::host::name_of(touch.by))
+      .text("touch_part", fencing::name_of(touch.part))
+      .number("touch_time", time_of(runner, touch))
+      .flag("touch_certain", touch.certain);
 }
 
 void add_contacts(JsonLine& line, const DuelRunner& runner) {
@@ -83,24 +88,40 @@ void JsonLog::on_start(const DuelRunner& runner) {
   JsonLine(out_, "start")
       .text("left", runner.source(Side::kLeft).description())
       .text("right", runner.source(Side::kRight).description())
+      .text("search", batuta::host::name_of(runner.rules().search))
       .number("step_seconds", 1e-6 * DuelRunner::kStep_us)
-      .number("limit_seconds", runner.limit());
+      .number("limit_seconds", runner.limit())
+      .count("touches", static_cast<unsigned>(runner.rules().touches));
 }
 
 void JsonLog::on_step(const DuelRunner& runner) {
-  for (const auto& event : runner.duel().world().events()) {  // Bound: DuelScene::kMaxEvents
+  for (const auto& event : runner.duel().events()) {  // Bound: DuelScene::kMaxEvents
     const bool blow = event.contact_kind == ContactKind::kColliding;
     if (event.kind != EventKind::kPersist || blow) write_contact(time_of(runner, event), event);
   }
-  touches_.for_each_new(runner, [&](const Touch<float>& touch) {
+  touches_.for_each_new(runner.duel(), [&](const Touch<float>& touch) {
+    if (runner.duel().bout().exchange != last_exchange_) last_ = touch;
+    last_exchange_ = runner.duel().bout().exchange;
     JsonLine(out_, "touch")
         .number("time", time_of(runner, touch))
+        .count("exchange", runner.duel().bout().exchange)
         .text("by", batuta::host::name_of(touch.by))
         .text("part", fencing::name_of(touch.part))
         .number("place", static_cast<double>(touch.place))
         .vector("point", touch.contact.point_W)
         .flag("certain", touch.certain);
   });
+  if (touches_.is_halt(runner.duel())) write_halt(runner);
+}
+
+void JsonLog::write_halt(const DuelRunner& runner) {
+  const Bout<float>& bout = runner.duel().bout();
+  JsonLine(out_, "halt")
+      .number("time", runner.now())
+      .count("exchange", bout.exchange)
+      .count("score_left", bout.score[0])
+      .count("score_right", bout.score[1])
+      .flag("annulled", bout.annulled);
 }
 
 void JsonLog::write_contact(double time, const ContactEvent<float>& event) {
@@ -120,6 +141,7 @@ void JsonLog::write_contact(double time, const ContactEvent<float>& event) {
 void JsonLog::on_end(const DuelRunner& runner) {
   JsonLine line(out_, "summary");
   add_result(line, runner);
+  if (last_exchange_ > 0) add_touch(line, runner, last_);
   add_contacts(line, runner);
   add_device(line, runner, Side::kLeft);
   add_device(line, runner, Side::kRight);

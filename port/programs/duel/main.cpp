@@ -10,21 +10,24 @@
 #include <exception>
 #include <fstream>
 #include <memory>
-#include <thread>
+#include <utility>
 
-#include "platforms/host/clock.hpp"
+#include "programs/duel/beat_figure.hpp"
 #include "programs/duel/bout_log.hpp"
 #include "programs/duel/device/device_log.hpp"
 #include "programs/duel/device/device_setup.hpp"
 #include "programs/duel/interrupt.hpp"
 #include "programs/duel/json_log.hpp"
 #include "programs/duel/options.hpp"
-#include "programs/duel/pace.hpp"
+#include "programs/duel/pacing.hpp"
 #include "programs/duel/progress_bar.hpp"
 #include "programs/duel/replay.hpp"
 #include "programs/duel/run_record.hpp"
 #include "programs/duel/stick_feedback.hpp"
 #include "programs/duel/svg_picture.hpp"
+#include "programs/duel/touch_strip.hpp"
+#include "programs/duel/view/replay_show.hpp"
+#include "programs/duel/view/view.hpp"
 
 namespace batuta::host {
 using namespace fencing;
@@ -40,11 +43,21 @@ int complain(int exit_code, const std::string& what) {
 /// Below this, a replay is over before a bar could be read.
 constexpr double kLongReplay = 600;  // s
 
-/// Where a bout is drawn and recorded, if it is to be, and who feels it.
+/// Where a bout is drawn, recorded and seen, if it is to be, and who feels it.
 struct Outputs {
   std::array<LiveForce*, 2> forces{};
   std::ofstream svg;
+  std::ofstream figure;
+  std::ofstream strip;
   FileSink record;
+  std::unique_ptr<View> view;
+  ViewFeed feed;  ///< of the view
+
+  /// Each path, empty where nothing is drawn, and its file.
+  std::array<std::pair<const std::string*, std::ofstream*>, 3> pictures(const Options& options) {
+    return {{{&options.svg, &svg}, {&options.figure, &figure}, {&options.strip, &strip}}};
+  }
+  ViewControls* controls() const { return view ? &view->controls() : nullptr; }
 };
 
 Observers make_observers(const Options& options, double limit, Outputs& outputs) {
@@ -62,31 +75,41 @@ Observers make_observers(const Options& options, double limit, Outputs& outputs)
     observers.push_back(std::make_unique<BoutLog>(stdout));
     observers.push_back(std::move(force_log));
   }
+  if (outputs.view) {
+    std::FILE* const out = options.json ? nullptr : stdout;
+    observers.push_back(std::make_unique<ViewObserver>(*outputs.view, outputs.feed, out));
+  }
   if (!options.svg.empty()) observers.push_back(std::make_unique<SvgPicture>(outputs.svg));
+  if (!options.figure.empty()) observers.push_back(std::make_unique<BeatFigure>(outputs.figure));
+  if (!options.strip.empty()) observers.push_back(std::make_unique<TouchStrip>(outputs.strip));
   if (!options.record.empty()) observers.push_back(std::make_unique<RunRecord>(outputs.record));
   return observers;
 }
 
-/// Waits until a step that was just simulated is over on the clock as well.
-void wait_for_step(Clock& clock, Pace& pace) {
-  std::fflush(stdout);
-  const std::int32_t early_us = pace.wait_us(clock.now());
-  if (early_us > 0) std::this_thread::sleep_for(std::chrono::microseconds(early_us));
+/// One step. @param[out] going_on  whether another one follows
+/// @returns whether it was made; if not, the runner's status or the device says why
+bool make_step(DuelRunner& runner, const Observers& observers, DevicePartner* device,
+               bool& going_on) {
+  if (device != nullptr && !device->before_step(runner)) return false;
+  going_on = runner.step();
+  if (runner.status() != Status::kOk) return false;
+  if (device != nullptr && !device->after_step(runner)) return false;
+  for (const auto& observer : observers) observer->on_step(runner);
+  return true;
 }
 
 /// @returns whether the bout came to its end; if not, the runner's status or the device says why
-bool run(DuelRunner& runner, const Observers& observers, bool realtime, DevicePartner* device) {
-  HostClock clock;
+bool run(DuelRunner& runner, const Observers& observers, const Options& options,
+         const Outputs& outputs, DevicePartner* device) {
+  const bool device_keeps_time = device != nullptr && device->mode() == link::Mode::kFree;
+  if (outputs.view) outputs.controls()->begin(device_keeps_time);
   for (const auto& observer : observers) observer->on_start(runner);
-  Pace pace(clock.now(), DuelRunner::kStep_us);
-  bool going_on = true;
-  while (going_on && !is_interrupted()) {  // Bound: the steps up to runner.limit()
-    if (device != nullptr && !device->before_step(runner)) return false;
-    going_on = runner.step();
-    if (runner.status() != Status::kOk) return false;
-    if (device != nullptr && !device->after_step(runner)) return false;
-    for (const auto& observer : observers) observer->on_step(runner);
-    if (realtime) wait_for_step(clock, pace);
+  Pacing pacing(options.realtime && !(outputs.view && device_keeps_time), outputs.controls());
+  bool going_on = !is_interrupted();
+  while (going_on) {  // Bound: the steps up to runner.limit()
+    if (!make_step(runner, observers, device, going_on)) return false;
+    if (options.realtime) std::fflush(stdout);
+    going_on = going_on && pacing.wait();
   }
   return true;
 }
@@ -107,6 +130,7 @@ constexpr std::uint32_t kMostLost = 10;
 enum class BoutEnd : std::uint8_t {
   kOver,
   kDeviceLost,  ///< another session may be tried
+  kAgain,       ///< the viewer wants another bout
   kFailed,      ///< and everything has been said
 };
 
@@ -123,32 +147,54 @@ BoutEnd fail(const std::string& what) {
   return BoutEnd::kFailed;
 }
 
-/// A recording holds one bout: each begins the file anew.
-BoutEnd play_bout(const Options& options, DeviceSetup& setup, Outputs& outputs) {
-  if (!options.record.empty()) {
-    const std::string error = outputs.record.open(options.record);
-    if (!error.empty()) return fail(error);
+/// A recording or a picture holds one bout: each begins the file anew. @returns empty | why not
+std::string open_files(const Options& options, Outputs& outputs) {
+  for (const auto& [path, file] : outputs.pictures(options)) {  // Bound: 2
+    if (path->empty()) continue;
+    *file = std::ofstream(*path);
+    if (!*file) return *path + ": cannot be written: " + std::strerror(errno);
   }
+  return options.record.empty() ? "" : outputs.record.open(options.record);
+}
+
+/// A bout that is over stays in sight until its viewer has seen enough.
+BoutEnd end_in_sight(const Outputs& outputs) {
+  if (!outputs.view) return BoutEnd::kOver;
+  std::fflush(stdout);
+  return wait_for_wish(*outputs.controls()) == ViewWish::kRestart ? BoutEnd::kAgain
+                                                                  : BoutEnd::kOver;
+}
+
+BoutRules rules_of(const Options& options) {
+  const bool paper = options.search == name_of(SearchKind::kStepping);
+  return {options.touches, paper ? SearchKind::kStepping : SearchKind::kAdvancement};
+}
+
+BoutEnd play_bout(const Options& options, DeviceSetup& setup, Outputs& outputs) {
+  const std::string error = open_files(options, outputs);
+  if (!error.empty()) return fail(error);
   DevicePartner* device = setup.partner();
-  if (device != nullptr && !device->open()) return fail(device->problem());
-  const auto runner = std::make_unique<DuelRunner>(setup.source(Side::kLeft),
-                                                   setup.source(Side::kRight), options.seconds);
+  if (device != nullptr && !device->open(options.touches)) return fail(device->problem());
+  for (const Side side : {Side::kLeft, Side::kRight}) setup.source(side).rewind();
+  const auto runner = std::make_unique<DuelRunner>(
+      setup.source(Side::kLeft), setup.source(Side::kRight), options.seconds, rules_of(options));
   if (runner->start() != Status::kOk) return fail("the fencers are not valid");
   const Observers observers = make_observers(options, runner->limit(), outputs);
-  const bool ended = run(*runner, observers, options.realtime, device);
+  const bool ended = run(*runner, observers, options, outputs, device);
   if (runner->status() != Status::kOk) {
     return fail("step " + std::to_string(runner->bout().steps() + 1) +
                 " was not made: the bout refused it");
   }
   const BoutEnd end = ended ? BoutEnd::kOver : give_up_on(*device);
   if (end != BoutEnd::kDeviceLost) conclude(*runner, observers, device, options.json);
-  return end;
+  return end == BoutEnd::kOver ? end_in_sight(outputs) : end;
 }
 
-/// One bout; with a device that was lost on the way, another one.
+/// One bout; with a device that was lost on the way, or a viewer who wants it, another one.
 int play_bouts(const Options& options, DeviceSetup& setup, Outputs& outputs) {
-  BoutEnd end = BoutEnd::kDeviceLost;
-  while (end == BoutEnd::kDeviceLost) {  // Bound: kMostLost + 1 sessions
+  BoutEnd end = BoutEnd::kAgain;
+  while (end == BoutEnd::kDeviceLost || end == BoutEnd::kAgain) {
+    // Bound: kMostLost + 1 sessions, and the patience of who watches
     end = play_bout(options, setup, outputs);
   }
   return end == BoutEnd::kOver ? kExitOk : kExitFailure;
@@ -162,11 +208,20 @@ OpenedSource open(const std::string& words) {
   return opened;
 }
 
+/// @returns empty | why there is no window where there is to be one
+std::string open_window(const Options& options, const ViewNames& names, Outputs& outputs) {
+  if (!options.view) return {};
+  OpenedView opened = open_view(names);
+  outputs.view = std::move(opened.view);
+  return opened.error;
+}
+
 /// Whether all that was to be written is.
 int finish(const Options& options, Outputs& outputs) {
-  outputs.svg.flush();
-  if (!options.svg.empty() && !outputs.svg)
-    return complain(kExitFailure, options.svg + ": cannot be written");
+  for (const auto& [path, file] : outputs.pictures(options)) {  // Bound: 2
+    file->flush();
+    if (!path->empty() && !*file) return complain(kExitFailure, *path + ": cannot be written");
+  }
   if (!options.record.empty() && !outputs.record.close())
     return complain(kExitFailure, options.record + ": cannot be written");
   const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
@@ -207,24 +262,28 @@ int play(Options options) {
   const OpenedSource right = open(options.right);
   if (!right.source) return kExitUsage;
   DeviceSetup setup;
-  const std::string error = setup.open(left, right, patience_of(options.patience));
+  std::string error = setup.open(left, right, patience_of(options.patience));
   if (!error.empty()) return complain(kExitUsage, error);
+  if (setup.partner() != nullptr && rules_of(options).search != SearchKind::kAdvancement)
+    return complain(kExitUsage, "--search: the firmware has advancement; it cannot be compared");
   Outputs outputs;
+  error = open_window(options, {left.source->description(), right.source->description()}, outputs);
+  if (!error.empty()) return complain(kExitUsage, error);
   outputs.forces = open_forces(options, *left.source, *right.source);
   tell_of_effects(options, outputs.forces);
-  if (left.source->is_live() || right.source->is_live()) options.realtime = true;
-  if (!options.svg.empty()) {
-    outputs.svg.open(options.svg);
-    if (!outputs.svg)
-      return complain(kExitFailure, options.svg + ": cannot be written: " + std::strerror(errno));
-  }
+  if (left.source->is_live() || right.source->is_live() || outputs.view) options.realtime = true;
   const int exit_code = play_bouts(options, setup, outputs);
   return exit_code == kExitOk ? finish(options, outputs) : exit_code;
 }
 
 /// A recorded bout instead of one of two sources.
 int play_again(const Options& options) {
-  const Replay result = replay(options.replay);
+  Outputs outputs;
+  const std::string error = open_window(options, {options.replay, options.replay}, outputs);
+  if (!error.empty()) return complain(kExitUsage, error);
+  if (outputs.view) watch_interrupts();
+  const Replay result = outputs.view ? show_replay(options.replay, *outputs.view, outputs.feed)
+                                     : replay(options.replay);
   const int exit_code = exit_code_for(result);
   if (exit_code != kExitOk) return complain(exit_code, words_for(result));
   std::printf("%s\n", words_for(result).c_str());

@@ -16,9 +16,14 @@ struct Options {
   std::string left = "default";
   std::string right = "script:parry";
   std::string svg;     ///< empty: no picture
+  std::string figure;  ///< of the hardest beat; empty: none
+  std::string strip;   ///< of the last touch; empty: none
   std::string record;  ///< file for the whole bout; empty: none
   std::string replay;  ///< recorded bout to go through instead of one of two sources; empty: none
+  int touches = 5;     ///< to which the bout goes
+  std::string search = "advancement";  ///< or "stepping"
   double seconds = std::numeric_limits<double>::infinity();
+  bool view = false;  ///< in a window, as it happens
   bool json = false;
   bool realtime = false;
   std::string force = "on";  ///< or "off"

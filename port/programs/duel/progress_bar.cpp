@@ -7,8 +7,7 @@
 namespace batuta::host {
 
 void ProgressBar::on_step(const DuelRunner& runner) {
-  const bool log_writes =
-      !runner.duel().world().events().empty() || !runner.duel().bout().touches.empty();
+  const bool log_writes = !runner.duel().events().empty() || !runner.duel().bout().touches.empty();
   if (log_writes) erase();
   const int percent = static_cast<int>(100 * std::min(1.0, runner.now() / runner.limit()));
   if (percent != shown_ && !log_writes) draw(percent);

@@ -13,25 +13,38 @@ namespace batuta::host {
 using namespace fencing;
 namespace {
 
-using DuelType = Duel<>;
-
-Playback play_on(Player& player, DuelType& duel) {
-  Playback answer = player.begin<DuelInput>(duel);
+/// @returns whether the watcher broke it off
+template <class DuelType>
+bool play_on(Player& player, DuelType& duel, ReplayWatcher* watcher, Playback& answer) {
+  const SeenDuelOf<DuelType> seen(duel);
+  answer = player.begin<DuelInput>(duel);
+  const bool began = answer == Playback::kReady || answer == Playback::kStep;
+  if (began && watcher != nullptr) watcher->on_start(seen);
   while (answer == Playback::kReady || answer == Playback::kStep) {  // Bound: the file
     DuelInput input;
     answer = player.next(input, duel);
+    if (answer != Playback::kStep) continue;
     // What the duel says to a step is part of its state, and compared with it.
-    if (answer == Playback::kStep) (void)duel.step(input.at(Side::kLeft), input.at(Side::kRight));
+    (void)duel.step(input.at(Side::kLeft), input.at(Side::kRight));
+    if (watcher != nullptr && !watcher->on_step(seen)) return true;
   }
-  return answer;
+  return false;
 }
 
-std::string why_not(Playback answer) {
+/// @param version  of the recording's format; 0: not known
+std::string other_version(int version) {
+  if (version == 0) return "is a recording of another version of the format";
+  return "is of version " + std::to_string(version) +
+         " of the format; this program reads version " +
+         std::to_string(batuta::detail::kRecordingVersion);
+}
+
+std::string why_not(Playback answer, int version) {
   switch (answer) {
     case Playback::kForeign:
       return "is not a recording";
     case Playback::kOtherVersion:
-      return "is a recording of another version of the format";
+      return other_version(version);
     case Playback::kOtherScalar:
     case Playback::kOtherScene:
     case Playback::kTooLarge:
@@ -52,10 +65,10 @@ std::string why_not(Playback answer) {
   return "is damaged here";
 }
 
-}  // namespace
-
-Replay replay(const std::string& path) {
+template <class DuelType>
+Replay replay_with(SearchKind search, const std::string& path, ReplayWatcher* watcher) {
   Replay result;
+  result.search = search;
   result.path = path;
   FileSource file;
   result.error = file.open(path);
@@ -64,31 +77,46 @@ Replay replay(const std::string& path) {
   std::vector<std::uint8_t> buffer(static_cast<std::size_t>(kBuffer));
   Player player(file, buffer.data(), kBuffer);
   const auto duel = std::make_unique<DuelType>();
-  result.answer = play_on(player, *duel);
+  result.broken_off = play_on(player, *duel, watcher, result.answer);
   std::uint8_t behind = 0;  // a player asks for nothing that stands behind the end mark
   result.goes_on = result.answer == Playback::kEnd && file.read(&behind, 1) > 0;
   result.steps = player.steps();
   result.hashes = player.agreed();
   result.lost = player.lost();
+  result.version = player.version();
   return result;
+}
+
+}  // namespace
+
+// The state at the start tells by its fingerprint whose it is.
+Replay replay(const std::string& path, ReplayWatcher* watcher) {
+  Replay certified = replay_with<CertifiedDuel>(SearchKind::kAdvancement, path, watcher);
+  if (certified.answer != Playback::kOtherScene) return certified;
+  const Replay paper = replay_with<PaperDuel>(SearchKind::kStepping, path, watcher);
+  return paper.answer == Playback::kOtherScene ? certified : paper;
 }
 
 std::string words_for(const Replay& replay) {
   if (!replay.error.empty()) return replay.error;
   const std::string file = replay.path + ": ";
   const std::string steps = std::to_string(replay.steps) + " steps, ";
-  const std::string hashes = std::to_string(replay.hashes) + " hashes agreed";
+  const std::string hashes =
+      std::to_string(replay.hashes) + " hashes agreed, search " + name_of(replay.search);
+  if (replay.broken_off) return file + steps + hashes + "; broken off";
   if (replay.goes_on) {
     return file + steps + hashes + "; the recording goes on behind its end mark";
   }
   if (replay.answer == Playback::kEnd) return file + steps + hashes;
-  std::string words = file + steps + hashes + "; the recording " + why_not(replay.answer);
+  std::string words =
+      file + steps + hashes + "; the recording " + why_not(replay.answer, replay.version);
   if (replay.lost > 0) words += " (" + std::to_string(replay.lost) + " steps are missing)";
   return words;
 }
 
 int exit_code_for(const Replay& replay) {
   if (!replay.error.empty()) return kExitUsage;
+  if (replay.broken_off) return kExitOk;
   switch (replay.answer) {
     case Playback::kEnd:
       return replay.goes_on ? kExitFailure : kExitOk;

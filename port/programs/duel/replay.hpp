@@ -4,21 +4,41 @@
 
 #include <string>
 
+#include "batuta/record/duel.hpp"
 #include "batuta/record/player.hpp"
+#include "programs/duel/seen_duel.hpp"
 
 namespace batuta::host {
 
 struct Replay {
   std::string path;
-  std::string error;  ///< of the file; empty: it could be opened
+  SearchKind search = SearchKind::kAdvancement;  ///< with which it was recorded
+  std::string error;                             ///< of the file; empty: it could be opened
   Playback answer = Playback::kWaiting;
   bool goes_on = false;      ///< behind its end mark
+  bool broken_off = false;   ///< by who watched it
   std::uint32_t steps = 0;   ///< made
   std::uint32_t hashes = 0;  ///< that agreed
   std::uint32_t lost = 0;    ///< steps that the recording says are missing
+  int version = 0;           ///< of the recording's format; 0: it could not be read
 };
 
-Replay replay(const std::string& path);
+/// Sees a recorded bout go by.
+class ReplayWatcher {
+ public:
+  ReplayWatcher() = default;
+  ReplayWatcher(const ReplayWatcher&) = delete;
+  ReplayWatcher& operator=(const ReplayWatcher&) = delete;
+  virtual ~ReplayWatcher() = default;
+
+  /// The duel stands as at the start of the recording.
+  virtual void on_start(const SeenDuel& duel) = 0;
+  /// It has made a step. @returns whether the replay goes on
+  virtual bool on_step(const SeenDuel& duel) = 0;
+};
+
+/// @param watcher  or null
+Replay replay(const std::string& path, ReplayWatcher* watcher = nullptr);
 
 /// What became of it, for a person.
 std::string words_for(const Replay& replay);

@@ -47,14 +47,12 @@ std::ostream& operator<<(std::ostream& out, const Colour& colour) {
   return out << "rgb(" << colour.red << ',' << colour.green << ',' << colour.blue << ')';
 }
 
-}  // namespace
-
-Colour mixed(const Colour& from, const Colour& to, double share) {
-  const auto mix = [share](int a, int b) {
-    return static_cast<int>(std::lround(a + (b - a) * share));
-  };
-  return {mix(from.red, to.red), mix(from.green, to.green), mix(from.blue, to.blue)};
+const char* word_of(Anchor anchor) {
+  if (anchor == Anchor::kStart) return "start";
+  return anchor == Anchor::kMiddle ? "middle" : "end";
 }
+
+}  // namespace
 
 SvgCanvas::SvgCanvas(std::ostream& out, double width, double height) : out_(out) {
   out_ << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
@@ -62,7 +60,7 @@ SvgCanvas::SvgCanvas(std::ostream& out, double width, double height) : out_(out)
        << Number{width} << "\" height=\"" << Number{height} << "\" viewBox=\"0 0 " << Number{width}
        << ' ' << Number{height} << "\" font-family=\"sans-serif\" fill=\"none\" "
        << "stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
-  rectangle({0, 0}, {width, height}, {255, 255, 255});
+  rectangle({0, 0}, {width, height}, kPaper);
 }
 
 SvgCanvas::~SvgCanvas() {
@@ -105,21 +103,17 @@ void SvgCanvas::circle(Pixel centre, double radius, const Stroke& stroke, const 
 }
 
 void SvgCanvas::star(Pixel centre, double radius, const Colour& fill) {
-  constexpr int kCorners = 16;
-  constexpr double kPi = 3.14159265358979;
   out_ << "<polygon fill=\"" << fill << "\" points=\"";
-  for (int i = 0; i < kCorners; ++i) {
-    const double reach = i % 2 == 0 ? radius : 0.45 * radius;
-    const double angle = 2 * kPi * i / kCorners;
-    out_ << Number{centre.x + reach * std::sin(angle)} << ','
-         << Number{centre.y - reach * std::cos(angle)} << ' ';
+  for (int i = 0; i < kStarCorners; ++i) {
+    const Pixel corner = star_corner(centre, radius, i);
+    out_ << Number{corner.x} << ',' << Number{corner.y} << ' ';
   }
   out_ << "\"/>\n";
 }
 
-void SvgCanvas::text(Pixel at, std::string_view words, double size, const char* anchor) {
+void SvgCanvas::text(Pixel at, std::string_view words, double size, Anchor anchor) {
   out_ << "<text x=\"" << Number{at.x} << "\" y=\"" << Number{at.y} << "\" font-size=\""
-       << Number{size} << "\" text-anchor=\"" << anchor << "\" fill=\"rgb(40,40,40)\">"
+       << Number{size} << "\" text-anchor=\"" << word_of(anchor) << "\" fill=\"" << kInk << "\">"
        << escaped(words) << "</text>\n";
 }
 

@@ -66,6 +66,10 @@ void EvdevFeed::tell_state(const MotionAxes& axes) {
     (void)tell(EV_ABS, axes.code_x, value_of(EV_ABS, axes.code_x));
     (void)tell(EV_ABS, axes.code_y, value_of(EV_ABS, axes.code_y));
   }
+  if (axes.feet) {
+    (void)tell(EV_ABS, axes.feet->code_x, value_of(EV_ABS, axes.feet->code_x));
+    (void)tell(EV_ABS, axes.feet->code_y, value_of(EV_ABS, axes.feet->code_y));
+  }
   for (unsigned code = BTN_MISC; code <= BTN_GEAR_UP; ++code) {  // Bound: the buttons there are
     if (value_of(EV_KEY, code) != 0) (void)tell(EV_KEY, code, 1);
   }

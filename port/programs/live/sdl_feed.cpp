@@ -20,12 +20,24 @@ AxisCalibration calibration(bool vertical) {
   return axis;
 }
 
+/// Of a hat along one axis, as if it were an axis: all or nothing.
+std::int32_t hat_counts(Uint8 hat, Uint8 low, Uint8 high) {
+  if ((hat & high) != 0) return SDL_JOYSTICK_AXIS_MAX;
+  return (hat & low) != 0 ? -SDL_JOYSTICK_AXIS_MAX : 0;
+}
+
+/// Whether anything but the time and the number is another.
+bool differs(const InputSample& a, const InputSample& b) {
+  return a.x != b.x || a.y != b.y || a.feet_x != b.feet_x || a.feet_y != b.feet_y ||
+         a.buttons != b.buttons;
+}
+
 }  // namespace
 
 SdlFeed::SdlFeed(std::shared_ptr<SdlStick> stick) : stick_(std::move(stick)) {
-  if (builder_.configure(calibration(false), calibration(true)) != Status::kOk) {
-    BATUTA_INVARIANT(false);
-  }
+  const bool ready = builder_.configure(calibration(false), calibration(true)) == Status::kOk &&
+                     builder_.configure_feet(calibration(false), calibration(true)) == Status::kOk;
+  BATUTA_INVARIANT(ready);
 }
 
 void SdlFeed::wait() {
@@ -44,24 +56,31 @@ News SdlFeed::look(InputSample& sample) {
 }
 
 bool SdlFeed::sample_now(SDL_Joystick* handle, InputSample& sample) {
-  SDL_GameController* const pad = stick_->pad();
-  const Sint16 x = pad != nullptr ? SDL_GameControllerGetAxis(pad, SDL_CONTROLLER_AXIS_LEFTX)
-                                  : SDL_JoystickGetAxis(handle, 0);
-  const Sint16 y = pad != nullptr ? SDL_GameControllerGetAxis(pad, SDL_CONTROLLER_AXIS_LEFTY)
-                                  : SDL_JoystickGetAxis(handle, 1);
-  builder_.axis(Axis::kX, x);
-  builder_.axis(Axis::kY, y);
+  read_axes(handle);
   const Result<InputSample> state = builder_.sync(clock_.now());
   if (!state.ok()) return false;
   InputSample now = state.value;
   now.buttons = buttons_of(handle);
-  const bool moved =
-      !has_spoken_ || now.x != last_.x || now.y != last_.y || now.buttons != last_.buttons;
-  if (!moved) return false;
+  if (has_spoken_ && !differs(now, last_)) return false;
   has_spoken_ = true;
   last_ = now;
   sample = now;
   return true;
+}
+
+void SdlFeed::read_axes(SDL_Joystick* handle) {
+  if (SDL_GameController* const pad = stick_->pad()) {
+    builder_.axis(Axis::kX, SDL_GameControllerGetAxis(pad, SDL_CONTROLLER_AXIS_LEFTX));
+    builder_.axis(Axis::kY, SDL_GameControllerGetAxis(pad, SDL_CONTROLLER_AXIS_LEFTY));
+    builder_.axis(Axis::kFeetX, SDL_GameControllerGetAxis(pad, SDL_CONTROLLER_AXIS_RIGHTX));
+    builder_.axis(Axis::kFeetY, SDL_GameControllerGetAxis(pad, SDL_CONTROLLER_AXIS_RIGHTY));
+    return;
+  }
+  builder_.axis(Axis::kX, SDL_JoystickGetAxis(handle, 0));
+  builder_.axis(Axis::kY, SDL_JoystickGetAxis(handle, 1));
+  const Uint8 hat = SDL_JoystickGetHat(handle, 0);  // centred where there is none
+  builder_.axis(Axis::kFeetX, hat_counts(hat, SDL_HAT_LEFT, SDL_HAT_RIGHT));
+  builder_.axis(Axis::kFeetY, hat_counts(hat, SDL_HAT_UP, SDL_HAT_DOWN));
 }
 
 std::uint32_t SdlFeed::buttons_of(SDL_Joystick* handle) const {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Sticks and pads through SDL: a pad by SDL's mapping, with its left stick; anything else with its
-// first two axes. SDL keeps to itself when something was reported; it is asked once a millisecond.
+// Sticks and pads through SDL: a pad by SDL's mapping, with its left stick, and the right one for
+// the feet; anything else with its first two axes, and its first hat for the feet. SDL keeps to
+// itself when something was reported; it is asked once a millisecond.
 
 #include <memory>
 
@@ -28,6 +29,7 @@ class SdlFeed final : public Feed {
  private:
   /// As far as it has moved since the last one.
   bool sample_now(SDL_Joystick* handle, InputSample& sample);
+  void read_axes(SDL_Joystick* handle);
   std::uint32_t buttons_of(SDL_Joystick* handle) const;
 
   SdlSession session_;

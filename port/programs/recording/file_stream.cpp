@@ -16,7 +16,7 @@ std::string reason(const std::string& path) {
 
 std::string FileSink::open(const std::string& path) {
   errno = 0;
-  file_.open(path, std::ios::binary | std::ios::trunc);
+  file_ = std::ofstream(path, std::ios::binary | std::ios::trunc);  // one that is open is closed
   return file_ ? "" : reason(path);
 }
 

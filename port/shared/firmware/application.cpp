@@ -36,9 +36,10 @@ Status Application::start(const ApplicationSettings& settings) {
 
 void Application::tick(std::uint32_t tick) {
   watch_.begin(tick, board_.clock.now());
-  read_stick();
-  listen();
-  const bool stepped = step_is_due() && make_step();
+  Order order;
+  read_stick(order);
+  listen(order);
+  const bool stepped = step_is_due(order) && make_step(order);
   if (stepped) tell_step(false);
   if (bout_.is_over()) wait_after_bout();
   command_force(stepped);
@@ -47,41 +48,39 @@ void Application::tick(std::uint32_t tick) {
 }
 
 /// The latest sample wins, whether it is the board's or the host's.
-void Application::read_stick() {
+void Application::read_stick(Order& order) {
   if (board_.stick == nullptr || mode_ != Mode::kFree) return;
   InputSample sample;
   const Status status = board_.stick->read(watch_.begun(), sample);
-  if (status == Status::kOk) keep(settings_.own_side, sample);
+  if (status == Status::kOk) order.keep(settings_.own_side, sample);
   if (status == Status::kInvalidArgument) ++report_.stick_invalid;
 }
 
-void Application::keep(Side side, const InputSample& sample) {
-  order_.samples[index_of(side)] = sample;
-  order_.has[index_of(side)] = true;
-}
-
-void Application::listen() {
+void Application::listen(Order& order) {
   reader_.begin_tick();
   for (int i = 0; i < kFramesPerTick; ++i) {  // Bound: kFramesPerTick
     const link::Frame* frame = reader_.next(board_.stream);
-    if (frame == nullptr || !obey(*frame)) return;
+    if (frame == nullptr || !obey(*frame, order)) return;
   }
 }
 
 /// @returns whether another frame may be obeyed in this tick
-bool Application::obey(const link::Frame& frame) {
+bool Application::obey(const link::Frame& frame, Order& order) {
   link::Hello hello;
   link::Step step;
   link::StickSample sample;
-  if (link::read_message(frame, step)) return take(step);
-  if (link::read_message(frame, sample)) take(sample);
-  if (link::read_message(frame, hello)) open(hello);
+  if (link::read_message(frame, step)) return take(step, order);
+  if (link::read_message(frame, sample)) take(sample, order);
+  if (link::read_message(frame, hello)) open(hello, order);
   return true;
 }
 
-void Application::open(const link::Hello& hello) {
-  const bool again = hello.session == session_ && hello.mode == mode_;
+void Application::open(const link::Hello& hello, Order& order) {
+  const bool again =
+      hello.session == session_ && hello.mode == mode_ && hello.touches == settings_.bout.touches;
   if (!again) {
+    settings_.bout.touches = hello.touches;
+    order = {};
     if (restart() != Status::kOk) return refuse(Refusal::kNotReady, MessageType::kHello, 0);
     session_ = hello.session;
     mode_ = hello.mode;
@@ -103,7 +102,6 @@ void Application::welcome() {
 /// A new bout, with no force on the stick.
 Status Application::restart() {
   past_silences_ = silences();
-  order_ = {};
   paused_ = 0;
   const float dt = static_cast<float>(settings_.bout.step_us) * kSecondsPerUs<float>;
   const Status status = stage_.configure(stage_settings(settings_.bout.force, dt));
@@ -113,7 +111,7 @@ Status Application::restart() {
 }
 
 /// The next step, or the last one once more; at most one of them is answered in a tick.
-bool Application::take(const link::Step& step) {
+bool Application::take(const link::Step& step, Order& order) {
   if (session_ == 0) {
     refuse(Refusal::kNoSession, MessageType::kStep, step.step);
   } else if (mode_ != Mode::kPaced) {
@@ -126,16 +124,16 @@ bool Application::take(const link::Step& step) {
   } else if (bout_.is_over()) {
     refuse(Refusal::kBoutOver, MessageType::kStep, step.step);
   } else {
-    order_ = {true, {step.has_left, step.has_right}, {step.left, step.right}};
+    order = {true, {step.has_left, step.has_right}, {step.left, step.right}};
     return false;
   }
   return true;
 }
 
-void Application::take(const link::StickSample& sample) {
+void Application::take(const link::StickSample& sample, Order& order) {
   if (session_ == 0) return refuse(Refusal::kNoSession, MessageType::kStickSample, 0);
   if (mode_ != Mode::kFree) return refuse(Refusal::kWrongMode, MessageType::kStickSample, 0);
-  keep(sample.side == link::LinkSide::kLeft ? Side::kLeft : Side::kRight, sample.sample);
+  order.keep(sample.side == link::LinkSide::kLeft ? Side::kLeft : Side::kRight, sample.sample);
 }
 
 void Application::refuse(Refusal why, MessageType what, std::uint32_t step) {
@@ -143,14 +141,12 @@ void Application::refuse(Refusal why, MessageType what, std::uint32_t step) {
   (void)sender_.send(link::Refused{why, what, step, bout_.steps()});
 }
 
-bool Application::step_is_due() const {
-  return mode_ == Mode::kFree ? !bout_.is_over() : order_.make;
+bool Application::step_is_due(const Order& order) const {
+  return mode_ == Mode::kFree ? !bout_.is_over() : order.make;
 }
 
-bool Application::make_step() {
-  const Status status = bout_.step(order_.sample(Side::kLeft), order_.sample(Side::kRight));
-  order_ = {};
-  return status == Status::kOk;
+bool Application::make_step(const Order& order) {
+  return bout_.step(order.sample(Side::kLeft), order.sample(Side::kRight)) == Status::kOk;
 }
 
 /// Alone the next bout begins by itself; a host would not know what its own bout has to do then.

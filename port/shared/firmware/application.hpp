@@ -31,7 +31,7 @@ struct LastFault {
 };
 
 struct ApplicationSettings {
-  BoutSettings bout;
+  BoutSettings bout;  ///< touches: of bouts alone, until a session says another number
   fencing::Side own_side = fencing::Side::kLeft;  ///< whose stick and force the board has
   /// Alone: ticks from the end of a bout to the next one, > 0.
   std::int32_t pause = 2000;
@@ -95,12 +95,16 @@ class Application {
   }
 
  private:
-  /// What the next step is to be made with.
+  /// What the tick's step is to be made with.
   struct Order {
     bool make = false;
     std::array<bool, 2> has{};
     std::array<InputSample, 2> samples{};
 
+    void keep(fencing::Side side, const InputSample& sample) {
+      samples[index_of(side)] = sample;
+      has[index_of(side)] = true;
+    }
     const InputSample* sample(fencing::Side side) const {
       return has[index_of(side)] ? &samples[index_of(side)] : nullptr;
     }
@@ -115,18 +119,17 @@ class Application {
     if (board.force != nullptr) return *board.force;
     return no_motor_;
   }
-  void listen();
-  bool obey(const link::Frame& frame);
-  void open(const link::Hello& hello);
+  void listen(Order& order);
+  bool obey(const link::Frame& frame, Order& order);
+  void open(const link::Hello& hello, Order& order);
   void welcome();
-  bool take(const link::Step& step);
-  void take(const link::StickSample& sample);
+  bool take(const link::Step& step, Order& order);
+  void take(const link::StickSample& sample, Order& order);
   void refuse(link::Refusal why, link::MessageType what, std::uint32_t step);
   Status restart();
-  void read_stick();
-  void keep(fencing::Side side, const InputSample& sample);
-  bool step_is_due() const;
-  bool make_step();
+  void read_stick(Order& order);
+  bool step_is_due(const Order& order) const;
+  bool make_step(const Order& order);
   void wait_after_bout();
   void tell_step(bool repeated);
   void send_report(bool repeated);
@@ -142,7 +145,6 @@ class Application {
   FrameReader<link::End::kDevice> reader_;
   link::Sender<kSendBytes> sender_;
   TickWatch watch_;
-  Order order_;
   std::uint32_t session_ = 0;
   link::Mode mode_ = link::Mode::kFree;
   std::int32_t paused_ = 0;          ///< ticks since the bout was over

@@ -96,6 +96,7 @@ link::StepReport report_message(const SteppedBout& bout) {
   message.step = bout.steps();
   message.bout_state = static_cast<std::uint8_t>(duel.bout().state);
   message.touches = static_cast<std::uint8_t>(duel.bout().touches.size());
+  message.score = duel.bout().score;
   message.used_left = bout.used(Side::kLeft) != nullptr;
   message.used_right = bout.used(Side::kRight) != nullptr;
   message.stale_steps = bout.forces().stale_steps();

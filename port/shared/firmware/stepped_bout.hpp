@@ -10,10 +10,13 @@ namespace batuta::firmware {
 
 struct BoutSettings {
   std::int32_t step_us = 1000;  ///< length of a step, us, as DuelSettings::step_us
+  std::int32_t touches = 1;     ///< to which the bout goes, as DuelSettings::touches
   ForceSettings force;
 };
 
-class SteppedBout {
+/// @tparam DuelT  the duel of either search; a firmware has the certified one
+template <class DuelT>
+class SteppedBoutOf {
  public:
   /// Puts the fencers on guard, in a bout that remembers nothing of another one.
   /// @returns kOk | kInvalidArgument (out of range; the last bout, if any, goes on)
@@ -25,7 +28,7 @@ class SteppedBout {
   /// Bound: one Duel::step() and the forces of its events.
   Status step(const InputSample* left, const InputSample* right);
 
-  const DuelType& duel() const { return duel_; }
+  const DuelT& duel() const { return duel_; }
   const StickForces& forces() const { return forces_; }
   std::uint32_t steps() const { return duel_.steps(); }
   bool is_over() const { return duel_.bout().is_over(); }
@@ -40,12 +43,48 @@ class SteppedBout {
  private:
   void take(fencing::Side side, const InputSample* sample);
 
-  DuelType duel_;
+  DuelT duel_;
   StickForces forces_;
   std::array<InputSample, 2> samples_{};
   std::array<bool, 2> fresh_{};
-  std::array<std::uint32_t, 2> believed_{};  ///< StickReport::used after the last step
   std::array<bool, 2> alive_{};
+  std::array<std::uint32_t, 2> believed_{};  ///< StickReport::used after the last step
 };
+
+template <class DuelT>
+Status SteppedBoutOf<DuelT>::start(const BoutSettings& settings) {
+  auto duel = fencing::duel_settings<typename DuelT::StatedScene>();
+  duel.step_us = settings.step_us;
+  duel.touches = settings.touches;
+  if (validate(settings.force) != Status::kOk) return Status::kInvalidArgument;
+  const Status status =
+      duel_.configure(duel, fencing::first_fencer<float>(), fencing::second_fencer<float>());
+  if (status != Status::kOk) return status;
+  fresh_ = {};
+  believed_ = {};
+  alive_ = {};
+  return forces_.configure(settings.force);
+}
+
+template <class DuelT>
+Status SteppedBoutOf<DuelT>::step(const InputSample* left, const InputSample* right) {
+  const Status status = duel_.step(left, right);
+  if (status != Status::kOk) return status;
+  take(fencing::Side::kLeft, left);
+  take(fencing::Side::kRight, right);
+  forces_.advance(duel_, alive_);
+  return Status::kOk;
+}
+
+template <class DuelT>
+void SteppedBoutOf<DuelT>::take(fencing::Side side, const InputSample* sample) {
+  fresh_[index_of(side)] = sample != nullptr;
+  if (sample != nullptr) samples_[index_of(side)] = *sample;
+  const std::uint32_t believed = duel_.stick(side).report().used;
+  alive_[index_of(side)] = believed != believed_[index_of(side)];
+  believed_[index_of(side)] = believed;
+}
+
+using SteppedBout = SteppedBoutOf<DuelType>;
 
 }  // namespace batuta::firmware

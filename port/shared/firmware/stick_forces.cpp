@@ -30,23 +30,27 @@ Status StickForces::configure(const ForceSettings& settings) {
   full_scale_ = settings.full_scale;
   forces_ = {};
   stale_steps_ = 0;
+  exchange_ = 1;
   for (ForceRamp& ramp : ramps_) (void)ramp.configure(settings.ramp);             // Bound: 2; valid
   for (HandForce<float>& hand : hands_) (void)hand.configure(feel_of(settings));  // Bound: 2; valid
   return Status::kOk;
 }
 
-void StickForces::advance(const DuelType& duel, const std::array<bool, 2>& fresh) {
-  for (const Side side : {Side::kLeft, Side::kRight}) {  // Bound: 2
-    ForceRamp& ramp = ramps_[index_of(side)];
-    ramp.advance(fresh[index_of(side)]);
-    Vec2<float> demanded = hands_[index_of(side)].advance(hand_state(duel, side), duel.dt());
-    const float least = kLeastShare * full_scale_;
-    for (int i = 0; i < 2; ++i) {  // Bound: the stick's coordinates
-      if (std::abs(demanded[i]) < least) demanded[i] = 0.0F;
-    }
-    forces_[index_of(side)] = told(demanded, ramp);
+/// Both have been put on guard.
+void StickForces::leap(std::uint32_t exchange) {
+  for (HandForce<float>& hand : hands_) hand.leap();  // Bound: 2
+  exchange_ = exchange;
+}
+
+void StickForces::take(Side side, const Vec2<float>& demanded, bool fresh) {
+  ForceRamp& ramp = ramps_[index_of(side)];
+  ramp.advance(fresh);
+  const float least = kLeastShare * full_scale_;
+  Vec2<float> felt = demanded;
+  for (int i = 0; i < 2; ++i) {  // Bound: the stick's coordinates
+    if (std::abs(felt[i]) < least) felt[i] = 0.0F;
   }
-  if (forces_[0].silent || forces_[1].silent) ++stale_steps_;
+  forces_[index_of(side)] = told(felt, ramp);
 }
 
 /// By the output stage's own first step, and its watchdog over the samples.

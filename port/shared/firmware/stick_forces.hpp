@@ -68,7 +68,15 @@ class StickForces {
   /// @param duel   has just made a step
   /// @param fresh  whether that step had a sign of life of the side's stick
   /// Bound: the contact events of the step, twice.
-  void advance(const DuelType& duel, const std::array<bool, 2>& fresh);
+  template <class DuelT>
+  void advance(const DuelT& duel, const std::array<bool, 2>& fresh) {
+    if (duel.bout().exchange != exchange_) leap(duel.bout().exchange);
+    for (const fencing::Side side : {fencing::Side::kLeft, fencing::Side::kRight}) {  // Bound: 2
+      haptics::HandForce<float>& hand = hands_[index_of(side)];
+      take(side, hand.advance(haptics::hand_state(duel, side), duel.dt()), fresh[index_of(side)]);
+    }
+    if (forces_[0].silent || forces_[1].silent) ++stale_steps_;
+  }
 
   const StickForce& of(fencing::Side side) const { return forces_[index_of(side)]; }
   /// Silences that began on either side since the start.
@@ -77,6 +85,8 @@ class StickForces {
   std::uint32_t stale_steps() const { return stale_steps_; }
 
  private:
+  void leap(std::uint32_t exchange);
+  void take(fencing::Side side, const Vec2<float>& demanded, bool fresh);
   StickForce told(const Vec2<float>& demanded, const haptics::ForceRamp& ramp) const;
 
   float full_scale_ = ForceSettings().full_scale;
@@ -84,6 +94,7 @@ class StickForces {
   std::array<haptics::ForceRamp, 2> ramps_;
   std::array<StickForce, 2> forces_;
   std::uint32_t stale_steps_ = 0;
+  std::uint32_t exchange_ = 1;  ///< of the bout, that was seen last
 };
 
 }  // namespace batuta::firmware

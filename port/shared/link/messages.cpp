@@ -13,7 +13,7 @@ constexpr int kModes = 2;
 constexpr int kSides = 2;
 constexpr int kEventKinds = 3;
 constexpr int kContactKinds = 3;
-constexpr int kBoutStates = 4;
+constexpr int kBoutStates = 5;
 constexpr int kTouches = 2;
 constexpr int kBodyParts = 12;
 constexpr std::uint32_t kShortestStep_us = 100;
@@ -25,6 +25,8 @@ void list(Fields& fields, InputSample& sample) {
   fields.u32(sample.time);
   fields.real(sample.x, -1.0F, 1.0F);
   fields.real(sample.y, -1.0F, 1.0F);
+  fields.real(sample.feet_x, -1.0F, 1.0F);
+  fields.real(sample.feet_y, -1.0F, 1.0F);
   fields.u32(sample.buttons);
   fields.u32(sample.sequence);
 }
@@ -46,6 +48,8 @@ void session(Fields& fields, std::uint32_t& session) {
 void list(Fields& fields, Hello& message) {
   session(fields, message.session);
   fields.choice(message.mode, kModes);
+  fields.choice(message.touches, kMostTouches + 1);
+  fields.require(message.touches > 0);
 }
 
 void list(Fields& fields, Welcome& message) {
@@ -131,6 +135,7 @@ void list(Fields& fields, StepReport& message) {
   fields.choice(message.bout_state, kBoutStates);
   fields.choice(message.touches, kTouches + 1);
   fields.flags(message.used_left, message.used_right, message.repeated);
+  for (std::uint8_t& score : message.score) fields.choice(score, kMostTouches + 1);  // Bound: 2
   fields.u32(message.overruns);
   fields.u32(message.skipped);
   fields.u32(message.silences);

@@ -13,9 +13,9 @@ namespace batuta::link {
 
 /// In every frame. A change of any layout or meaning raises it; there is no second version to fall
 /// back to.
-inline constexpr std::uint8_t kProtocolVersion = 2;
+inline constexpr std::uint8_t kProtocolVersion = 3;
 
-/// Bytes of the longest payload (Event: 59), with a little air. Frames stay below 254 bytes, which
+/// Bytes of the longest payload (Step: 61), with a little air. Frames stay below 254 bytes, which
 /// keeps COBS to one byte of overhead.
 inline constexpr int kMaxPayload = 64;
 
@@ -51,6 +51,9 @@ enum class Mode : std::uint8_t {
 /// knows.
 enum class LinkSide : std::uint8_t { kLeft, kRight };
 
+/// Most touches that a bout can go to; as batuta::fencing::kMostTouches, which only the duel knows.
+inline constexpr int kMostTouches = 99;
+
 /// Opens a session. The same session again: the host has not heard the Welcome. Another one: a new
 /// bout.
 struct Hello {
@@ -58,6 +61,7 @@ struct Hello {
   std::uint32_t session = 0;  ///< chosen by the host, different each time, not 0. Its low half
                               ///< neither: StepReport tells that
   Mode mode = Mode::kPaced;
+  std::uint8_t touches = 1;  ///< to which the bout goes, 1 ... kMostTouches
 };
 
 /// Answers Hello.
@@ -130,7 +134,7 @@ struct Event {
 struct Touch {
   static constexpr MessageType kType = MessageType::kTouch;
   std::uint32_t step = 0;  ///< in which it is told
-  std::uint8_t index = 0;  ///< in the bout: 0 or 1
+  std::uint8_t index = 0;  ///< in its exchange: 0 or 1
   LinkSide by = LinkSide::kLeft;
   std::uint8_t part = 0;  ///< batuta::fencing::BodyPart, 0 ... 11
   bool certain = true;
@@ -161,9 +165,11 @@ struct StepReport {
   std::uint32_t step = 0;
   std::uint8_t frames = 1;  ///< that belong to the step, with those that found no room, and this
                             ///< one: 1 ... kMaxStepFrames
-  std::uint8_t bout_state = 0;  ///< batuta::fencing::BoutState, 0 ... 3
-  std::uint8_t touches = 0;     ///< so far, 0 ... 2
-  bool used_left = false;       ///< the step was made with a new sample of this stick
+  std::uint8_t bout_state = 0;  ///< batuta::fencing::BoutState, 0 ... 4
+  std::uint8_t touches = 0;     ///< of the exchange, so far, 0 ... 2
+  /// Touches of the left and the right fencer that count, 0 ... kMostTouches
+  std::array<std::uint8_t, 2> score{};
+  bool used_left = false;  ///< the step was made with a new sample of this stick
   bool used_right = false;
   bool repeated = false;       ///< paced: the step was made before, this is the answer once more
   std::uint32_t overruns = 0;  ///< steps that took longer than they may, so far

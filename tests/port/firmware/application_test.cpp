@@ -313,6 +313,40 @@ TEST_F(PacedDevice, AfterTheBout_OrdersAreRefused_AndTheForceIsNone) {
   EXPECT_EQ(rig.device->bout().steps(), step) << "in a session the device waits for the host";
 }
 
+TEST_F(FreeDevice, HelloToTwo_ABoutOfTwoExchanges_WithItsScore) {
+  host.send(link::Hello{7, Mode::kPaced, 2});
+  rig.run(1);
+  ASSERT_EQ(host.received<link::Welcome>().size(), 1U);
+  host.types();
+  std::uint32_t step = 0;
+  std::uint32_t guard = 0;  // the step before the exchange
+  int touches = 0;
+  std::vector<std::uint8_t> states;
+  link::StepReport last;
+  while (!rig.device->bout().is_over() && step < 4000) {
+    link::Step lunge;
+    lunge.step = ++step;
+    lunge.has_left = true;
+    const auto since = static_cast<float>(step - guard);
+    lunge.left = sample_at(step, 0, std::min(1.0F, 0.01F * since));
+    host.send(lunge);
+    rig.run(1);
+    const auto reports = host.received<link::StepReport>();
+    ASSERT_EQ(reports.size(), 1U);
+    last = reports[0];
+    if (states.empty() || states.back() != last.bout_state) states.push_back(last.bout_state);
+    if (last.bout_state == static_cast<std::uint8_t>(BoutState::kHalt)) guard = step;
+    for (const auto type : host.types()) touches += type == link::MessageType::kTouch ? 1 : 0;
+  }
+  ASSERT_TRUE(rig.device->bout().is_over());
+  EXPECT_EQ(states, (std::vector<std::uint8_t>{0, 1, 4, 0, 1, 2}));
+  EXPECT_EQ(touches, 2);
+  EXPECT_EQ(last.score, (std::array<std::uint8_t, 2>{2, 0}));
+  host.send(link::Hello{7, Mode::kPaced, 3});
+  rig.run(1);
+  EXPECT_EQ(rig.device->bout().steps(), 0U) << "other touches are another bout";
+}
+
 TEST_F(FreeDevice, Alone_TheNextBoutBeginsAfterThePause) {
   for (std::uint32_t i = 0; i < 3000; ++i) {
     rig.stick.samples.push_back(sample_at(i, 0, std::min(1.0F, 0.01F * static_cast<float>(i))));

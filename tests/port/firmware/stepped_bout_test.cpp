@@ -39,6 +39,29 @@ void expect_same(const SteppedBout& a, const SteppedBout& b) {
   ASSERT_EQ(a.duel().world().report().evaluations, b.duel().world().report().evaluations);
 }
 
+// Whoever is put on guard is elsewhere within a step. No hand feels that.
+TEST(SteppedBout, AfterAHalt_NobodyFeelsThatHeIsPutOnGuard) {
+  SteppedBout bout;
+  BoutSettings settings;
+  settings.touches = 2;
+  ASSERT_EQ(bout.start(settings), Status::kOk);
+  while (!bout.duel().bout().is_halt_over()) {
+    ASSERT_LT(bout.steps(), 3000U);
+    InputSample lunge = swept(bout.steps());
+    lunge.x = 0;
+    lunge.y = std::min(1.0F, 0.01F * static_cast<float>(bout.steps()));
+    ASSERT_EQ(bout.step(&lunge, nullptr), Status::kOk);
+  }
+  InputSample held = swept(bout.steps());
+  held.x = 0;
+  held.y = 1;
+  ASSERT_EQ(bout.step(&held, nullptr), Status::kOk);
+  EXPECT_EQ(bout.duel().bout().exchange, 2U);
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    EXPECT_EQ(bout.forces().of(side).demanded.norm(), 0.0F);
+  }
+}
+
 TEST(SteppedBout, AnotherBout_IsLikeTheFirstOne_ToTheLastBit) {
   for (const std::uint32_t before : {1U, 7U, 150U, 400U}) {
     auto again = std::make_unique<SteppedBout>();

@@ -13,10 +13,10 @@ namespace batuta::host {
 /// Two opened sources and their runner, on guard.
 struct BoutRig {
   BoutRig(const std::string& left_words, const std::string& right_words,
-          double limit = std::numeric_limits<double>::infinity())
+          double limit = std::numeric_limits<double>::infinity(), const BoutRules& rules = {})
       : left(open_source(left_words).source),
         right(open_source(right_words).source),
-        runner(std::make_unique<DuelRunner>(*left, *right, limit)) {
+        runner(std::make_unique<DuelRunner>(*left, *right, limit, rules)) {
     EXPECT_EQ(runner->start(), Status::kOk);
   }
 

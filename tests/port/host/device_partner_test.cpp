@@ -60,7 +60,7 @@ TEST(PacedPartner, AWholeBout_IsTheSameOnBothSides) {
   BoutRig plain("default", "script:parry");
   plain.run();
   EXPECT_EQ(partner.compared(), plain.runner->duel().steps());
-  EXPECT_EQ(bout.runner->ending(), Ending::kTouch);
+  EXPECT_EQ(bout.runner->ending(), Ending::kWon);
   EXPECT_GE(bout.runner->tally().beats, 5U) << "events have been compared";
   EXPECT_GE(partner.forces_not_zero(), bout.runner->tally().beats) << "and forces";
   EXPECT_EQ(bench.rig.device->bout().steps(), plain.runner->duel().steps());
@@ -174,7 +174,7 @@ TEST(FreePartner, FollowsTheDevice_ToTheTouch) {
   FreeBench bench;
   ASSERT_TRUE(bench.open(10)) << bench.partner.problem();
   ASSERT_TRUE(fence(*bench.runner, bench.partner)) << bench.partner.problem();
-  EXPECT_EQ(bench.runner->ending(), Ending::kTouch);
+  EXPECT_EQ(bench.runner->ending(), Ending::kWon);
   EXPECT_EQ(bench.partner.compared(), bench.runner->duel().steps());
   EXPECT_GT(bench.runner->duel().stick(Side::kLeft).report().used, 1000U);
 }

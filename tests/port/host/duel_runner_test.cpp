@@ -26,7 +26,7 @@ ReplayDevice still_stick(double duration, float last_x = 0) {
 TEST(DuelRunner, TheDefaultBout_EndsWithATouchByTheLeft) {
   BoutRig bout("default", "script:parry");
   bout.run();
-  EXPECT_EQ(bout.runner->ending(), Ending::kTouch);
+  EXPECT_EQ(bout.runner->ending(), Ending::kWon);
   EXPECT_STREQ(result_of(*bout.runner), "left");
   EXPECT_GE(bout.runner->tally().beats, 5U);
   EXPECT_EQ(bout.runner->tally().devices[0].refused, 0U);
@@ -53,6 +53,56 @@ TEST(DuelRunner, AnAttackOnAGuard_Hits_FromEitherSide) {
   BoutRig from_right("script:guard", "script:attack");
   from_right.run();
   EXPECT_STREQ(result_of(*from_right.runner), "right");
+}
+
+TEST(DuelRunner, ABoutToThree_HasThreeExchanges) {
+  BoutRig bout("script:attack", "script:guard", 60, {3});
+  bout.run();
+  EXPECT_EQ(bout.runner->ending(), Ending::kWon);
+  EXPECT_STREQ(result_of(*bout.runner), "left");
+  EXPECT_EQ(score_of(bout.runner->duel().bout()), (std::array<int, 2>{3, 0}));
+  EXPECT_EQ(bout.runner->duel().bout().exchange, 3U);
+}
+
+TEST(DuelRunner, TimeIsOver_WhoIsAheadWins) {
+  BoutRig bout("script:guard", "script:attack", 4, {5});
+  bout.run();
+  EXPECT_EQ(bout.runner->ending(), Ending::kWon);
+  EXPECT_STREQ(result_of(*bout.runner), "right");
+  EXPECT_DOUBLE_EQ(bout.runner->now(), 4);
+  EXPECT_FALSE(bout.runner->duel().bout().is_over());
+}
+
+// In the lockout the touch is there already, and the score does not know it yet.
+TEST(DuelRunner, TimeIsOverInTheLockout_TheTouchCounts) {
+  BoutRig whole("script:attack", "script:guard");
+  whole.run();
+  const double touched = 1e-6 * static_cast<double>(whole.runner->duel().time_us(
+                                    whole.runner->duel().bout().touches[0].when));
+  BoutRig bout("script:attack", "script:guard", touched + 0.01, {5});
+  bout.run();
+  EXPECT_EQ(bout.runner->duel().bout().state, BoutState::kLockout);
+  EXPECT_EQ(bout.runner->ending(), Ending::kWon);
+  EXPECT_STREQ(result_of(*bout.runner), "left");
+}
+
+// The paper's search tells the same bout, by other bits, and with more evaluations.
+TEST(DuelRunner, EitherSearch_TellsTheSameExchanges) {
+  const auto play = [](SearchKind search) {
+    auto bout =
+        std::make_unique<BoutRig>("script:attack", "script:guard", 60.0, BoutRules{2, search});
+    bout->run();
+    EXPECT_EQ(bout->runner->bout().search(), search);
+    return bout;
+  };
+  const auto certified = play(SearchKind::kAdvancement);
+  const auto paper = play(SearchKind::kStepping);
+  EXPECT_NE(certified->runner->bout().on_board(), nullptr);
+  EXPECT_EQ(paper->runner->bout().on_board(), nullptr);
+  EXPECT_EQ(score_of(certified->runner->duel().bout()), score_of(paper->runner->duel().bout()));
+  EXPECT_NEAR(certified->runner->now(), paper->runner->now(), 0.01);
+  EXPECT_GT(paper->runner->duel().report().evaluations,
+            2 * certified->runner->duel().report().evaluations);
 }
 
 TEST(DuelRunner, TwoGuards_ADrawAtTheLimit) {

@@ -60,6 +60,36 @@ TEST(EvdevFeed, AxesHaveTheDevicesRangeAndDeadZone_AndUpIsUp) {
   EXPECT_FLOAT_EQ(sample.x, 0.5F / 112.5F) << "half a count beyond the dead zone";
 }
 
+TEST(EvdevFeed, SecondStick_IsForTheFeet_FromItsOpeningOn) {
+  Stick stick;
+  stick.axis(ABS_RX, {100, 0, 100, 0, 0, 0});
+  stick.axis(ABS_RY, {50, 0, 100, 0, 0, 0});
+  EvdevFeed feed(kPath);
+  ASSERT_EQ(feed.open(), "");
+  InputSample sample;
+  ASSERT_EQ(feed.look(sample), News::kSample);
+  EXPECT_EQ(sample.feet_x, 1.0F) << "where it is";
+  EXPECT_EQ(sample.feet_y, 0.0F);
+  stick.event(EV_ABS, ABS_RY, 0);
+  stick.sync();
+  ASSERT_EQ(feed.look(sample), News::kSample);
+  EXPECT_EQ(sample.feet_y, 1.0F) << "fewer counts are up";
+}
+
+TEST(EvdevFeed, AHat_IsForTheFeet_WhereThereIsNoSecondStick) {
+  Stick stick;
+  stick.axis(ABS_HAT0X, {0, -1, 1, 0, 0, 0});
+  stick.axis(ABS_HAT0Y, {0, -1, 1, 0, 0, 0});
+  EvdevFeed feed(kPath);
+  ASSERT_EQ(feed.open(), "");
+  InputSample sample;
+  (void)feed.look(sample);
+  stick.event(EV_ABS, ABS_HAT0Y, 1);
+  stick.sync();
+  ASSERT_EQ(feed.look(sample), News::kSample);
+  EXPECT_EQ(sample.feet_y, -1.0F);
+}
+
 TEST(EvdevFeed, OfManySamples_TheLatestWins) {
   Stick stick;
   EvdevFeed feed(kPath);

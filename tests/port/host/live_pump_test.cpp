@@ -82,11 +82,12 @@ TEST(FeedPump, ASample_IsHandedOn_AndSaidAgainInSilence) {
   Pumped rig;
   rig.pump.turn(1000);
   EXPECT_FALSE(rig.pump.take(rig.sample)) << "the device has not said anything yet";
-  rig.feed->samples.push_back({1500, 0.5F, -0.5F, 3, 99});
+  rig.feed->samples.push_back({1500, 0.5F, -0.5F, 0.25F, -1.0F, 3, 99});
   rig.pump.turn(2000);
   ASSERT_TRUE(rig.pump.take(rig.sample));
   EXPECT_EQ(rig.sample.time, 1500U);
   EXPECT_EQ(rig.sample.x, 0.5F);
+  EXPECT_EQ(rig.sample.feet_y, -1.0F);
   EXPECT_EQ(rig.sample.buttons, 3U);
   EXPECT_EQ(rig.sample.sequence, 1U) << "numbered here: it goes on when the device is opened anew";
   rig.pump.turn(1500 + FeedPump::kRepeat_us - 1);

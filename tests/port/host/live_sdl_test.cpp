@@ -101,6 +101,43 @@ TEST_F(LiveSdl, APad_GoesBySdlsMapping) {
   EXPECT_EQ(sample.buttons, 1U << SDL_CONTROLLER_BUTTON_A);
 }
 
+TEST_F(LiveSdl, TheHatOfAStick_IsForTheFeet) {
+  VirtualStick stick("Stick");
+  const Opened opened;
+  ASSERT_TRUE(opened.there);
+  SdlFeed feed(opened.stick);
+  InputSample sample;
+  ASSERT_EQ(feed.look(sample), News::kSample);
+  EXPECT_EQ(sample.feet_y, 0.0F);
+  stick.hat(SDL_HAT_DOWN);
+  ASSERT_EQ(feed.look(sample), News::kSample);
+  EXPECT_EQ(sample.feet_y, -1.0F);
+  EXPECT_EQ(sample.feet_x, 0.0F);
+  stick.hat(SDL_HAT_RIGHTUP);
+  ASSERT_EQ(feed.look(sample), News::kSample);
+  EXPECT_EQ(sample.feet_y, 1.0F);
+  EXPECT_EQ(sample.feet_x, 1.0F);
+  stick.hat(SDL_HAT_LEFT);
+  ASSERT_EQ(feed.look(sample), News::kSample);
+  EXPECT_EQ(sample.feet_y, 0.0F);
+  EXPECT_EQ(sample.feet_x, -1.0F);
+}
+
+TEST_F(LiveSdl, TheRightStickOfAPad_IsForTheFeet) {
+  VirtualStick pad("Pad", SDL_JOYSTICK_TYPE_GAMECONTROLLER, 6);
+  const Opened opened;
+  ASSERT_NE(opened.stick->pad(), nullptr);
+  SdlFeed feed(opened.stick);
+  InputSample sample;
+  ASSERT_EQ(feed.look(sample), News::kSample);
+  pad.tilt(SDL_CONTROLLER_AXIS_RIGHTX, 32767);
+  pad.tilt(SDL_CONTROLLER_AXIS_RIGHTY, -32768);
+  ASSERT_EQ(feed.look(sample), News::kSample);
+  EXPECT_EQ(sample.feet_x, 1.0F);
+  EXPECT_EQ(sample.feet_y, 1.0F);
+  EXPECT_EQ(sample.x, 0.0F);
+}
+
 TEST_F(LiveSdl, Unplugged_ItIsGone_AndTheSameOneComesBack) {
   VirtualStick other("Other");
   VirtualStick stick("Wanted");

@@ -58,6 +58,42 @@ TEST(BoutLog, TellsTheBout) {
   EXPECT_LT(std::count(log.begin(), log.end(), '\n'), 100) << "for people";
 }
 
+TEST(BoutLog, ABoutToTwo_TouchByTouch) {
+  BoutRig bout("script:attack", "script:guard", 60, {2, SearchKind::kStepping});
+  const std::string log = log_of<BoutLog>(bout);
+  EXPECT_THAT(log, HasSubstr("to 2 touches, search stepping"));
+  EXPECT_THAT(log, HasSubstr("s  halt    1 : 0\n"));
+  EXPECT_THAT(log, HasSubstr("s  halt    left wins, 2 : 0\n"));
+  std::size_t en_garde = 0;
+  for (std::size_t at = log.find("en garde"); at != std::string::npos;
+       at = log.find("en garde", at + 1)) {
+    ++en_garde;
+  }
+  EXPECT_EQ(en_garde, 2U);
+}
+
+TEST(JsonLog, ABoutToTwo_TouchByTouch) {
+  BoutRig bout("script:attack", "script:guard", 60, {2, SearchKind::kStepping});
+  const std::string log = log_of<JsonLog>(bout);
+  EXPECT_THAT(log, HasSubstr("\"search\": \"stepping\""));
+  EXPECT_THAT(log, HasSubstr("\"touches\": 2"));
+  EXPECT_THAT(log, HasSubstr("\"exchange\": 1, \"score_left\": 1, \"score_right\": 0, "
+                             "\"annulled\": false"));
+  const std::string summary = log.substr(log.rfind('\n', log.size() - 2) + 1);
+  EXPECT_THAT(summary, HasSubstr("\"score_left\": 2, \"score_right\": 0, \"exchanges\": 2"));
+  EXPECT_THAT(summary, HasSubstr("\"touch_by\": \"left\""));
+}
+
+// After a halt nobody is touched: the summary still tells the last touch.
+TEST(JsonLog, LastTouch_IsThatOfAnEarlierExchange) {
+  BoutRig bout("script:attack", "script:guard", 3.3, {5});
+  const std::string log = log_of<JsonLog>(bout);
+  EXPECT_EQ(bout.runner->duel().bout().touches.size(), 0);
+  const std::string summary = log.substr(log.rfind('\n', log.size() - 2) + 1);
+  EXPECT_THAT(summary, HasSubstr("\"touch_by\": \"left\""));
+  EXPECT_THAT(summary, HasSubstr("\"result\": \"left\""));
+}
+
 TEST(BoutLog, ADraw_AndARecordingThatEnded) {
   BoutRig bout("default", "script:guard", 20);
   const std::string until_touch = log_of<BoutLog>(bout);

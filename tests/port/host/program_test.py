@@ -9,8 +9,10 @@ import subprocess
 import sys
 import tempfile
 import xml.etree.ElementTree
+import zlib
 
 PROGRAM, SHARED, GROUP = sys.argv[1:4]
+DOCS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "docs")
 STICK = "E: 0.000000 0003 0000 %d\nE: 0.000000 0000 0000 0\nE: 0.300000 0003 0000 0\nE: 0.300000 0000 0000 0\n"
 
 
@@ -60,7 +62,7 @@ def without_timing(line):
 def usage(folder):
     told = run("--help")
     check(told.returncode == 0 and told.stderr == "", told.stderr)
-    for word in ("--left", "--right", "--json", "--svg", "--realtime", "--seconds", "--force", "--patience", "script:",
+    for word in ("--left", "--right", "--json", "--svg", "--figure", "--view", "--realtime", "--seconds", "--force", "--patience", "script:",
                  "device:/dev/input/", "device:sdl", "Exit codes"):
         check(word in told.stdout, word)
     check(max(map(len, told.stdout.splitlines())) <= 120, "help fits a terminal")
@@ -71,6 +73,9 @@ def usage(folder):
     refuses(["--left"], 2, "--left")
     for number in ("0", "-1", "x", "nan", "inf", "1e999", "1e300", "4000001", ""):
         refuses(["--seconds", number], 2)
+    for number in ("0", "-1", "100", "1.5", "x", "nan", ""):
+        refuses(["--touches=%s" % number], 2, "--touches")
+    refuses(["--search", "bisection"], 2, "--search")
     refuses(["--left", "banana"], 2, "banana", "unknown source")
     refuses(["--right", "script:riposte"], 2, "script:riposte")
     refuses(["--left", "device:/nonexistent"], 2, "device:/nonexistent: no such device; found: ")
@@ -95,10 +100,12 @@ def usage(folder):
     refuses(["--left", "none.events"], 2, "none.events: no such file")
     refuses(["--left", folder], 2, "cannot be read")
     refuses(["--left", "/dev/zero"], 2, "/dev/zero: a device and no recording; write device:/dev/zero or serial:")
-    refuses(["--svg", os.path.join(folder, "none", "bout.svg")], 1, "cannot be written")
+    for option in "--svg", "--figure":
+        refuses([option, os.path.join(folder, "none", "bout.svg")], 1, "cannot be written")
+        if os.path.exists("/dev/full"):
+            full = run("--seconds", "0.1", option, "/dev/full")
+            check(full.returncode == 1 and "/dev/full" in full.stderr, full)
     if os.path.exists("/dev/full"):
-        full = run("--seconds", "0.1", "--svg", "/dev/full")
-        check(full.returncode == 1 and "/dev/full" in full.stderr, full)
         with open("/dev/full", "w", encoding="ascii") as out:
             code = subprocess.run([PROGRAM, "--seconds", "0.1"], stdout=out, stderr=subprocess.DEVNULL, check=False)
         check(code.returncode == 1, "a full disk is noticed")
@@ -143,6 +150,12 @@ def json_lines(_):
     check(all(abs(math.hypot(*line["normal"]) - 1) < 1e-6 for line in contacts), "normals are unit")
     touch = [line for line in first if line["type"] == "touch"]
     check(len(touch) == 1 and touch[0]["by"] == summary["touch_by"] == summary["result"] == "left", touch)
+    for search in ("advancement", "stepping"):
+        told = objects(run("--json", "--left", "script:attack", "--right", "script:guard", "--touches", "3", "--search", search))
+        check(told[0]["search"] == search and told[0]["touches"] == 3, told[0])
+        check([line["exchange"] for line in told if line["type"] == "touch"] == [1, 2, 3], told)
+        check([line["score_left"] for line in told if line["type"] == "halt"] == [1, 2], told)
+        check(told[-1]["score_left"] == 3 and told[-1]["exchanges"] == 3 and told[-1]["result"] == "left", told[-1])
 
 
 def picture(folder):
@@ -154,6 +167,18 @@ def picture(folder):
         check(root.tag == "{http://www.w3.org/2000/svg}svg", root.tag)
         sizes.append(os.path.getsize(path))
     check(max(sizes) < 400000, sizes)
+    beat = max((line for line in objects(run("--json", "--figure", path)) if line["type"] == "contact"
+                and line["event"] == "begin" and line["kind"] == "colliding"), key=lambda line: line["impulse"])
+    with open(path, "rb") as made, open(os.path.join(DOCS, "hardest_beat.svg"), "rb") as shown:
+        check(made.read() == shown.read(), "docs/hardest_beat.svg is made anew by: batuta-duel --figure docs/hardest_beat.svg")
+    attack = ["--touches", "1", "--left", "script:attack", "--right", "script:guard"]
+    check(run(*attack, "--strip", path).returncode == 0, "--strip")
+    with open(path, "rb") as made, open(os.path.join(DOCS, "touch_strip.svg"), "rb") as shown:
+        check(made.read() == shown.read(), "docs/touch_strip.svg is made anew by: batuta-duel --strip, as docs/programs.md says")
+    check(run("--json", "--figure", path).returncode == 0, "--figure")
+    told = "".join(xml.etree.ElementTree.parse(path).getroot().itertext())
+    check("at %.3f s, %.3f N s, blades closing at %.2f m/s" %
+          (beat["time"], beat["impulse"], -beat["relative_velocity"]) in told, told)
     name = write(folder, "a<b>&'\"\u00fc.events", STICK % 5)
     check(run("--left", name, "--svg", path).returncode == 0, name)
     xml.etree.ElementTree.parse(path)
@@ -186,6 +211,15 @@ def replay(folder):
     refuses(["--replay", altered("foreign", b"x" * 1000)], 2, "not a recording")
     scene = bytes([whole[8] ^ 1])
     refuses(["--replay", altered("other", whole[:8] + scene + whole[9:])], 2, "another scene")
+    run_at = 20 + int.from_bytes(whole[16:20], "little") + 4  # behind the state at the start
+    check(whole[run_at:run_at + 1] == b"R", whole[run_at:run_at + 8])
+    body = whole[run_at:run_at + 3] + b"\1" + whole[run_at + 4:run_at + 17]
+    older = body + zlib.crc32(body).to_bytes(4, "little") + whole[run_at + 21:]
+    refuses(["--replay", altered("older", whole[:run_at] + older)], 2, "version 1", "version 2")
+    paper = os.path.join(folder, "paper.batuta")
+    check(run("--search", "stepping", "--touches", "2", "--seconds", "3", "--record", paper).returncode == 0, "stepping")
+    again = run("--replay", paper)
+    check(again.returncode == 0 and "3000 steps, 3001 hashes agreed, search stepping" in again.stdout, again)
     refuses(["--replay", os.path.join(folder, "absent")], 2, "absent")
     refuses(["--replay", path, "--left", "default"], 2, "--left")
     refuses(["--replay", path, "--record", path], 2, "--record")
@@ -193,7 +227,8 @@ def replay(folder):
     check(failed.returncode == 1, failed.returncode)
     refuses(["--replay", folder], 2, folder)
     refuses(["--replay", altered("nothing", b"")], 2, "is empty")
-    for option in "--record", "--replay", "--svg":
+    refuses(["--replay", path, "--figure", path], 2, "--figure")
+    for option in "--record", "--replay", "--svg", "--figure":
         refuses([option, ""], 2, option)
 
 

@@ -76,6 +76,41 @@ TEST(Recording, Absolute_CalibratedByTheDescription_InlineOrBeside) {
   expect_stick(good(kStickEvents, kStick));
 }
 
+/// A pad with two sticks and a hat: axes 0, 1, 3, 4, 16, 17.
+const std::string kTwoSticks =
+    "# EVEMU 1.3\nN: a pad\nI: 0003 0001 0002 0003\nP: 00 00 00 00 00 00 00 00\n"
+    "B: 00 0b 00 00 00 00 00 00 00\nB: 03 1b 00 03 00 00 00 00 00\n"
+    "A: 00 -100 100 0 0 0\nA: 01 -100 100 0 0 0\nA: 03 -10 10 0 0 0\nA: 04 -10 10 0 0 0\n"
+    "A: 10 -1 1 0 0 0\nA: 11 -1 1 0 0 0\n";
+
+TEST(Recording, SecondStick_IsForTheFeet) {
+  const Recording recording =
+      good(kTwoSticks + kStickEvents +
+           "E: 5.100000 0003 0003 0002\nE: 5.100000 0003 0004 -005\nE: 5.100000 0003 0011 0001\n"
+           "E: 5.100000 0000 0000 0000\n");
+  ASSERT_EQ(recording.samples.size(), 2U);
+  EXPECT_EQ(recording.samples[0].feet_y, 0.0F);
+  EXPECT_FLOAT_EQ(recording.samples[1].x, 0.5F);
+  EXPECT_FLOAT_EQ(recording.samples[1].feet_x, 0.2F);
+  EXPECT_FLOAT_EQ(recording.samples[1].feet_y, 0.5F) << "and not the hat; fewer counts are up";
+}
+
+TEST(Recording, WhereOnlyTheHatMoves_ItIsForTheFeet) {
+  const Recording recording =
+      good(kTwoSticks + kStickEvents + "E: 5.100000 0003 0011 0001\nE: 5.100000 0000 0000 0000\n");
+  ASSERT_EQ(recording.samples.size(), 2U);
+  EXPECT_EQ(recording.samples[1].feet_y, -1.0F);
+}
+
+TEST(Recording, SecondStickOfUnknownRange_OrOfAMouse_IsNone) {
+  const std::string moves = "E: 5.100000 0003 0004 -005\nE: 5.100000 0000 0000 0000\n";
+  EXPECT_EQ(good(kStickEvents + moves).samples[1].feet_y, 0.0F);
+  EXPECT_EQ(good(kTwoSticks + "E: 5.000000 0002 0000 1\nE: 5.000000 0000 0000 0\n" + moves)
+                .samples[1]
+                .feet_y,
+            0.0F);
+}
+
 TEST(Recording, AVersionWithoutADescription_IsNotOne) {
   expect_stick(good("# EVEMU 1.3\n" + kStickEvents, kStick));
 }

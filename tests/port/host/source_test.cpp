@@ -23,7 +23,8 @@ TEST(OpenSource, Default_IsTheEmbeddedRecording_AndSaysThatItIsSynthetic) {
 }
 
 TEST(OpenSource, Scripts) {
-  for (const char* words : {"script:guard", "script:parry", "script:attack"}) {
+  for (const char* words : {"script:guard", "script:parry", "script:attack", "script:novice",
+                            "script:club", "script:master", "script:club@4294967295"}) {
     EXPECT_TRUE(open_source(words).source) << words;
   }
 }
@@ -31,6 +32,10 @@ TEST(OpenSource, Scripts) {
 TEST(OpenSource, Refusals_AreOneLineThatNamesTheSource) {
   for (const char* words : {"script:",
                             "script:riposte",
+                            "script:club@",
+                            "script:club@-1",
+                            "script:club@4294967296",
+                            "script:guard@1",
                             "banana",
                             "none.events",
                             "device:/none",

@@ -10,6 +10,7 @@
 
 #include "bouts.hpp"
 #include "heap_trap.hpp"
+#include "programs/duel/svg_canvas.hpp"
 
 namespace batuta::host {
 using namespace fencing;
@@ -99,7 +100,7 @@ TEST(SvgCanvas, NumbersAndTextsAreAlwaysValid) {
     SvgCanvas canvas(out, 10, 20);
     canvas.line({-0.04, 1e300}, {std::numeric_limits<double>::quiet_NaN(), -12.34},
                 {{1, 2, 3}, 1, 0.5});
-    canvas.text({1, 2}, "a<b & \"c\" \xFF\x01", 3, "start");
+    canvas.text({1, 2}, "a<b & \"c\" \xFF\x01", 3, Anchor::kStart);
   }
   EXPECT_THAT(out.str(), HasSubstr("x1=\"0\" y1=\"100000000\" x2=\"0\" y2=\"-12.3\""));
   EXPECT_THAT(out.str(), HasSubstr("a&lt;b &amp; \"c\" ?\?<"));

@@ -32,6 +32,7 @@ class VirtualStick {
     about.type = static_cast<Uint16>(type_);
     about.naxes = static_cast<Uint16>(axes_);
     about.nbuttons = 4;
+    about.nhats = 1;
     about.name = name_;
     about.userdata = this;
     if (rumbles_) {
@@ -63,6 +64,8 @@ class VirtualStick {
     SDL_JoystickSetVirtualAxis(joystick_, 0, x);
     SDL_JoystickSetVirtualAxis(joystick_, 1, y);
   }
+  void tilt(int axis, Sint16 value) { SDL_JoystickSetVirtualAxis(joystick_, axis, value); }
+  void hat(Uint8 value) { SDL_JoystickSetVirtualHat(joystick_, 0, value); }
   void press(int button, bool pressed) {
     SDL_JoystickSetVirtualButton(joystick_, button, pressed ? SDL_PRESSED : SDL_RELEASED);
   }

@@ -43,7 +43,13 @@ void add(Layout& layout, const std::array<float, N>& values) {
 }
 
 inline void add(Layout& layout, const InputSample& s) {
-  layout.insert(layout.end(), {{s.time, 4}, real(s.x), real(s.y), {s.buttons, 4}, {s.sequence, 4}});
+  layout.insert(layout.end(), {{s.time, 4},
+                               real(s.x),
+                               real(s.y),
+                               real(s.feet_x),
+                               real(s.feet_y),
+                               {s.buttons, 4},
+                               {s.sequence, 4}});
 }
 
 inline std::uint64_t u(LinkSide side) {
@@ -51,7 +57,7 @@ inline std::uint64_t u(LinkSide side) {
 }
 
 inline Layout layout(const Hello& m) {
-  return {{m.session, 4}, {m.mode == Mode::kFree ? 1U : 0U, 1}};
+  return {{m.session, 4}, {m.mode == Mode::kFree ? 1U : 0U, 1}, {m.touches, 1}};
 }
 inline Layout layout(const Welcome& m) {
   return {{m.session, 4},
@@ -108,24 +114,11 @@ inline Layout layout(const Force& m) {
 inline Layout layout(const StepReport& m) {
   const unsigned flags =
       (m.used_left ? 1U : 0U) + (m.used_right ? 2U : 0U) + (m.repeated ? 4U : 0U);
-  return {{m.step, 4},
-          {m.frames, 1},
-          {m.bout_state, 1},
-          {m.touches, 1},
-          {flags, 1},
-          {m.overruns, 4},
-          {m.skipped, 4},
-          {m.silences, 4},
-          {m.stale_steps, 4},
-          {m.rejected, 4},
-          {m.lost, 4},
-          {m.unsent, 4},
-          {m.evaluations, 4},
-          {m.incomplete_steps, 4},
-          {m.spent_us, 4},
-          {m.session, 2},
-          {m.force_failures, 2},
-          {m.stick_invalid, 2}};
+  return {{m.step, 4},     {m.frames, 1},   {m.bout_state, 1},     {m.touches, 1},
+          {flags, 1},      {m.score[0], 1}, {m.score[1], 1},       {m.overruns, 4},
+          {m.skipped, 4},  {m.silences, 4}, {m.stale_steps, 4},    {m.rejected, 4},
+          {m.lost, 4},     {m.unsent, 4},   {m.evaluations, 4},    {m.incomplete_steps, 4},
+          {m.spent_us, 4}, {m.session, 2},  {m.force_failures, 2}, {m.stick_invalid, 2}};
 }
 inline Layout layout(const Refused& m) {
   return {{static_cast<std::uint64_t>(m.why), 1},
@@ -201,6 +194,8 @@ class FieldDraws {
     s.time = u32();
     s.x = between(-1, 1);
     s.y = between(-1, 1);
+    s.feet_x = between(-1, 1);
+    s.feet_y = between(-1, 1);
     s.buttons = u32();
     s.sequence = u32();
     return s;
@@ -213,6 +208,7 @@ class FieldDraws {
 inline void draw(FieldDraws& d, Hello& m) {
   m.session = d.u32() | 1U;
   m.mode = d.flag() ? Mode::kFree : Mode::kPaced;
+  m.touches = static_cast<std::uint8_t>(1 + d.below(kMostTouches));
 }
 inline void draw(FieldDraws& d, Welcome& m) {
   m.session = d.u32() | 0x80000000U;
@@ -287,8 +283,11 @@ inline void draw(FieldDraws& d, Force& m) {
 inline void draw(FieldDraws& d, StepReport& m) {
   m.step = d.u32();
   m.frames = static_cast<std::uint8_t>(1 + d.below(kMaxStepFrames));
-  m.bout_state = static_cast<std::uint8_t>(d.below(4));
+  m.bout_state = static_cast<std::uint8_t>(d.below(5));
   m.touches = static_cast<std::uint8_t>(d.below(3));
+  for (std::uint8_t& score : m.score) {
+    score = static_cast<std::uint8_t>(d.below(kMostTouches + 1));
+  }
   m.used_left = d.flag();
   m.used_right = d.flag();
   m.repeated = d.flag();

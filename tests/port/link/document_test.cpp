@@ -59,7 +59,7 @@ std::vector<Cells> rows_under(const std::string& heading) {
 
 /// Widths of what a type stands for: "u32", "f32[3]", "sample".
 std::vector<int> widths(const std::string& type) {
-  if (type == "sample") return std::vector<int>(5, 4);
+  if (type == "sample") return std::vector<int>(7, 4);
   const std::size_t bracket = type.find('[');
   const int count = bracket == std::string::npos ? 1 : std::stoi(type.substr(bracket + 1));
   return std::vector<int>(static_cast<std::size_t>(count), std::stoi(type.substr(1)) / 8);

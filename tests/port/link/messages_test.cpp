@@ -85,7 +85,7 @@ TEST(Messages, StepFlags_DecideItsLength) {
       Step step;
       step.has_left = left;
       step.has_right = right;
-      EXPECT_EQ(payload_of(step).size(), 5U + (left ? 20U : 0U) + (right ? 20U : 0U));
+      EXPECT_EQ(payload_of(step).size(), 5U + (left ? 28U : 0U) + (right ? 28U : 0U));
     }
   }
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "batuta/fencing/bout.hpp"
 #include "wire.hpp"
 
 namespace batuta::link::test {
@@ -91,6 +92,8 @@ template <class Message>
 void check_samples(const Message& valid, InputSample Message::*sample) {
   check_share(valid, [sample](Message& m, float value) { (m.*sample).x = value; });
   check_share(valid, [sample](Message& m, float value) { (m.*sample).y = value; });
+  check_share(valid, [sample](Message& m, float value) { (m.*sample).feet_x = value; });
+  check_share(valid, [sample](Message& m, float value) { (m.*sample).feet_y = value; });
 }
 
 template <class Message>
@@ -196,12 +199,23 @@ TEST(Ranges, StepReport_CountsFramesAndTouches) {
   check<StepReport, int>(
       StepReport{}, {1, kMaxStepFrames}, {0, kMaxStepFrames + 1, 255},
       [](StepReport& m, int value) { m.frames = static_cast<std::uint8_t>(value); });
-  check<StepReport, int>(StepReport{}, {0, 3}, {4, 255}, [](StepReport& m, int value) {
+  check<StepReport, int>(StepReport{}, {0, 4}, {5, 255}, [](StepReport& m, int value) {
     m.bout_state = static_cast<std::uint8_t>(value);
   });
   check<StepReport, int>(StepReport{}, {0, 2}, {3, 255}, [](StepReport& m, int value) {
     m.touches = static_cast<std::uint8_t>(value);
   });
+  for (std::size_t i = 0; i < 2; ++i) {
+    check<StepReport, int>(
+        StepReport{}, {0, kMostTouches}, {kMostTouches + 1, 255},
+        [i](StepReport& m, int value) { m.score[i] = static_cast<std::uint8_t>(value); });
+  }
+}
+
+TEST(Ranges, Bout_GoesToTouchesOfTheDuel) {
+  static_assert(kMostTouches == fencing::kMostTouches);
+  check<Hello, int>(hello(), {1, kMostTouches}, {0, kMostTouches + 1, 255},
+                    [](Hello& m, int value) { m.touches = static_cast<std::uint8_t>(value); });
 }
 
 TEST(Ranges, Refused_NamesAReasonAndAMessageOfTheHost) {

@@ -46,12 +46,13 @@ File open_to_write(const char* path) {
 
 std::uint32_t read_bytes(File file, void* bytes, std::uint32_t capacity) {
   std::fstream& stream = stream_of(file);
-  stream.read(static_cast<char*>(bytes), capacity);
+  stream.read(static_cast<char*>(bytes), static_cast<std::streamsize>(capacity));
   return static_cast<std::uint32_t>(stream.gcount());
 }
 
 bool write_bytes(File file, const void* bytes, std::uint32_t count) {
-  return static_cast<bool>(stream_of(file).write(static_cast<const char*>(bytes), count));
+  const auto size = static_cast<std::streamsize>(count);  // of 32 bits in WebAssembly
+  return static_cast<bool>(stream_of(file).write(static_cast<const char*>(bytes), size));
 }
 
 /// The end of a file that was read is no failure; that of the disk is.

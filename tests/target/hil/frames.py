@@ -58,8 +58,8 @@ class Silences:
     def __call__(self, data):
         *wires, self.rest = (self.rest + data).split(b"\0")
         for raw in map(unstuff, wires):
-            if len(raw) > HEADER + 20 and raw[1] == STEP_REPORT and signed(raw[:-4]) == raw:
-                step, silences = struct.unpack_from("<I12xI", raw, HEADER)
+            if len(raw) > HEADER + 22 and raw[1] == STEP_REPORT and signed(raw[:-4]) == raw:
+                step, silences = struct.unpack_from("<I14xI", raw, HEADER)
                 self.told.append((step, silences))
         return data
 

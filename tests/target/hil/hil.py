@@ -92,7 +92,9 @@ class Run:
 
 
 def fence(duel, left, right, *more):
-    command = [duel, "--left", left, "--right", right, "--json", *more]
+    """To one touch, unless there is more to say."""
+    touches = [] if "--touches" in more else ["--touches", "1"]
+    command = [duel, "--left", left, "--right", right, "--json", *touches, *more]
     begin = time.monotonic()
     process = subprocess.run(command, capture_output=True, text=True, check=False)
     return Run(process, time.monotonic() - begin)
@@ -117,12 +119,12 @@ def tell(name, run):
     print(f"{name}: {run.seconds:.1f} s,", ", ".join(f"{key} {link[key]}" for key in counts))
 
 
-def play(arguments, recording, **cable):
+def play(arguments, recording, *more, **cable):
     """A bout with a recording in place of the stick, and the same one without a device."""
     recording = os.path.join(arguments.shared, "recordings", recording)
-    plain = fence(arguments.duel, recording, "script:parry")
+    plain = fence(arguments.duel, recording, "script:parry", *more)
     with Bench(arguments, **cable) as bench:
-        run = bench.fence("SERIAL," + recording, "script:parry")
+        run = bench.fence("SERIAL," + recording, "script:parry", *more)
     tell(os.path.basename(recording), run)
     require_same_bout(run, plain)
     return run
@@ -133,8 +135,8 @@ def mouse(arguments):
 
 
 def pad(arguments):
-    """Two dozen beats: events and forces."""
-    run = play(arguments, "madcatz_pad.events")
+    """Two dozen beats: events and forces; and a bout that goes on after a touch."""
+    run = play(arguments, "madcatz_pad.events", "--touches", "2")
     require(run.summary()["blows"] > 0, "a bout without a blow shows too little", run)
     require(run.link()["forces_not_zero"] > 0, "no force but zero was compared", run)
 

@@ -23,7 +23,7 @@ SNAPSHOT_HEAD = 20
 
 
 def record(duel, path):
-    words = [duel, "--left", "script:attack", "--right", "script:parry", "--record", path]
+    words = [duel, "--left", "script:attack", "--right", "script:parry", "--touches", "2", "--record", path]
     subprocess.run(words, check=True, stdout=subprocess.DEVNULL)
 
 

@@ -16,13 +16,13 @@ import frames  # noqa: E402 (of the tests with the host's program)
 import keeper  # noqa: E402
 
 PATIENCE = 2.0  # s of the emulator's processor time, which a busy machine does not spend; 25 s of an idle board
-VERSION = 2
+VERSION = 3
 ALONE_STEPS = 300
 HELLO, STEP = 0x01, 0x02
 WELCOME, POSE, EVENT, FORCE, TOUCH, STICK_USED, STEP_REPORT, REFUSED = range(0x81, 0x89)
 PACED = 0
-REPORT = struct.Struct("<IBBBB9II")  # as it begins: step; frames, bout state, touches, flags; counts
-OVERRUNS, SKIPPED = 5, 6  # in REPORT
+REPORT = struct.Struct("<IBBBBBB9II")  # as it begins: step; frames, bout state, touches, flags, score; counts
+OVERRUNS, SKIPPED = 7, 8  # in REPORT
 # Time by instructions, 8 ns each: 125,000 a tick; a processor that sleeps takes no time. By the host's clock a busy
 # host would be the one that leaves ticks out.
 BY_INSTRUCTIONS = ["-icount", "shift=3,sleep=off"]
@@ -113,7 +113,7 @@ def expect(condition, text):
 
 
 def hello(session, mode):
-    return struct.pack("<IB", session, mode)
+    return struct.pack("<IBB", session, mode, 1)
 
 
 def step_number(payload):

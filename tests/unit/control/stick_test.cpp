@@ -214,6 +214,52 @@ TYPED_TEST(StickOf, Buttons_AreThoseOfTheLatestSample) {
   EXPECT_EQ(this->stick.buttons(), 5U);
 }
 
+// The second pair has no way to go: it is where the sample says, and zero where none comes.
+TYPED_TEST(StickOf, Feet_AreThoseOfTheLatestSample_UntilItIsStale) {
+  const auto feet = [this] {
+    return std::pair{static_cast<double>(this->stick.feet().x()),
+                     static_cast<double>(this->stick.feet().y())};
+  };
+  InputSample s = sample(1000, 0, 0, 1);
+  s.feet_x = 0.25F;
+  s.feet_y = -0.5F;
+  EXPECT_EQ(this->stick.accept(s), SampleUse::kRestart);
+  EXPECT_EQ(feet(), (std::pair{0.25, -0.5}));
+  s.feet_y = 1;
+  EXPECT_EQ(this->stick.accept(s), SampleUse::kRepeated);
+  EXPECT_EQ(feet(), (std::pair{0.25, 1.0}));
+  s.time = 500;
+  s.feet_y = 0;
+  EXPECT_EQ(this->stick.accept(s), SampleUse::kBackward);
+  s.time = 2000;
+  s.feet_x = kNan;
+  EXPECT_EQ(this->stick.accept(s), SampleUse::kInvalid);
+  EXPECT_EQ(feet(), (std::pair{0.25, 1.0}));
+  s.feet_x = 7;
+  s.feet_y = -7;
+  EXPECT_EQ(this->stick.accept(s), SampleUse::kUsed);
+  EXPECT_EQ(feet(), (std::pair{1.0, -1.0})) << "at the rim";
+  this->run(300);
+  EXPECT_EQ(feet(), (std::pair{0.0, 0.0})) << "a device that is gone orders nothing";
+}
+
+TYPED_TEST(StickOf, FromTheCentre_TheStickGoesAsFastAsItMay) {
+  (void)this->stick.accept(sample(1000, 1, -0.5F, 1));
+  this->run(100);
+  EXPECT_EQ(this->x(), 1.0);
+  this->stick.start_from_centre();
+  EXPECT_EQ(this->x(), 0.0);
+  EXPECT_EQ(this->vx(), 0.0);
+  for (int i = 1; i <= 62; ++i) {
+    this->run(1);
+    EXPECT_NEAR(this->x(), 0.016 * i, 1e-5);
+    EXPECT_NEAR(this->vx(), 16.0, 1e-2);
+  }
+  this->run(1);
+  EXPECT_EQ(this->x(), 1.0);
+  EXPECT_EQ(this->stick.position().y(), TypeParam(-0.5F));
+}
+
 TEST(StickSettings, OutOfRange_IsRefusedAndChangesNothing) {
   StickTracker<float> stick;
   const auto refused = [&stick](auto change) {

@@ -54,6 +54,10 @@ std::vector<double> seen(const DuelT& duel) {
                              static_cast<double>(duel.dt()),
                              static_cast<double>(duel.bout().state),
                              static_cast<double>(duel.bout().touches.size()),
+                             static_cast<double>(duel.bout().score[0]),
+                             static_cast<double>(duel.bout().score[1]),
+                             static_cast<double>(duel.bout().exchange),
+                             static_cast<double>(duel.bout().halt_steps),
                              static_cast<double>(duel.report().evaluations),
                              static_cast<double>(duel.report().blows),
                              static_cast<double>(duel.world().report().evaluations),
@@ -88,6 +92,9 @@ using DuelArchive = test::ConfiguredDuel<DuelT>;
 TYPED_TEST_SUITE(DuelArchive, test::Duels);
 
 TYPED_TEST(DuelArchive, SavedAnywhereInABout_GoesOnWithTheSameBits) {
+  this->settings.touches = 3;
+  this->settings.halt_us = 120000;
+  ASSERT_EQ(this->configure(), Status::kOk);
   std::vector<Bytes> snapshots;
   std::vector<std::vector<double>> course;
   int blows = 0;
@@ -160,11 +167,8 @@ TEST(DuelArchive, OtherScalarOrSearch_IsRefusedAndNothingChanges) {
 }
 
 /// Every byte wrong under a good check sum: refused, or a state that can go on.
-TEST(DuelArchive, EveryByteForged_IsRefusedOrGoesOn) {
-  const auto duel = std::make_unique<Duel<>>();
-  ASSERT_EQ(duel->configure(duel_settings(), first_fencer<float>(), second_fencer<float>()),
-            Status::kOk);
-  for (int i = 0; i < 600; ++i) (void)advance(*duel);
+void forge_every_byte(Duel<>& forged) {
+  Duel<>* const duel = &forged;
   const Bytes good = saved(*duel);
   int refused = 0;
   for (std::size_t i = batuta::detail::kSnapshotHead; i + batuta::detail::kCheckSum < good.size();
@@ -183,6 +187,25 @@ TEST(DuelArchive, EveryByteForged_IsRefusedOrGoesOn) {
     }
   }
   EXPECT_GT(refused, 100);
+}
+
+TEST(DuelArchive, EveryByteForged_IsRefusedOrGoesOn) {
+  const auto duel = std::make_unique<Duel<>>();
+  ASSERT_EQ(duel->configure(duel_settings(), first_fencer<float>(), second_fencer<float>()),
+            Status::kOk);
+  for (int i = 0; i < 600; ++i) (void)advance(*duel);
+  forge_every_byte(*duel);
+}
+
+/// Where the next step puts both on guard, from what was read.
+TEST(DuelArchive, EveryByteForgedAtTheEndOfAHalt_IsRefusedOrGoesOn) {
+  const auto duel = std::make_unique<Duel<>>();
+  auto settings = duel_settings();
+  settings.touches = 2;
+  ASSERT_EQ(duel->configure(settings, first_fencer<float>(), second_fencer<float>()), Status::kOk);
+  for (int i = 0; i < 5000 && !duel->bout().is_halt_over(); ++i) (void)advance(*duel);
+  ASSERT_TRUE(duel->bout().is_halt_over());
+  forge_every_byte(*duel);
 }
 
 }  // namespace

@@ -27,6 +27,11 @@ constexpr DuelOptions bare_options() {
   scene.grip = false;
   return scene;
 }
+constexpr DuelOptions standing_options() {
+  DuelOptions scene = two_fencers();
+  scene.feet = false;
+  return scene;
+}
 /// Fewer contacts, no restitution, nothing to read after a step.
 constexpr DuelOptions quiet_options() {
   DuelOptions scene = two_fencers();
@@ -58,10 +63,12 @@ using Full = Duel<>;
 using Drill = Duel<DuelScene<drill_options>>;
 using Stiff = Duel<DuelScene<stiff_options>>;
 using Bare = Duel<DuelScene<bare_options>>;
+using Standing = Duel<DuelScene<standing_options>>;
 
 // As a whole, as a user's own source may: no member relies on what is absent.
 template class fencing::Duel<DuelScene<drill_options>>;
 template class fencing::Duel<DuelScene<bare_options>>;
+template class fencing::Duel<DuelScene<standing_options>>;
 
 namespace {
 
@@ -156,6 +163,12 @@ TEST(DuelFeatures, Drill_MovesItsBladesAsTheDuelDoes) {
   expect_same_blades<Stiff, Bare>(sway, counter_sway, 2000);
 }
 
+// Feet that nobody orders make no difference, to the bit.
+TEST(DuelFeatures, WithoutFeet_ABoutIsThatOfFeetThatStand) {
+  expect_same_blades<Full, Standing>(sway, counter_sway, 3000);
+  expect_same_blades<Full, Standing>(hacking, counter_sway, 2000);
+}
+
 TEST(DuelFeatures, BladesWithoutEvents_MoveAsThoseWithThem) {
   expect_same_blades<Duel<DuelScene<numb_options>>, Duel<DuelScene<deaf_options>>>(
       sway, counter_sway, 2000);
@@ -238,6 +251,8 @@ TEST(DuelFeatures, WhatIsOff_TakesNoRoom) {
   constexpr std::size_t kGrips = 2 * (sizeof(Grip<float>) - sizeof(Hand<float>));
   EXPECT_EQ(sizeof(Full), sizeof(Stiff) + kGrips);
   EXPECT_EQ(sizeof(Drill), sizeof(Bare) + kGrips);
+  EXPECT_EQ(sizeof(Full),
+            sizeof(Standing) + 2 * sizeof(Feet<float>) + sizeof(FootworkSettings<DuelScene<>>));
   EXPECT_EQ(sizeof(Bare::SceneType::Controller), sizeof(Hand<float>));
   EXPECT_EQ(sizeof(Drill::SceneType::Controller), sizeof(Grip<float>));
 }
@@ -276,7 +291,7 @@ TEST(DuelFeatures, DataOfWhatIsOff_IsNotLookedAt) {
 
 template <class DuelT>
 class DuelFeatureArchive : public ::testing::Test {};
-using Others = ::testing::Types<Drill, Stiff, Bare>;
+using Others = ::testing::Types<Drill, Stiff, Bare, Standing>;
 TYPED_TEST_SUITE(DuelFeatureArchive, Others);
 
 TYPED_TEST(DuelFeatureArchive, Saved_GoesOnWithTheSameBits) {

@@ -75,6 +75,22 @@ TEST(HandForce, BladeThatMovesAwayFromItsHand_DragsItAsLongAsItMoves) {
   EXPECT_NEAR(force.advance(state, kStep).y(), 0, 1e-12);
 }
 
+// Whose hand is put elsewhere, and lets the blade lag by nothing there, has not moved there.
+TEST(HandForce, HandThatIsPutElsewhere_FeelsNothingOfTheWay) {
+  HandForceSettings<double> settings;
+  settings.coupling.stiffness = 0;
+  for (const bool leaps : {false, true}) {
+    HandForce<double> force = hand_force(settings);
+    State state = plain_state();
+    state.held_W.p_W.x() = -0.002;
+    EXPECT_EQ(force.advance(state, kStep).x(), 0);
+    state.commanded.X_WH.p_W.x() = 0.7;
+    state.held_W.p_W.x() = 0.7;
+    if (leaps) force.leap();
+    EXPECT_EQ(force.advance(state, kStep).x() == 0, leaps);
+  }
+}
+
 TEST(HandForce, Blow_IsPlayedWhole) {
   HandForce<double> force = hand_force();
   State state = plain_state();

@@ -28,6 +28,8 @@ InputSample sample_at(float x, float y) {
   sample.time = 7;
   sample.x = x;
   sample.y = y;
+  sample.feet_x = -y;
+  sample.feet_y = x;
   sample.buttons = 5;
   sample.sequence = 9;
   return sample;
@@ -37,6 +39,8 @@ void expect_same(const InputSample& a, const InputSample& b) {
   EXPECT_EQ(a.time, b.time);
   EXPECT_EQ(a.x, b.x);
   EXPECT_EQ(a.y, b.y);
+  EXPECT_EQ(a.feet_x, b.feet_x);
+  EXPECT_EQ(a.feet_y, b.feet_y);
   EXPECT_EQ(a.buttons, b.buttons);
   EXPECT_EQ(a.sequence, b.sequence);
 }

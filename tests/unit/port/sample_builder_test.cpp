@@ -121,6 +121,32 @@ TEST(SampleBuilder, Absolute_HoldsWhatWasNotReported) {
   EXPECT_EQ(second.value.y, -1.0F);
 }
 
+TEST(SampleBuilder, SecondPair_IsZeroUnlessThereIsOne) {
+  SampleBuilder builder = builder_with(absolute(-10, 10), absolute(-10, 10));
+  builder.axis(Axis::kFeetX, 10);
+  builder.axis(Axis::kFeetY, 10);
+  const Result<InputSample> alone = builder.sync(1);
+  EXPECT_EQ(alone.value.feet_x, 0.0F);
+  EXPECT_EQ(alone.value.feet_y, 0.0F);
+
+  EXPECT_EQ(builder.configure_feet(absolute(1, 1), absolute(-1, 1)), Status::kInvalidArgument);
+  EXPECT_EQ(builder.configure_feet(absolute(-1, 1), absolute(1, 1)), Status::kInvalidArgument);
+  builder.axis(Axis::kX, 5);
+  ASSERT_EQ(builder.configure_feet(absolute(0, 20), absolute(-4, 4)), Status::kOk);
+  builder.axis(Axis::kFeetY, -2);
+  const Result<InputSample> both = builder.sync(2);
+  EXPECT_EQ(both.value.x, 0.5F) << "the first pair stays as it was";
+  EXPECT_EQ(both.value.feet_x, 0.0F) << "not reported yet: the centre";
+  EXPECT_EQ(both.value.feet_y, -0.5F);
+  builder.axis(Axis::kFeetX, 20);
+  builder.lost();
+  EXPECT_FALSE(builder.sync(3).ok());
+  EXPECT_EQ(builder.sync(4).value.feet_x, 0.0F) << "discarded with the rest";
+  ASSERT_EQ(builder.configure(absolute(-1, 1), absolute(-1, 1)), Status::kOk);
+  builder.axis(Axis::kFeetY, 4);
+  EXPECT_EQ(builder.sync(5).value.feet_y, 0.0F) << "begun anew without it";
+}
+
 TEST(SampleBuilder, Sequence_CountsSamples) {
   SampleBuilder builder = builder_with(absolute(-10, 10), absolute(-10, 10));
   for (std::uint32_t i = 0; i < 5; ++i) EXPECT_EQ(builder.sync(i).value.sequence, i);

@@ -297,12 +297,54 @@ TEST(Player, OfAnotherKind_SaysWhich) {
   EXPECT_EQ(begun(Bytes(100, 'x'), Numbers{}, 256), Playback::kForeign);
 }
 
+/// A state with a member that the recorded one lacks, as an earlier version's may.
+struct LongerSum {
+  Sum sum;
+  std::uint32_t more = 0;
+  void archive(Archive& ar) { ar(sum, more); }
+};
+
+/// The recording as if it were of that version, with its check sum.
+Bytes of_version(std::uint8_t version) {
+  Bytes bytes = recorded();
+  const std::size_t run = 20 + 12 + 4;  // behind the state at the start
+  bytes[run + 3] = version;
+  batuta::detail::seal(bytes.data() + run, 3 + 14);
+  return bytes;
+}
+
+// Also where the state of that version was of another type, and whatever the pace of the source.
+TEST(Player, OfAnotherVersion_SaysWhich) {
+  Bytes buffer(256);
+  const auto begun = [&buffer](const Bytes& file, auto state, int capacity) {
+    SlowSource source(file);
+    Player player(source, buffer.data(), capacity);
+    Playback answer = Playback::kWaiting;
+    for (int i = 0; i < 10000 && answer == Playback::kWaiting; ++i) {
+      answer = player.begin<Numbers>(state);
+    }
+    return std::pair{answer, player.version()};
+  };
+  for (const int version : {1, 7}) {
+    const Bytes other = of_version(static_cast<std::uint8_t>(version));
+    EXPECT_EQ(begun(other, Sum{}, 256), (std::pair{Playback::kOtherVersion, version}));
+    for (const int capacity : {24, 40, 256}) {
+      EXPECT_EQ(begun(other, LongerSum{}, capacity), (std::pair{Playback::kOtherVersion, version}));
+    }
+  }
+  const Bytes today = of_version(2);
+  EXPECT_EQ(begun(today, Sum{}, 256), (std::pair{Playback::kReady, 2}));
+  EXPECT_EQ(begun(today, LongerSum{}, 256), (std::pair{Playback::kOtherScene, 2}));
+  const Bytes torn(today.begin(), today.begin() + 40);
+  EXPECT_EQ(begun(torn, LongerSum{}, 256), (std::pair{Playback::kOtherScene, 0}));
+}
+
 /// Python's zlib and struct over the document (src/record/recorder.md): a recording of no step.
 TEST(Recording, RunRecord_BytesOfTheDocument) {
   const Bytes bytes = recorded(0);
   ASSERT_EQ(bytes.size(), 36U + 21U + 23U);
   EXPECT_EQ(Bytes(bytes.begin() + 36, bytes.begin() + 45),
-            (Bytes{'R', 14, 0, 1, 0, kHashEvery, 0, 0, 0}));
+            (Bytes{'R', 14, 0, 2, 0, kHashEvery, 0, 0, 0}));
   EXPECT_EQ(Bytes(bytes.begin() + 57, bytes.begin() + 64), (Bytes{'E', 16, 0, 0, 0, 0, 0}));
 }
 

@@ -8,6 +8,13 @@
 
 namespace batuta::fencing {
 
+/// What a body's pose follows from.
+template <class Scalar>
+struct Stance {
+  Pose<Scalar> X_WF;  ///< where the feet are
+  Pose<Scalar> X_WH;  ///< where the hand is
+};
+
 /// Both fencers as targets, and the bout. Defined in fencing/detail/referee_definitions.hpp.
 /// Allocates: never. RAM in float: 2 (1 kB + FencerBuild).
 template <class SceneT>
@@ -21,16 +28,20 @@ class Referee {
   /// Nobody is touched.
   void begin() { bout_ = {}; }
 
-  /// Puts a fencer somewhere, still. @pre build valid, poses finite
-  void place(Side side, const FencerBuild<Scalar>& build, const Pose<Scalar>& X_WF,
-             const Pose<Scalar>& X_WH);
+  /// Who fences on a side. @pre valid
+  void take_place(Side side, const FencerBuild<Scalar>& build);
+  /// Puts a fencer somewhere, still. @pre finite
+  void stand(Side side, const Stance<Scalar>& stance);
 
-  /// The fencer's hand goes to X_WH in the coming step of length dt; the blade is at X_WB.
+  /// The fencer goes to a stance in the coming step of length dt; the blade is at X_WB.
   /// @pre finite; dt > 0
-  void follow(Side side, const Pose<Scalar>& X_WH, const Pose<Scalar>& X_WB, Scalar dt);
+  void follow(Side side, const Stance<Scalar>& stance, const Pose<Scalar>& X_WB, Scalar dt);
+
+  /// The halt is over, both are on guard: the next exchange.
+  void resume();
 
   /// After the world's step. Both blades are looked at before either touch is judged; the earlier
-  /// one is noted first, the left one of two at once.
+  /// one is noted first, the left one of two at once. In a halt nobody looks.
   /// @param blades  of the left and the right fencer, where they are now
   /// @param now     steps that were over before this one, and its length
   /// Bound: 2 (kMaxContacts + 1) touch searches.
@@ -41,7 +52,7 @@ class Referee {
   const BodyShape<Scalar>& body_W(Side side) const { return at(side).target.shape(); }
 
   /// What was read is a state that steps of length dt can go on from.
-  bool is_sound(Scalar dt) const;
+  bool is_sound(const Settings& settings, Scalar dt) const;
 
   /// Its state, for record/archive.hpp.
   template <class ArchiveT>
@@ -53,14 +64,13 @@ class Referee {
  private:
   struct RefereeSide {
     FencerBuild<Scalar> build;
-    Pose<Scalar> X_WF;
     Target<Scalar> target;
     Pose<Scalar> start_WB;  ///< the blade's body at the start of the step
 
     template <class ArchiveT>
     void archive(ArchiveT& ar) {
-      auto& [limbs, origin, body, start] = *this;
-      ar(limbs, origin, body, start);
+      auto& [limbs, body, start] = *this;
+      ar(limbs, body, start);
     }
   };
 
@@ -71,7 +81,8 @@ class Referee {
   void note(Side by, const TouchSearch<Scalar>& search, const Settings& settings,
             std::uint32_t step);
   bool is_within_window(const Settings& settings, const Moment<Scalar>& second) const;
-  void close_window(const Settings& settings, std::uint32_t next_step);
+  bool is_exchange_over(const Settings& settings, std::uint32_t next_step) const;
+  void end_exchange(const Settings& settings);
 
   std::array<RefereeSide, 2> places_;
   Bout<Scalar> bout_;

@@ -8,9 +8,17 @@ namespace batuta::fencing {
 
 namespace detail {
 
-constexpr int touches_in(BoutState state) {
-  if (state == BoutState::kFencing) return 0;
-  return state == BoutState::kDouble ? 2 : 1;
+/// Whether an exchange in this state may have brought so many touches.
+constexpr bool has_touches(BoutState state, int touches) {
+  if (state == BoutState::kFencing) return touches == 0;
+  if (state == BoutState::kHalt) return touches > 0;
+  return touches == (state == BoutState::kDouble ? 2 : 1);
+}
+
+/// In whole steps, of which the last one may end a little later.
+template <class SceneT>
+std::uint32_t halt_steps(const DuelSettings<SceneT>& settings) {
+  return static_cast<std::uint32_t>((settings.halt_us + settings.step_us - 1) / settings.step_us);
 }
 
 /// One piece of a blade's way in a step.
@@ -30,25 +38,39 @@ Piece<Scalar> piece_between(const Waypoint<Scalar>& start, const Waypoint<Scalar
 }  // namespace detail
 
 template <class SceneT>
-void Referee<SceneT>::place(Side side, const FencerBuild<Scalar>& build, const Pose<Scalar>& X_WF,
-                            const Pose<Scalar>& X_WH) {
-  RefereeSide& place = at(side);
-  place.build = build;
-  place.X_WF = X_WF;
-  place.target.place(pose_body(build, X_WF, X_WH));
+void Referee<SceneT>::take_place(Side side, const FencerBuild<Scalar>& build) {
+  at(side).build = build;
 }
 
 template <class SceneT>
-void Referee<SceneT>::follow(Side side, const Pose<Scalar>& X_WH, const Pose<Scalar>& X_WB,
+void Referee<SceneT>::stand(Side side, const Stance<Scalar>& stance) {
+  RefereeSide& place = at(side);
+  place.target.place(pose_body(place.build, stance.X_WF, stance.X_WH));
+}
+
+template <class SceneT>
+void Referee<SceneT>::resume() {
+  bout_.state = BoutState::kFencing;
+  bout_.touches.clear();
+  bout_.annulled = false;
+  ++bout_.exchange;
+}
+
+template <class SceneT>
+void Referee<SceneT>::follow(Side side, const Stance<Scalar>& stance, const Pose<Scalar>& X_WB,
                              Scalar dt) {
   RefereeSide& place = at(side);
-  place.target.move_to(pose_body(place.build, place.X_WF, X_WH), dt);
+  place.target.move_to(pose_body(place.build, stance.X_WF, stance.X_WH), dt);
   place.start_WB = X_WB;
 }
 
 template <class SceneT>
 void Referee<SceneT>::judge(const std::array<const Blade*, 2>& blades, const Settings& settings,
                             const Moment<Scalar>& now, DuelReport& report) {
+  if (bout_.state == BoutState::kHalt) {
+    --bout_.halt_steps;  // not the last one: is_halt_over() came first
+    return;
+  }
   std::array<TouchSearch<Scalar>, 2> searches;
   for (std::size_t i = 0; i < searches.size(); ++i) {  // Bound: 2
     searches[i] = touch_by(static_cast<Side>(i), *blades[i], settings, now.in_step, report);
@@ -58,7 +80,7 @@ void Referee<SceneT>::judge(const std::array<const Blade*, 2>& blades, const Set
   const Side first = right_first ? Side::kRight : Side::kLeft;
   note(first, searches[index_of(first)], settings, now.step);
   note(other(first), searches[index_of(other(first))], settings, now.step);
-  close_window(settings, now.step + 1);
+  if (is_exchange_over(settings, now.step + 1)) end_exchange(settings);
 }
 
 /// The first touch of a blade on its way through the step: from its start over the corners where
@@ -106,7 +128,7 @@ void Referee<SceneT>::note(Side by, const TouchSearch<Scalar>& search, const Set
   touch.certain = search.certain();
   if (bout_.touches.size() > 0 && !is_within_window(settings, touch.when)) return;
   bout_.touches.push(touch);
-  bout_.state = bout_.touches.size() == 2 ? BoutState::kDouble : BoutState::kLockout;
+  bout_.state = BoutState::kLockout;
 }
 
 /// Whether a second touch at this time counts. @pre there is a first one
@@ -118,16 +140,38 @@ bool Referee<SceneT>::is_within_window(const Settings& settings,
          static_cast<std::uint64_t>(settings.double_window_us);
 }
 
-/// The other's chance is over when the next step begins behind the window.
+/// The other's chance is over when he has taken it, or when the next step begins behind the window.
 template <class SceneT>
-void Referee<SceneT>::close_window(const Settings& settings, std::uint32_t next_step) {
-  if (bout_.state != BoutState::kLockout) return;
-  if (!is_within_window(settings, {next_step, Scalar(0)})) bout_.state = BoutState::kTouched;
+bool Referee<SceneT>::is_exchange_over(const Settings& settings, std::uint32_t next_step) const {
+  if (bout_.state != BoutState::kLockout) return false;
+  return bout_.touches.size() == 2 || !is_within_window(settings, {next_step, Scalar(0)});
+}
+
+/// Counts the touches, unless both would win by them. @pre one or two touches
+template <class SceneT>
+void Referee<SceneT>::end_exchange(const Settings& settings) {
+  const bool both = bout_.touches.size() == 2;
+  auto& [left, right] = bout_.score;
+  const int missing = settings.touches - 1;
+  bout_.annulled = both && missing > 0 && left == missing && right == missing;
+  for (const Touch<Scalar>& touch : bout_.touches) {  // Bound: 2
+    if (!bout_.annulled) ++bout_.score[index_of(touch.by)];
+  }
+  if (left >= settings.touches || right >= settings.touches) {
+    bout_.state = both ? BoutState::kDouble : BoutState::kTouched;
+  } else {
+    bout_.state = BoutState::kHalt;
+    bout_.halt_steps = detail::halt_steps(settings);
+  }
 }
 
 template <class SceneT>
-bool Referee<SceneT>::is_sound(Scalar dt) const {
-  bool good = bout_.touches.size() == detail::touches_in(bout_.state);
+bool Referee<SceneT>::is_sound(const Settings& settings, Scalar dt) const {
+  bool good = detail::has_touches(bout_.state, bout_.touches.size()) &&
+              bout_.halt_steps <= detail::halt_steps(settings);
+  for (const int score : bout_.score) {  // Bound: 2
+    good = good && score <= settings.touches && (bout_.is_over() || score < settings.touches);
+  }
   for (const RefereeSide& place : places_) {  // Bound: 2
     good = good && validate(place.build) == Status::kOk;
   }

@@ -19,7 +19,7 @@ constexpr GripPhase last_of(GripPhase) {
   return GripPhase::kRegaining;
 }
 constexpr BoutState last_of(BoutState) {
-  return BoutState::kDouble;
+  return BoutState::kHalt;
 }
 
 template <class Scalar>
@@ -61,6 +61,24 @@ void archive(Archive& ar, Salle<Scalar>& salle) {
 }
 
 template <class Scalar>
+void archive(Archive& ar, FeetSettings<Scalar>& settings) {
+  auto& [forward_speed, backward_speed, acceleration] = settings;
+  ar(forward_speed, backward_speed, acceleration);
+}
+
+template <class Scalar>
+void archive(Archive& ar, Strip<Scalar>& strip) {
+  auto& [length, end_room, least_distance] = strip;
+  ar(length, end_room, least_distance);
+}
+
+template <class SceneT>
+void archive(Archive& ar, FootworkSettings<SceneT>& settings) {
+  auto& [feet, strip] = settings;
+  ar(feet, strip);
+}
+
+template <class Scalar>
 void archive(Archive& ar, Moment<Scalar>& moment) {
   auto& [step, in_step] = moment;
   ar(step, in_step);
@@ -89,8 +107,8 @@ void archive(Archive& ar, BladeController<SceneT>& controller) {
 
 template <class SceneT>
 void archive(Archive& ar, TouchSettings<SceneT>& settings) {
-  auto& [double_window_us, touch, target] = settings;
-  ar(double_window_us, touch, target);
+  auto& [touches, halt_us, double_window_us, touch, target] = settings;
+  ar(touches, halt_us, double_window_us, touch, target);
 }
 
 template <class SceneT>
@@ -98,10 +116,12 @@ void archive(Archive& ar, DuelSettings<SceneT>& settings) {
   using Settings = DuelSettings<SceneT>;
   using batuta::detail::Nothing;
   static_assert(
-      batuta::detail::takes<Settings, Nothing, Nothing, Nothing, Nothing, Nothing>() &&
-          !batuta::detail::takes<Settings, Nothing, Nothing, Nothing, Nothing, Nothing, Nothing>(),
+      batuta::detail::takes<Settings, Nothing, Nothing, Nothing, Nothing, Nothing, Nothing>() &&
+          !batuta::detail::takes<Settings, Nothing, Nothing, Nothing, Nothing, Nothing, Nothing,
+                                 Nothing>(),
       "archive: DuelSettings has other bases or members than those listed below");
-  ar(static_cast<TouchSettingsOf<SceneT>&>(settings), settings.step_us, settings.stick,
+  ar(static_cast<TouchSettingsOf<SceneT>&>(settings),
+     static_cast<FootworkSettingsOf<SceneT>&>(settings), settings.step_us, settings.stick,
      settings.world, settings.salle);
 }
 
@@ -113,8 +133,8 @@ void archive(Archive& ar, Touch<Scalar>& touch) {
 
 template <class Scalar>
 void archive(Archive& ar, Bout<Scalar>& bout) {
-  auto& [state, touches] = bout;
-  ar(state, touches);
+  auto& [state, annulled, score, touches, exchange, halt_steps] = bout;
+  ar(state, annulled, score, touches, exchange, halt_steps);
 }
 
 inline void archive(Archive& ar, DuelReport& report) {

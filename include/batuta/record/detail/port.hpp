@@ -8,8 +8,8 @@
 namespace batuta {
 
 inline void archive(Archive& ar, InputSample& sample) {
-  auto& [time, x, y, buttons, sequence] = sample;
-  ar(time, x, y, buttons, sequence);
+  auto& [time, x, y, feet_x, feet_y, buttons, sequence] = sample;
+  ar(time, x, y, feet_x, feet_y, buttons, sequence);
 }
 
 }  // namespace batuta

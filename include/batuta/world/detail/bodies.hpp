@@ -72,9 +72,9 @@ class Bodies : public Proxies<SceneT> {
   using Proxies<SceneT>::body_of;
   using Proxies<SceneT>::part_at;
   static constexpr std::size_t kSlots = static_cast<std::size_t>(SceneT::kMaxBodies);
-  /// In no group.
   /// Names a group: the lowest slot of those that go on together.
   using Group = std::conditional_t<(SceneT::kMaxBodies < 255), std::uint8_t, std::uint16_t>;
+  /// In no group.
   static constexpr Group kAlone = std::numeric_limits<Group>::max();
   /// Nobody has a controller that leads, or is to be told anything.
   static constexpr bool kIsFree =
@@ -140,6 +140,14 @@ class Bodies : public Proxies<SceneT> {
   Scalar plan_end(std::size_t slot) const {
     if constexpr (kBends<SceneT>) return states[slot].plan_end;
     return dt;
+  }
+  /// Nothing that happened to it has changed how it is led: its controller is asked once a step.
+  bool keeps_course(std::size_t slot) const {
+    if constexpr (kIsFree) return false;
+    const BodyState& state = states[slot];
+    const bool went_alone = state.held_until == Scalar(0);
+    return now > Scalar(0) && went_alone && !state.plan.by_momentum && !is_asleep(slot) &&
+           Kinematics::is_immovable(actor(slot).body);
   }
   /// Stands where it is, whatever happens to it.
   [[gnu::noinline]] bool is_wall(std::size_t slot) const {
@@ -207,6 +215,7 @@ void Bodies<SceneT>::plan(std::size_t slot) {
   if (state.group != kAlone) return;
   const ActorType& actor = this->actor(slot);
   const Scalar rest = dt - now;
+  if (keeps_course(slot)) return;
   if (is_asleep(slot)) {
     state.plan.motion = Kinematics::standing(actor.body, rest);
     return;

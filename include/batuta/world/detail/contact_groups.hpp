@@ -40,10 +40,11 @@ class ContactGroups {
   void find_near(BodiesT& bodies, PairsT& pairs);
   /// Solves what lasts, with the velocities of the step's end. Bound: kMaxSweeps sweeps.
   void solve(BodiesT& bodies);
-  /// After blows of pairs: what lasts of them, and passes on. Marks who has changed.
-  /// Bound: kEventSweeps sweeps.
-  template <class Struck, class Blow>
-  void pass_on(BodiesT& bodies, const Struck& struck, const Blow& blow);
+  /// After blows of pairs: what lasts of them, and passes on. Marks who has changed. Calls
+  /// passing.blow(pair) to strike a neighbour, and passing.wake(slot) before a sleeper takes
+  /// anything. Bound: kEventSweeps sweeps.
+  template <class Struck, class Passing>
+  void pass_on(BodiesT& bodies, const Struck& struck, const Passing& passing);
   /// Contacts of a body that wakes within a step are solved from now on.
   void wake(std::size_t slot);
   /// Groups of bodies that press on each other, for group_of() and is_held().
@@ -75,6 +76,8 @@ class ContactGroups {
   Contact* add(const BodiesT& bodies, ProxyPair pair, Scalar D);
   /// What is solved of a body begins with how it moves.
   void load(const BodiesT& bodies, std::size_t slot);
+  /// Something else than a visit has changed a body: what touches it is to be looked at.
+  void look_again(std::size_t slot);
   /// The k-th of the contacts that are solved.
   Contact& solved_at(int k) { return contacts[order[static_cast<std::size_t>(k)]]; }
   const Contact& solved_at(int k) const { return contacts[order[static_cast<std::size_t>(k)]]; }
@@ -195,6 +198,14 @@ void ContactGroups<SceneT>::remove(std::size_t slot) {
   contacts.remove_if([&](const Contact& contact) {
     return a_of<SceneT>(contact) == slot || b_of<SceneT>(contact) == slot;
   });
+}
+
+template <class SceneT>
+void ContactGroups<SceneT>::look_again(std::size_t slot) {
+  // Bound: the contacts of a body.
+  for (int i = contacts.first_of(slot); i != kNone; i = contacts.next_of(i, slot)) {
+    changes.seen[static_cast<std::size_t>(i)] = BodyChanges<SceneT>::kNever;
+  }
 }
 
 template <class SceneT>

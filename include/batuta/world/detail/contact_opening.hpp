@@ -71,7 +71,7 @@ void find_held(const Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups) {
 template <class Traits>
 typename Traits::Scalar furthest_way(const LastingContact<Traits>& contact) {
   using Scalar = typename Traits::Scalar;
-  constexpr Scalar kFar = 8;
+  constexpr Scalar kFar = 64;
   return kFar * contact.rest_gap + max_of(Scalar(0), -least_gap(contact));
 }
 

@@ -12,6 +12,7 @@ void mark(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups, std::size_t slo
   if (groups.changes.is_dirty[slot]) return;
   if (bodies.is_led(slot)) return groups.load(bodies, slot);
   groups.changes.mark(slot);
+  groups.look_again(slot);
   bodies.advance_to_now(slot);
   bodies.states[slot].changed = bodies.is_changed = true;
   groups.load(bodies, slot);
@@ -128,11 +129,11 @@ void relax_now(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups,
 }
 
 /// A neighbour that is approached much faster than rest is struck in turn.
-template <class SceneT, class Blow>
+template <class SceneT, class Passing>
 void pass_blow([[maybe_unused]] Bodies<SceneT>& bodies,
                [[maybe_unused]] ContactGroups<SceneT>& groups,
                [[maybe_unused]] LastingContactOf<SceneT>& contact,
-               [[maybe_unused]] const Blow& blow) {
+               [[maybe_unused]] const Passing& passing) {
   if constexpr (SceneT::kRestitution) {
     using Scalar = Scalar_of<SceneT>;
     constexpr Scalar kSurely = 4;
@@ -140,17 +141,17 @@ void pass_blow([[maybe_unused]] Bodies<SceneT>& bodies,
     const std::size_t b = b_of<SceneT>(contact);
     const Scalar approach = fastest_approach(contact, groups.solved[a], groups.solved[b]);
     if (!(approach < -kSurely * rest_speed(bodies))) return;
-    blow(contact.pair);
+    passing.blow(contact.pair);
     groups.load(bodies, a);
     groups.load(bodies, b);
-    groups.changes.notice(a);
-    groups.changes.notice(b);
+    groups.look_again(a);
+    groups.look_again(b);
   }
 }
 
 template <class SceneT>
-template <class Struck, class Blow>
-void ContactGroups<SceneT>::pass_on(BodiesT& bodies, const Struck& struck, const Blow& blow) {
+template <class Struck, class Passing>
+void ContactGroups<SceneT>::pass_on(BodiesT& bodies, const Struck& struck, const Passing& passing) {
   changes.clear();
   Scalar energy = 0;
   int last = kNone;
@@ -167,7 +168,7 @@ void ContactGroups<SceneT>::pass_on(BodiesT& bodies, const Struck& struck, const
     refresh(bodies, *this, *contact);
   }
   if (last != kNone) relax_now(bodies, *this, contacts[last], energy);
-  pass_around(bodies, *this, struck.size() > 1 ? kNone : last, energy, blow);
+  pass_around(bodies, *this, struck.size() > 1 ? kNone : last, energy, passing);
   if constexpr (SceneT::kGravity) {
     for (const Slot slot : changes.dirty) bodies.states[slot].loaded = false;  // Bound: kMaxBodies
     carry_loads(bodies, *this, true);
@@ -184,11 +185,11 @@ bool is_due(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups, std::size_t i
   const auto& contact = groups.contacts[static_cast<int>(i)];
   const Scalar changed =
       changes.changed[a_of<SceneT>(contact)] + changes.changed[b_of<SceneT>(contact)];
-  if (!contact.is_solved || changed == changes.seen[i] || is_welded(bodies, contact)) return false;
+  if (!contact.is_solved || is_welded(bodies, contact)) return false;
   const Scalar share = changes.is_struck[i] ? kLeastOfStruck : kLeast;
-  const bool was_seen = changes.seen[i] > Scalar(0);
-  if (was_seen && is_settled(bodies, contact, changed - changes.seen[i], share)) return false;
+  if (is_settled(bodies, contact, changed - changes.seen[i], share)) return false;
   changes.seen[i] = changed;
+  if (contact.since < Scalar(0)) return true;  // woken: its points are of the time before it slept
   for (const std::size_t side : {a_of<SceneT>(contact), b_of<SceneT>(contact)}) {  // Bound: 2
     groups.solved[side].place_W = place_now(bodies, side);
   }
@@ -204,11 +205,23 @@ void bring_to_now(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups,
   mark(bodies, groups, b_of<SceneT>(contact));
 }
 
+/// A sleeper that is to take something is no wall to it.
+template <class SceneT, class Passing>
+void wake_sides([[maybe_unused]] const Bodies<SceneT>& bodies,
+                [[maybe_unused]] const LastingContactOf<SceneT>& contact,
+                [[maybe_unused]] const Passing& passing) {
+  if constexpr (SceneT::kSleep) {
+    for (const std::size_t slot : {a_of<SceneT>(contact), b_of<SceneT>(contact)}) {  // Bound: 2
+      if (bodies.is_asleep(slot)) passing.wake(slot);
+    }
+  }
+}
+
 /// From body to body, until no contact of those that have changed has anything to answer.
 /// @param parts  the contact that was struck alone: it parts, and is not struck again; or kNone
-template <class SceneT, class Blow>
+template <class SceneT, class Passing>
 void pass_around(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups, int parts,
-                 Scalar_of<SceneT> energy, const Blow& blow) {
+                 Scalar_of<SceneT> energy, const Passing& passing) {
   constexpr int kNone = ContactGroups<SceneT>::kNone;
   constexpr int kEventSweeps = 32;
   auto& list = groups.contacts;
@@ -221,8 +234,9 @@ void pass_around(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups, int part
       for (int i = list.first_of(slot); i != kNone; i = list.next_of(i, slot)) {
         if (!is_due(bodies, groups, static_cast<std::size_t>(i))) continue;
         is_done = false;
+        wake_sides(bodies, list[i], passing);
         bring_to_now(bodies, groups, list[i]);
-        if (i != parts) pass_blow(bodies, groups, list[i], blow);
+        if (i != parts) pass_blow(bodies, groups, list[i], passing);
         relax_now(bodies, groups, list[i], energy);
       }
     }

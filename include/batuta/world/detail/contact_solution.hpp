@@ -47,6 +47,15 @@ Scalar_of<SceneT> work_of(const ContactGroups<SceneT>& groups, GroupRange group)
   return sum;
 }
 
+/// The bodies of a group as they are, to the last bit: what is at rest stays so.
+template <class SceneT>
+void take_back(const Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups, GroupRange group) {
+  for (int k = group.first; k < group.last; ++k) {  // Bound: kMaxContacts
+    groups.load(bodies, a_of<SceneT>(groups.solved_at(k)));
+    groups.load(bodies, b_of<SceneT>(groups.solved_at(k)));
+  }
+}
+
 /// The impulses of the last step, as far as they take energy: along their ray the energy is a
 /// parabola (world.md, "Warm start"). @returns what that adds, J, <= 0
 template <class SceneT>
@@ -74,7 +83,11 @@ Scalar_of<SceneT> warm_up(const Bodies<SceneT>& bodies, ContactGroups<SceneT>& g
   const Scalar bend = work_of(groups, group) - slope;
   Scalar share = bend > Scalar(0) ? clamp(-slope / bend, Scalar(0), Scalar(1)) : Scalar(0);
   if (slope + lift + bend / 2 < kOfLift * lift) share = 1;
-  if (share < Scalar(1)) give(share - 1);
+  if (share > Scalar(0)) {
+    if (share < Scalar(1)) give(share - 1);
+  } else {
+    take_back(bodies, groups, group);
+  }
   for (int k = group.first; k < group.last; ++k) {  // Bound: kMaxContacts
     scale_impulses(groups.solved_at(k), share);
   }
@@ -179,12 +192,11 @@ void sweep_group(ContactGroups<SceneT>& groups, GroupRange group, Scalar_of<Scen
                  Scalar_of<SceneT> energy) {
   using Scalar = Scalar_of<SceneT>;
   constexpr int kMaxSweeps = 60;
-  constexpr Scalar kNever = -std::numeric_limits<Scalar>::max();
-  constexpr int kFew = 8;  // contacts: so few need nobody ahead
+  constexpr int kFew = 3;  // contacts: so few need nobody ahead
   const bool is_long = group.last - group.first > kFew;
   for (int k = group.first; k < group.last; ++k) {  // Bound: kMaxContacts
     const std::size_t i = groups.order[static_cast<std::size_t>(k)];
-    groups.changes.seen[i] = kNever;
+    groups.changes.seen[i] = BodyChanges<SceneT>::kNever;
     for (auto& point : groups.contacts[static_cast<int>(i)].points) {  // Bound: 2
       point.start = point.normal;
       point.ahead = 0;

@@ -48,15 +48,16 @@ void set_course(Bodies<SceneT>& bodies, std::size_t slot) {
   }
 }
 
-/// By its momentum, without a turn.
+/// By its momentum, without a turn. What cannot turn goes so anyway.
 template <class SceneT>
 [[gnu::cold]] void go_straight(Bodies<SceneT>& bodies, std::size_t slot,
                                Scalar_of<SceneT> duration) {
-  using Kinematics = KinematicsOf<SceneT>;
-  const auto& body = bodies.actor(slot).body;
-  auto& motion = bodies.states[slot].plan.motion;
-  motion = Kinematics::standing(body, duration);
-  Kinematics::set_velocity(motion, Kinematics::momentum_velocity(body));
+  if constexpr (SceneT::kRotation) {
+    const auto& body = bodies.actor(slot).body;
+    auto& motion = bodies.states[slot].plan.motion;
+    motion = KinematicsOf<SceneT>::standing(body, duration);
+    motion.twist.v_W = twist_of(body).v_W;
+  }
 }
 
 /// The motion of a body that begins a step, before contacts that last are solved.
@@ -142,8 +143,9 @@ void end_opening(Bodies<SceneT>& bodies, std::size_t slot) {
 }
 
 /// Two are opened no more in this step: they go on together, or openings of others bring them back
-/// again and again. So all that nothing holds and that were opened with them are not: the common
-/// centre of those would move. @returns false: neither could be opened anyway
+/// again and again. So are all that nothing holds and that were opened with them: the common centre
+/// of those would move. What something holds keeps its openings: without that a seventh more of the
+/// steps of heaps of light and heavy bodies jam. @returns false: neither could be opened anyway
 template <class SceneT>
 bool end_openings(Bodies<SceneT>& bodies, std::size_t a, std::size_t b) {
   const bool was_opened = bodies.states[a].is_opened || bodies.states[b].is_opened;

@@ -16,8 +16,7 @@ void GeneralWorld<SceneT>::resolve(const CandidateType& candidate, Scalar time) 
   bodies_.now = time;
   if constexpr (!SceneT::kResponse) return report_only(candidate);
   if constexpr (SceneT::kSleep) {
-    const auto woken = [this](std::size_t slot) { wake_now(slot); };
-    for (const std::size_t slot : {a, b}) sleep_.wake(bodies_, groups_, slot, woken);  // Bound: 2
+    for (const std::size_t slot : {a, b}) wake_with_all(slot);  // Bound: 2
   }
   const bool has_room = contacts_answered_ < SceneT::kMaxContacts;
   if (!candidate.is_contact() || !has_room) return cut(candidate);
@@ -34,6 +33,12 @@ void GeneralWorld<SceneT>::wake_now(std::size_t slot) {
   state.start = bodies_.now;
   if constexpr (SceneT::kGravity) state.loaded = true;
   state.changed = bodies_.is_changed = true;
+}
+
+/// And all that sleep against it.
+template <class SceneT>
+void GeneralWorld<SceneT>::wake_with_all(std::size_t slot) {
+  sleep_.wake(bodies_, groups_, slot, [this](std::size_t woken) { wake_now(woken); });
 }
 
 /// What cannot be answered in this step: the two go on together.

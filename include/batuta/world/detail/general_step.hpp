@@ -62,6 +62,7 @@ void GeneralWorld<SceneT>::solve_lasting() {
     pairs_.put_wide_boxes(bodies_, slot, idle);
   }
   is_begin_ = bodies_.is_changed = false;
+  if constexpr (SceneT::kSleep) wake_touched();
   pairs_.collect_all(bodies_);
   groups_.find_near(bodies_, pairs_);
   groups_.solve(bodies_);
@@ -71,6 +72,22 @@ void GeneralWorld<SceneT>::solve_lasting() {
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
     const auto& state = bodies_.states[slot];
     if (state.present && !state.changed) plan_solved(slot);
+  }
+}
+
+/// Until nobody who sleeps is touched any more: who is woken falls, and may press on others.
+template <class SceneT>
+void GeneralWorld<SceneT>::wake_touched() {
+  const auto begin = [this](std::size_t slot) {
+    auto& state = bodies_.states[slot];
+    state.stands = bodies_.begin(slot);
+    state.changed = false;
+    pairs_.put_wide_boxes(bodies_, slot, false);
+  };
+  bool is_any = false;                                                       // who sleeps
+  for (const auto& state : bodies_.states) is_any = is_any || state.asleep;  // Bound: kMaxBodies
+  for (int pass = 0; is_any && pass < SceneT::kMaxBodies; ++pass) {  // Bound: each wakes one
+    is_any = sleep_.wake_touched(bodies_, groups_, pairs_, begin);
   }
 }
 
@@ -98,6 +115,7 @@ void GeneralWorld<SceneT>::run_round() {
   Scalar time = 0;
   const auto has_had = [this](ProxyPair pair, Scalar at) {
     if constexpr (kSolves) return this->was_answered(pair, at);
+    static_cast<void>(this);  // or clang warns of what this scene does not use
     return false;
   };
   if (pairs_.take_first(released, has_had, candidate, time)) {
@@ -204,7 +222,7 @@ Result<typename GeneralWorld<SceneT>::BodyId> GeneralWorld<SceneT>::add(const Ac
   const auto id = bodies_.actors.make(added);
   if (!id.ok()) return id;
   if constexpr (SceneT::kSleep) {
-    sleep_.start_over(bodies_, static_cast<std::size_t>(bodies_.actors.index_of(id.value)));
+    sleep_.add(bodies_, static_cast<std::size_t>(bodies_.actors.index_of(id.value)));
   }
   return id;
 }
@@ -215,6 +233,7 @@ Status GeneralWorld<SceneT>::remove(BodyId id) {
   const Status status = bodies_.actors.remove(id);
   if (status != Status::kOk) return status;
   const auto slot = static_cast<std::size_t>(index);
+  bodies_.states[slot] = {};  // first: its neighbours wake all that sleep, and it is gone
   if constexpr (SceneT::kSleep) {
     groups_.contacts.for_each_neighbour(slot, [this](std::size_t other) {
       sleep_.wake(bodies_, groups_, other, [](std::size_t) {});
@@ -226,7 +245,6 @@ Status GeneralWorld<SceneT>::remove(BodyId id) {
     pairs_.forget(BodiesT::proxy_of(slot, part));
   }
   pairs_.remove_boxes(slot);
-  bodies_.states[slot] = {};
   return status;
 }
 

@@ -52,7 +52,7 @@ void GeneralWorld<SceneT>::answer_ties(ProxyPair last) {
 template <class SceneT>
 void GeneralWorld<SceneT>::pass_on() {
   if (struck_.empty()) return;
-  groups_.pass_on(bodies_, struck_, [this](ProxyPair next) { strike_neighbour(next); });
+  groups_.pass_on(bodies_, struck_, Passing{*this});
   for (const auto& struck : struck_) {  // Bound: kTies
     shorten_courses(bodies_, struck.pair, struck.contact, struck.contact_gap);
   }

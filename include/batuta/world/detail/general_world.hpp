@@ -120,6 +120,12 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   static constexpr int kTies = 32;  ///< most contacts that are answered in one round
   static constexpr bool kSeparates = SceneT::kResting == RestingContact::kSeparation;
 
+  /// What a blow that is passed on asks of the world.
+  struct Passing {
+    GeneralWorld& world;
+    void blow(ProxyPair pair) const { world.strike_neighbour(pair); }
+    void wake(std::size_t slot) const { world.wake_with_all(slot); }
+  };
   /// What a blow sees of two bodies.
   struct Sides {
     Collider<Scalar> A;
@@ -130,6 +136,7 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   void begin_step(Scalar dt);
   void begin_bodies();
   void solve_lasting();
+  void wake_touched();
   void plan_solved(std::size_t slot);
   void run_round();
   Scalar lasts(ProxyPair pair) const;
@@ -152,6 +159,7 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   void answer_straight(const CandidateType& candidate);
   void report_only(const CandidateType& candidate);
   void wake_now(std::size_t slot);
+  void wake_with_all(std::size_t slot);
   void cut(const CandidateType& candidate);
   void block(const CandidateType& candidate, const PairQuery& query,
              const Nearest<Scalar>& nearest);

@@ -161,6 +161,19 @@ template <class Traits, class Scalar>
 Scalar fastest_approach(const LastingContact<Traits>& contact, const SolvedBody<Scalar>& A,
                         const SolvedBody<Scalar>& B);
 
+/// Whether a point would press if nothing else touched the two. @pre prepared. Bound: two points.
+template <class Traits, class Scalar>
+bool would_press(const LastingContact<Traits>& contact, const SolvedBody<Scalar>& A,
+                 const SolvedBody<Scalar>& B) {
+  bool presses = false;
+  for (int i = 0; i < contact.count; ++i) {  // Bound: 2
+    const auto& point = contact.points[static_cast<std::size_t>(i)];
+    const Scalar rate = point.normal_W.dot(velocity_across(point, A, B));
+    presses = presses || rate + point.room < Scalar(0);
+  }
+  return presses;
+}
+
 /// The least gap of its points, m. Bound: two points.
 template <class Traits>
 typename Traits::Scalar least_gap(const LastingContact<Traits>& contact) {

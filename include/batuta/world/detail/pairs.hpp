@@ -34,6 +34,12 @@ class Pairs : private SeedsOf<SceneT> {
   /// Whether its planned motion stays within these.
   bool holds_course(const BodiesT& bodies, std::size_t slot) const;
 
+  /// Calls found(pair) for each pair of boxes that meet, of which not both are idle.
+  template <class Found>
+  void for_each_pair(const Found& found) {
+    sweep_.sort();
+    sweep_.for_each_pair(found);
+  }
   /// All pairs, of the boxes as they are.
   void collect_all(BodiesT& bodies);
   /// Plans who has changed, and collects the pairs of those. Bound: kMaxBodies + 1 passes.
@@ -168,8 +174,7 @@ bool Pairs<SceneT>::holds_course(const BodiesT& bodies, std::size_t slot) const 
 
 template <class SceneT>
 void Pairs<SceneT>::collect_all(BodiesT& bodies) {
-  sweep_.sort();
-  sweep_.for_each_pair([this, &bodies](ProxyPair pair) { collect(bodies, pair); });
+  for_each_pair([this, &bodies](ProxyPair pair) { collect(bodies, pair); });
 }
 
 template <class SceneT>

@@ -4,6 +4,7 @@
 // which nobody has left its place for a while. One of the five that make a step
 // (general_world.hpp).
 
+#include "batuta/world/detail/actor_sum.hpp"
 #include "batuta/world/detail/contact_groups.hpp"
 
 namespace batuta::detail {
@@ -14,14 +15,20 @@ class Sleep {
   using Scalar = Scalar_of<SceneT>;
   using BodiesT = Bodies<SceneT>;
   using GroupsT = ContactGroups<SceneT>;
+  using PairsT = Pairs<SceneT>;
 
-  /// Awake, and from where it is.
-  void start_over(BodiesT& bodies, std::size_t slot) {
-    bodies.states[slot].asleep = false;
-    rests_[slot] = {bodies.actor(slot).body.X_WB, Scalar(0)};
+  /// A body is new.
+  void add(BodiesT& bodies, std::size_t slot) {
+    start_over(bodies, slot);
+    rests_[slot].sum = sum_of(bodies.actor(slot));
   }
-  /// Wakes whom the caller has disturbed, or something that moves presses on; before a step.
+  /// Wakes whom the caller has disturbed, and who lies against what he has; before a step.
   void begin_step(BodiesT& bodies, const GroupsT& groups);
+  /// Wakes who is pressed, or touched by what is led elsewhere, before contacts are solved: else a
+  /// sleeper would be a wall to it. Calls woken(slot) for each. @pre all have boxes
+  /// @returns whether somebody was woken. Bound: the pairs of boxes that meet.
+  template <class Woken>
+  bool wake_touched(BodiesT& bodies, GroupsT& groups, PairsT& pairs, const Woken& woken);
   /// Wakes a body and all that sleep against it. Calls woken(slot) for each.
   /// Bound: kMaxBodies, and their contacts.
   template <class Woken>
@@ -33,19 +40,27 @@ class Sleep {
   void copy(const Sleep& saved) { *this = saved; }
   template <class Archive>
   void archive(Archive& ar) {
-    for (Rest& rest : rests_) ar(rest.anchor, rest.quiet);  // Bound: kMaxBodies
+    for (Rest& rest : rests_) ar(rest.anchor, rest.quiet, rest.sum);  // Bound: kMaxBodies
   }
 
  private:
   static constexpr std::size_t kSlots = BodiesT::kSlots;
   struct Rest {
     Pose<Scalar> anchor;
-    Scalar quiet = 0;  ///< for so long it has not left the anchor, s
+    Scalar quiet = 0;       ///< for so long it has not left the anchor, s
+    std::uint32_t sum = 0;  ///< of what the caller may change (actor_sum.hpp)
   };
 
+  /// Awake, and from where it is.
+  void start_over(BodiesT& bodies, std::size_t slot) {
+    bodies.states[slot].asleep = false;
+    rests_[slot].anchor = bodies.actor(slot).body.X_WB;
+    rests_[slot].quiet = 0;
+  }
   bool is_disturbed(const BodiesT& bodies, std::size_t slot) const;
-  bool is_moving(const BodiesT& bodies, std::size_t slot) const;
-  void wake_pressed(BodiesT& bodies, const GroupsT& groups);
+  bool is_another(BodiesT& bodies, std::size_t slot);
+  bool is_felt(const BodiesT& bodies, GroupsT& groups, PairsT& pairs, ProxyPair pair,
+               std::size_t other) const;
   bool count_quiet(BodiesT& bodies, const GroupsT& groups);
   void find_sleepers(const BodiesT& bodies, GroupsT& groups);
   void fall_asleep(BodiesT& bodies);
@@ -57,7 +72,7 @@ class Sleep {
   std::array<Rest, kSlots> rests_{};
   FixedList<std::uint16_t, SceneT::kMaxBodies> stack_;
   std::array<bool, kSlots> awake_{};   ///< of the lowest of a group: somebody in it is
-  std::array<bool, kSlots> sleeps_{};  ///< who is to fall asleep
+  std::array<bool, kSlots> sleeps_{};  ///< who is to fall asleep, or was woken
 };
 
 /// Whether somebody else has moved what stood, or given it a momentum.
@@ -68,13 +83,21 @@ bool Sleep<SceneT>::is_disturbed(const BodiesT& bodies, std::size_t slot) const 
          !is_zero(body.momentum.linear_W) || !is_zero(body.momentum.angular_W);
 }
 
-/// Whether what is awake goes faster than rest somewhere.
+/// Whether the caller has changed what keeps a body where it is, or who moves it.
 template <class SceneT>
-bool Sleep<SceneT>::is_moving(const BodiesT& bodies, std::size_t slot) const {
-  const auto& actor = bodies.actor(slot);
-  const auto& plan = bodies.states[slot].plan;
-  const Twist<Scalar> twist = BodiesT::Kinematics::twist_at(actor.body, plan);
-  return most_speed(actor, twist) > bodies.settings.rest_speed;
+bool Sleep<SceneT>::is_another(BodiesT& bodies, std::size_t slot) {
+  if (bodies.states[slot].boxed) return false;  // nobody but those who read it has had it
+  const std::uint32_t sum = sum_of(bodies.actor(slot));
+  bool is_another = sum != rests_[slot].sum;
+  rests_[slot].sum = sum;
+  if constexpr (!BodiesT::kIsFree) {
+    if (bodies.states[slot].asleep) {
+      typename BodiesT::Kinematics::PlanType plan;
+      BodiesT::Kinematics::ask(bodies.actor(slot), Scalar(0), bodies.dt, plan);
+      is_another = is_another || !plan.by_momentum;
+    }
+  }
+  return is_another;
 }
 
 template <class SceneT>
@@ -85,24 +108,59 @@ void Sleep<SceneT>::begin_step(BodiesT& bodies, const GroupsT& groups) {
   };
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
     if (bodies.actors.at_index(slot) == nullptr) continue;
+    const bool is_another = this->is_another(bodies, slot);
     const bool stood = bodies.states[slot].asleep || bodies.states[slot].stands;
-    if (!stood || !is_disturbed(bodies, slot)) continue;
+    if (!is_another && !(stood && is_disturbed(bodies, slot))) continue;
     if (bodies.states[slot].asleep) wake(bodies, groups, slot, [](std::size_t) {});
     wake_neighbours(slot);
   }
-  wake_pressed(bodies, groups);
 }
 
-/// Those that something touches which moves.
+/// Whether a sleeper has something to answer from another that is awake. What is led: where it
+/// moves, or has just come. What goes by its momentum: where it would press, were the sleeper a
+/// wall; its momentum is that of the step's end.
 template <class SceneT>
-void Sleep<SceneT>::wake_pressed(BodiesT& bodies, const GroupsT& groups) {
-  for (int i = 0; i < groups.contacts.size(); ++i) {  // Bound: kMaxContacts
-    const std::size_t a = BodiesT::body_of(groups.contacts[i].pair.first);
-    const std::size_t b = BodiesT::body_of(groups.contacts[i].pair.second);
-    if (bodies.states[a].asleep == bodies.states[b].asleep) continue;
-    const std::size_t sleeper = bodies.states[a].asleep ? a : b;
-    if (is_moving(bodies, a + b - sleeper)) wake(bodies, groups, sleeper, [](std::size_t) {});
+bool Sleep<SceneT>::is_felt(const BodiesT& bodies, GroupsT& groups, PairsT& pairs, ProxyPair pair,
+                            std::size_t other) const {
+  const auto& state = bodies.states[other];
+  const bool is_led = bodies.is_led(other);
+  if (is_led && state.stands && BodiesT::Kinematics::is_still(state.plan.motion)) return false;
+  NearPair<Scalar> near;
+  const Scalar D = rest_gap(bodies, pair);
+  if (!is_near(bodies, pairs, pair, D, near)) return false;
+  if (is_led) return true;
+  LastingContactOf<SceneT> contact;
+  contact.pair = pair;
+  contact.rest_gap = D;
+  const std::size_t a = a_of<SceneT>(contact);
+  const std::size_t b = b_of<SceneT>(contact);
+  find_points(contact, near.A_W, near.B_W, near.axes, position_of(bodies.actor(a)));
+  groups.load(bodies, a);
+  groups.load(bodies, b);
+  prepare(contact, groups.solved[a], groups.solved[b], bodies.dt);
+  return would_press(contact, groups.solved[a], groups.solved[b]);
+}
+
+template <class SceneT>
+template <class Woken>
+bool Sleep<SceneT>::wake_touched(BodiesT& bodies, GroupsT& groups, PairsT& pairs,
+                                 const Woken& woken) {
+  bool is_any = false;
+  const auto touch = [&](ProxyPair pair) {
+    const std::size_t a = BodiesT::body_of(pair.first);
+    const std::size_t b = BodiesT::body_of(pair.second);
+    const bool sleeps_a = bodies.states[a].asleep;
+    if (sleeps_a == bodies.states[b].asleep || !may_pair(bodies, a, b)) return;
+    if (!is_felt(bodies, groups, pairs, pair, sleeps_a ? b : a)) return;
+    is_any = true;
+    wake(bodies, groups, sleeps_a ? a : b, [this](std::size_t slot) { sleeps_[slot] = true; });
+  };
+  pairs.for_each_pair(touch);
+  for (std::size_t slot = 0; slot < kSlots && is_any; ++slot) {  // Bound: kMaxBodies
+    if (sleeps_[slot]) woken(slot);
+    sleeps_[slot] = false;
   }
+  return is_any;
 }
 
 template <class SceneT>
@@ -168,6 +226,13 @@ bool Sleep<SceneT>::count_quiet(BodiesT& bodies, const GroupsT& groups) {
   return is_any;
 }
 
+/// Whether something is led elsewhere that a body touches.
+template <class SceneT>
+bool is_carried(const Bodies<SceneT>& bodies, std::size_t led, std::size_t slot) {
+  return bodies.is_led(led) && !bodies.is_asleep(led) && !bodies.is_led(slot) &&
+         !KinematicsOf<SceneT>::is_still(bodies.states[led].plan.motion);
+}
+
 /// Groups that something holds, of which each has been quiet for long enough.
 template <class SceneT>
 void Sleep<SceneT>::find_sleepers(const BodiesT& bodies, GroupsT& groups) {
@@ -177,6 +242,10 @@ void Sleep<SceneT>::find_sleepers(const BodiesT& bodies, GroupsT& groups) {
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
     if (may_sleep(bodies, slot) && rests_[slot].quiet < time) awake_[groups.group_of(slot)] = true;
   }
+  for_each_solved(groups, false, [&](std::size_t a, std::size_t b) {
+    if (is_carried(bodies, a, b)) awake_[groups.group_of(b)] = true;
+    if (is_carried(bodies, b, a)) awake_[groups.group_of(a)] = true;
+  });
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
     const std::size_t group = groups.group_of(slot);
     if (!may_sleep(bodies, slot) || awake_[group] || !groups.is_held(group)) continue;

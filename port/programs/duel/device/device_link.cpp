@@ -65,14 +65,15 @@ const link::Frame* DeviceLink::next_frame(Microseconds deadline) {
   }
 }
 
-bool DeviceLink::open(link::Mode mode) {
+bool DeviceLink::open(link::Mode mode, int touches) {
   problem_.clear();
   ++session_;
   if (low_half(session_) == 0) ++session_;  // the device's word for "alone"
   ++sums_.sessions;
+  const link::Hello hello{session_, mode, static_cast<std::uint8_t>(touches)};
   for (int i = 0; i < patience_.greetings && !reader_.is_gone(); ++i) {  // Bound: greetings
     if (i > 0) ++sums_.resends;
-    if (greet({session_, mode})) return judge_welcome();
+    if (greet(hello)) return judge_welcome();
     if (!problem_.empty()) return false;
   }
   problem_ = silence("no answer to Hello", patience_.greetings);

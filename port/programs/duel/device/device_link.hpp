@@ -41,10 +41,11 @@ class DeviceLink {
  public:
   explicit DeviceLink(const Line& line, const Patience& patience = {});
 
+  /// @param touches  to which the bout goes
   /// Says Hello until the device answers; a new bout begins there. All of them carry one session,
   /// which is new with each call, so that one that comes late begins nothing. @returns false:
   /// problem() Bound: greetings times resend_after_ms.
-  bool open(link::Mode mode);
+  bool open(link::Mode mode, int touches = 1);
 
   /// Paced: has a step made, and collects everything that the device tells of it.
   /// @returns false: problem()

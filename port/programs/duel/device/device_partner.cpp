@@ -8,17 +8,17 @@
 namespace batuta::host {
 using namespace fencing;
 
-bool DevicePartner::open() {
+bool DevicePartner::open(int touches) {
   session_ = Session::kGoingOn;
   problem_.clear();
   do_open();
-  return link_.open(mode()) || fail(link_.problem());
+  return link_.open(mode(), touches) || fail(link_.problem());
 }
 
 bool DevicePartner::after_step(const DuelRunner& runner) {
   if (!do_after_step(runner)) return false;
   report_ = *answer_.report();  // complete: it has one
-  const std::string difference = first_difference(runner.bout(), answer_);
+  const std::string difference = first_difference(*runner.bout().on_board(), answer_);
   if (!difference.empty()) return fail(difference);
   ++compared_;
   for (std::size_t side = 0; side < 2; ++side) {  // Bound: 2; complete: both are there
@@ -42,7 +42,7 @@ bool DevicePartner::lose(const std::string& problem) {
 }
 
 bool PacedPartner::do_after_step(const DuelRunner& runner) {
-  const firmware::SteppedBout& bout = runner.bout();
+  const PlayedBout& bout = runner.bout();
   link::Step order;
   order.step = bout.steps();
   if (const InputSample* left = bout.used(Side::kLeft)) {

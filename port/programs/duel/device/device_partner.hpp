@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // A device that fences the same bout as the host. Both make every step; after each one poses,
-// events, touches and forces must be the same, to the last bit.
+// events, touches and forces must be the same, to the last bit. The search is the board's.
 
 #include <array>
 #include <string>
@@ -26,8 +26,8 @@ class DevicePartner {
   DevicePartner& operator=(const DevicePartner&) = delete;
   virtual ~DevicePartner() = default;
 
-  /// Opens a session: a new bout on the device. @returns false: problem()
-  bool open();
+  /// Opens a session: a new bout on the device, to so many touches. @returns false: problem()
+  bool open(int touches = 1);
   /// Before the host's step. @returns whether it is to be made
   bool before_step(const DuelRunner& runner) { return do_before_step(runner); }
   /// After it. @returns whether the bout goes on

@@ -108,6 +108,8 @@ void compare(Comparison& to, const link::Touch& here, const link::Touch& there) 
 void compare(Comparison& to, const link::StepReport& here, const link::StepReport& there) {
   to.number("state", here.bout_state, there.bout_state);
   to.number("touches", here.touches, there.touches);
+  to.number("left score", here.score[0], there.score[0]);
+  to.number("right score", here.score[1], there.score[1]);
   to.number("left sample", here.used_left, there.used_left);
   to.number("right sample", here.used_right, there.used_right);
   to.number("stale steps", here.stale_steps, there.stale_steps);

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// Reads a recording of a device in the evemu format, as port/programs/devices/recording.cpp does, into the samples that the
+// host would make of it: the arithmetic is the bridge's SampleBuilder. A test holds the two against each other.
+
+import { kOk } from "./layout.js";
+
+const kSyn = 0, kKey = 1, kRel = 2, kAbs = 3;
+const kDropped = 3, kReport = 0;
+const kFirstButton = 0x100, kLastButton = 0x151;
+// From the centre to the rim of a relative device, counts; and the time in which a stroke happens.
+const kReach = 400, kStrokeUs = 1e6;
+const kLongestGapUs = 30 * 60 * 1e6;
+const kCandidates = [[kRel, 0, 1], [kAbs, 0, 1]];
+const kFeet = [[3, 4], [16, 17]]; // a second stick, a hat
+const kEvent = /^E:\s+(\d{1,12})\.(\d{6})\s+([0-9a-fA-F]{1,4})\s+([0-9a-fA-F]{1,4})\s+(-?\d{1,10})(?:\s+#.*)?\s*$/;
+const kRange = /^A:\s+([0-9a-fA-F]+)\s+(-?\d+)\s+(-?\d+)\s+(-?\d+)\s+(-?\d+)/;
+
+export class EvemuError extends Error {}
+
+function readLines(text) {
+  const events = [], ranges = new Map();
+  let latest = 0;
+  text.split("\n").forEach((line, i) => {
+    const bare = line.trim();
+    if (bare === "" || bare.startsWith("#")) return;
+    const event = kEvent.exec(bare);
+    if (event) {
+      const time = Number(event[1]) * 1e6 + Number(event[2]);
+      if (events.length > 0 && Math.abs(time - latest) > kLongestGapUs) {
+        throw new EvemuError(`line ${i + 1}: the time stamp leaps by more than 30 minutes`);
+      }
+      latest = events.length > 0 ? Math.max(latest, time) : time;
+      events.push({ time, type: parseInt(event[3], 16), code: parseInt(event[4], 16), value: Number(event[5]) });
+      return;
+    }
+    const range = kRange.exec(bare);
+    if (range) ranges.set(parseInt(range[1], 16), { min: Number(range[2]), max: Number(range[3]), flat: Number(range[5]) });
+    if (!/^[NIPBALS]:/.test(bare)) throw new EvemuError(`line ${i + 1}: neither an event, nor a description, nor a comment`);
+  });
+  if (events.length === 0) throw new EvemuError("it holds no events");
+  return { events, ranges, latest };
+}
+
+// Half of the widest stroke: a mouse with a fine grid would hit the rim with every twitch.
+function reachOf(events, code) {
+  let position = 0, low = 0, high = 0, widest = 0, start = events[0].time;
+  for (const event of events) {
+    if (event.time - start > kStrokeUs) {
+      start = event.time;
+      low = high = position;
+    }
+    if (event.type !== kRel || event.code !== code) continue;
+    position += event.value;
+    low = Math.min(low, position);
+    high = Math.max(high, position);
+    widest = Math.max(widest, high - low);
+  }
+  return Math.min(Math.max(Math.trunc(widest / 2), kReach), 0x3fffffff);
+}
+
+function observed(events, code) {
+  const counts = events.filter((e) => e.type === kAbs && e.code === code).map((e) => e.value);
+  const min = counts.reduce((a, b) => Math.min(a, b), Infinity);
+  const max = counts.reduce((a, b) => Math.max(a, b), -Infinity);
+  if (min < max) return { min, max, flat: 0 };
+  const only = min === max ? min : 0;
+  return { min: only - 1, max: only + 1, flat: 0 };
+}
+
+const isRange = (range) => range && range.min < range.max;
+const usable = (r) => [0, r.min, r.max, r.flat >= 0 && 2 * r.flat < r.max - r.min ? r.flat : 0];
+
+function calibration({ events, ranges }, type, x, y) {
+  if (type === kRel) {
+    const reach = Math.max(reachOf(events, x), reachOf(events, y));
+    return [[1, -reach, reach, 0], [1, -reach, reach, 0]];
+  }
+  const known = (code) => {
+    const range = ranges.get(code);
+    return isRange(range) ? range : observed(events, code);
+  };
+  return [usable(known(x)), usable(known(y))];
+}
+
+/** Beside absolute axes: the second stick or the hat that moves and whose ranges are told. @returns codes, or none */
+function feetOf({ events, ranges }, type) {
+  if (type !== kAbs) return [];
+  const moves = (codes) => events.some((e) => e.type === kAbs && codes.includes(e.code));
+  return kFeet.find((codes) => moves(codes) && codes.every((code) => isRange(ranges.get(code)))) ?? [];
+}
+
+/** @returns samples (time in us from the first event) and the duration in s. @throws EvemuError */
+export function readEvemu(text, bridge) {
+  const lines = readLines(text);
+  const moves = ([type, x, y]) => lines.events.some((e) => e.type === type && (e.code === x || e.code === y));
+  const axes = kCandidates.find(moves);
+  if (!axes) throw new EvemuError("it holds no motion of a mouse or stick that this page knows");
+  const [type, x, y] = axes;
+  const { wasm, synced } = bridge;
+  const told = calibration(lines, type, x, y).map((range, which) => wasm.web_axis(which, ...range));
+  if (told[1] !== kOk) throw new EvemuError("its axes have no range");
+  const feet = feetOf(lines, type);
+  feet.forEach((code, i) => wasm.web_axis(2 + i, ...usable(lines.ranges.get(code))));
+  const codes = [x, y, ...feet]; // by Axis
+  const start = lines.events[0].time;
+  const samples = [];
+  for (const event of lines.events) {
+    if (event.type === kSyn && event.code === kDropped) wasm.web_event(0, 0);
+    if (event.type === kSyn && event.code === kReport) {
+      const time = (event.time - start) >>> 0;
+      if (wasm.web_sync(time) === kOk) {
+        const [sampleX, sampleY, feetX, feetY, buttons, sequence] = synced;
+        samples.push({ time, x: sampleX, y: sampleY, feetX, feetY, buttons, sequence });
+      }
+    } else if (event.type === kKey && event.code >= kFirstButton && event.code <= kLastButton) {
+      wasm.web_event(event.value !== 0 ? 1 : 2, event.code & 0x0f);
+    } else if (event.type === type && codes.includes(event.code)) {
+      wasm.web_move(codes.indexOf(event.code), event.value);
+    }
+  }
+  if (samples.length === 0) throw new EvemuError("it holds no sync mark, so no sample");
+  return { samples, duration: (lines.latest - start) * 1e-6 };
+}

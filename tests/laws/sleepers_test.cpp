@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+// Sleep changes nothing that anybody could see (src/world/world.md, "Sleep"): what is struck,
+// loaded, left or changed wakes in the same step, and what was saved goes on with the same bits.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "batuta/record/snapshot.hpp"
+#include "batuta/record/world.hpp"
+#include "batuta/world/any_controller.hpp"
+#include "choices.hpp"
+#include "law_worlds.hpp"
+
+namespace batuta {
+namespace {
+
+using test::Vector;
+
+template <class S>
+class Sleepers : public ::testing::Test {};
+using Scalars = ::testing::Types<float, double>;
+TYPED_TEST_SUITE(Sleepers, Scalars);
+
+constexpr double kRadius = 0.05;  // of all rods, m
+
+/// A rod that sleeps across two rails along x, 0.8 m apart.
+template <class SceneT>
+struct Bed {
+  using S = typename SceneT::Scalar;
+  using Id = typename World<SceneT>::BodyId;
+  std::unique_ptr<World<SceneT>> world = std::make_unique<World<SceneT>>();
+  Id rails[2];
+  Id sleeper;
+
+  /// @param put  what a rail has besides its shape: put(actor)
+  template <class Put>
+  explicit Bed(const Put& put) {
+    for (int i = 0; i < 2; ++i) {
+      auto rail =
+          test::fixed_rod<SceneT>(6, kRadius, {0, i == 0 ? -0.4 : 0.4, -kRadius}, test::along_x());
+      put(rail);
+      rails[i] = world->add(rail).value;
+    }
+    auto rod = test::solid_rod<SceneT>(1.2, kRadius, {0, 0, kRadius + 5e-5}, test::along_y());
+    rod.friction = S(0.3);
+    sleeper = world->add(rod).value;
+  }
+  Bed() : Bed([](Actor<SceneT>& /*rail*/) {}) {}
+
+  const Body<S>& body(Id id) const { return std::as_const(*world).get(id)->body; }
+  double height(Id id) const { return static_cast<double>(body(id).X_WB.p_W.z()); }
+  double speed(Id id) const {
+    return static_cast<double>(body(id).inverse_mass * body(id).momentum.linear_W.x());
+  }
+  void step(double dt) { ASSERT_EQ(world->step(static_cast<S>(dt)), Status::kOk); }
+  void sleep(double dt) {
+    for (int i = 0; i < 3000 && !world->is_asleep(sleeper); ++i) step(dt);
+    ASSERT_TRUE(world->is_asleep(sleeper));
+  }
+};
+
+// Of two rods without friction the x momenta stay what they were, and both go on with one velocity:
+// m V of 2 m where the search found a blow; where they were nearer than D when the step began, too.
+TYPED_TEST(Sleepers, StruckFromAnyGap_TakesItsShare) {
+  using SceneT = test::Settling<TypeParam, test::kSleeping>;
+  for (const double dt : {1e-3, 1.0 / 60}) {
+    for (const double V : {0.5, 5.0, 50.0}) {
+      for (const double gap : {2e-5, 5e-5, 2e-4, 5e-4}) {
+        Bed<SceneT> bed;
+        bed.sleep(dt);
+        const double x = static_cast<double>(bed.body(bed.sleeper).X_WB.p_W.x());
+        auto block = test::solid_rod<SceneT>(
+            1.2, kRadius, {x - 2 * kRadius - gap, 0, bed.height(bed.sleeper)}, test::along_y());
+        test::throw_body(block, {V, 0, 0});
+        const auto id = bed.world->add(block).value;
+        for (int i = 0; i < 3; ++i) bed.step(dt);
+        EXPECT_FALSE(bed.world->is_asleep(bed.sleeper)) << dt << ' ' << V << ' ' << gap;
+        EXPECT_NEAR(bed.speed(id) + bed.speed(bed.sleeper), V, 1e-5 * V) << dt << ' ' << gap;
+        EXPECT_NEAR(bed.speed(bed.sleeper), V / 2, 0.02 * V) << dt << ' ' << V << ' ' << gap;
+      }
+    }
+  }
+}
+
+// One stands beside the sleeper, within D, and a third strikes it from the other side: without
+// friction all that came in is there after the step, whoever has it.
+TYPED_TEST(Sleepers, NeighbourOfWhoIsStruck_TakesItsShare) {
+  using SceneT = test::Settling<TypeParam, test::kSleeping>;
+  for (const double dt : {1e-3, 1.0 / 60}) {
+    for (const double V : {0.5, 5.0}) {
+      Bed<SceneT> bed;
+      bed.sleep(dt);
+      const double x = static_cast<double>(bed.body(bed.sleeper).X_WB.p_W.x());
+      const double z = bed.height(bed.sleeper);
+      const double beside = x - 2 * kRadius - 7e-5;
+      const double apart = 2 * kRadius + V * dt / 2;
+      const auto middle =
+          bed.world->add(test::solid_rod<SceneT>(1.2, kRadius, {beside, 0, z}, test::along_y()));
+      auto block = test::solid_rod<SceneT>(1.2, kRadius, {beside - apart, 0, z}, test::along_y());
+      test::throw_body(block, {V, 0, 0});
+      const auto id = bed.world->add(block).value;
+      for (int i = 0; i < 2; ++i) {
+        bed.step(dt);
+        const double sum = bed.speed(id) + bed.speed(middle.value) + bed.speed(bed.sleeper);
+        EXPECT_NEAR(sum, V, 1e-5 * V) << dt << ' ' << V << ' ' << i;
+      }
+      EXPECT_FALSE(bed.world->is_asleep(bed.sleeper)) << dt << ' ' << V;
+    }
+  }
+}
+
+// The plank reaches 0.2 m over a rail; ten times its mass at its end tip it.
+TYPED_TEST(Sleepers, LoadedAtTheEnd_Tips) {
+  using SceneT = test::Settling<TypeParam, test::kSleeping>;
+  for (const double dt : {1e-3, 1.0 / 60}) {
+    for (const double gap : {2e-5, 3e-4, 1e-3}) {
+      Bed<SceneT> bed;
+      bed.sleep(dt);
+      const double z = bed.height(bed.sleeper) + kRadius + 0.1 + gap;
+      (void)bed.world->add(test::solid_rod<SceneT>(0, 0.1, {0, 0.6, z}, {1, 0, 0, 0}, 23000));
+      for (int i = 0; i * dt < 0.3; ++i) bed.step(dt);
+      const Vec3<TypeParam> axis_W = bed.body(bed.sleeper).X_WB.q_WB * Vec3<TypeParam>::UnitZ();
+      EXPECT_GT(std::abs(static_cast<double>(axis_W.z())), 0.02) << dt << ' ' << gap;
+    }
+  }
+}
+
+template <class S>
+using Led = Scene<test::law_options<RestingContact::kSettling, test::kSleeping>, Advancement<S>,
+                  AnyController<S, FreeFlight<S>, Hand<S>>>;
+
+/// Both rails go to where they began and `shift` from there, by the end of the step.
+template <class S>
+void lead(Bed<Led<S>>& bed, const Vector& shift, double dt) {
+  for (int i = 0; i < 2; ++i) {
+    auto* hand = bed.world->get(bed.rails[i])->controller.template as<Hand<S>>();
+    hand->step = static_cast<S>(dt);
+    const Vector start(0, i == 0 ? -0.4 : 0.4, -kRadius);
+    hand->target_W.p_W = (start + shift).template cast<S>();
+    hand->target_W.q_WB = test::along_x().template cast<S>();
+  }
+}
+
+// What lies on something that sinks, however gently it begins, sinks with it.
+TYPED_TEST(Sleepers, SupportThatLeavesGently_TakesThemAlong) {
+  using S = TypeParam;
+  for (const double dt : {1e-3, 1.0 / 60}) {
+    for (const double a : {0.02, 0.1, 0.5}) {
+      Bed<Led<S>> bed([](auto& rail) { rail.controller = Hand<S>{}; });
+      for (int i = 0; i < 3000 && !bed.world->is_asleep(bed.sleeper); ++i) {
+        lead<S>(bed, Vector::Zero(), dt);
+        bed.step(dt);
+      }
+      ASSERT_TRUE(bed.world->is_asleep(bed.sleeper)) << dt;
+      double t = 0;
+      for (; t < 1; t += dt) {
+        lead<S>(bed, Vector(0, 0, -a * (t + dt) * (t + dt) / 2), dt);
+        bed.step(dt);
+      }
+      const double gap = bed.height(bed.sleeper) - bed.height(bed.rails[0]) - 2 * kRadius;
+      EXPECT_LT(gap, max_of(2e-4, 9.81 * dt * dt / 2)) << dt << ' ' << a;
+    }
+  }
+}
+
+// Along the rod, so that it does not roll. At 2 mm/s nothing goes further in the time until sleep
+// than what sleeps may: it stays awake all the same, and goes with what carries it.
+TYPED_TEST(Sleepers, OnWhatMovesSlowly_NobodySleeps) {
+  using S = TypeParam;
+  for (const Vector& v : {Vector(0, 2e-3, 0), Vector(0, 0, -2e-3)}) {
+    const double dt = 1e-3;
+    Bed<Led<S>> bed([](auto& rail) {
+      rail.controller = Hand<S>{};
+      rail.friction = S(0.3);
+    });
+    for (int i = 0; i < 4000; ++i) {
+      lead<S>(bed, (i + 1) * dt * v, dt);
+      bed.step(dt);
+      ASSERT_FALSE(bed.world->is_asleep(bed.sleeper)) << i;
+    }
+    const Vec3<S> way = bed.body(bed.sleeper).X_WB.p_W - bed.body(bed.rails[0]).X_WB.p_W;
+    EXPECT_NEAR(static_cast<double>(way.y()), 0.4, 5e-4);
+    EXPECT_NEAR(static_cast<double>(way.z()), 2 * kRadius, 2e-4);
+  }
+}
+
+// What the caller changes of a sleeper or of what carries it is as if nobody had slept.
+TYPED_TEST(Sleepers, WhatTheCallerChanges_IsSeen) {
+  using SceneT = test::Settling<TypeParam, test::kSleeping>;
+  using S = TypeParam;
+  const double dt = 1e-3;
+  const auto height_after = [dt](const auto& change) {
+    Bed<SceneT> bed;
+    bed.sleep(dt);
+    change(bed);
+    for (int i = 0; i < 500; ++i) bed.step(dt);
+    return bed.height(bed.sleeper);
+  };
+  const double thinner = height_after([](Bed<SceneT>& bed) {
+    for (const auto id : bed.rails) bed.world->get(id)->capsule_B.radius = S(0.02);
+  });
+  EXPECT_NEAR(thinner, 0.02, 2e-4);
+  const double thin = height_after(
+      [](Bed<SceneT>& bed) { bed.world->get(bed.sleeper)->capsule_B.radius = S(0.02); });
+  EXPECT_NEAR(thin, 0.02, 2e-4);
+  const double apart = height_after([](Bed<SceneT>& bed) {
+    for (const auto id : bed.rails) bed.world->get(id)->owner = 7;
+    bed.world->get(bed.sleeper)->owner = 7;
+  });
+  EXPECT_NEAR(apart, kRadius - 9.81 * 0.25 / 2, 3e-3);
+  const double only_read =
+      height_after([](Bed<SceneT>& bed) { (void)bed.world->get(bed.sleeper); });
+  EXPECT_NEAR(only_read, kRadius, 1e-4);
+}
+
+TYPED_TEST(Sleepers, WhoWasOnlyRead_SleepsOn) {
+  using SceneT = test::Settling<TypeParam, test::kSleeping>;
+  Bed<SceneT> bed;
+  bed.sleep(1e-3);
+  for (int i = 0; i < 10; ++i) {
+    for (const auto id : {bed.sleeper, bed.rails[0]}) ASSERT_NE(bed.world->get(id), nullptr);
+    bed.step(1e-3);
+    ASSERT_TRUE(bed.world->is_asleep(bed.sleeper)) << i;
+  }
+}
+
+/// A heap that grows rod by rod, so that some fall on sleepers.
+template <class SceneT>
+void drop_one(World<SceneT>& world, test::Choices& draw, int number) {
+  using S = typename SceneT::Scalar;
+  const Vector place(0.5 * draw.signed_share(), 0.3 * draw.signed_share(), 0.9 + 0.1 * number);
+  auto rod = test::solid_rod<SceneT>(0.4, 0.04, place, draw.rotation().template cast<double>());
+  rod.friction = S(0.5);
+  rod.rolling_resistance = S(1e-3);
+  test::throw_body(rod, draw.in_cube(), 5 * draw.in_cube());
+  (void)world.add(rod);
+}
+
+TYPED_TEST(Sleepers, SavedAndRestored_GoOnWithTheSameBits) {
+  using SceneT = test::Settling<TypeParam, test::kRolling>;
+  std::vector<std::uint8_t> bytes(std::size_t{1} << 21U);
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    test::Choices draw(seed);
+    auto world = std::make_unique<World<SceneT>>();
+    for (int k = 0; k < 6; ++k) {
+      auto log = test::fixed_rod<SceneT>(2.4, 0.15, {0, -0.75 + 0.3 * k, 0}, test::along_x());
+      log.friction = TypeParam(0.5);
+      (void)world->add(log);
+    }
+    for (int i = 0; i < 600; ++i) {
+      if (i % 30 == 0 && i < 480) drop_one<SceneT>(*world, draw, i / 30);
+      ASSERT_EQ(world->step(TypeParam(1) / 60), Status::kOk);
+      if (i % 13 != 0) continue;
+      auto copy = std::make_unique<World<SceneT>>();
+      auto read = std::make_unique<World<SceneT>>();
+      const auto size = save(*world, bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+      ASSERT_TRUE(size.ok());
+      ASSERT_EQ(restore(*read, bytes.data(), size.value), Restored::kOk);
+      copy->restore(*world);
+      for (int k = 0; k < 3; ++k) {
+        ASSERT_EQ(copy->step(TypeParam(1) / 60), Status::kOk);
+        ASSERT_EQ(read->step(TypeParam(1) / 60), Status::kOk);
+        ASSERT_EQ(hash_of(*copy), hash_of(*read)) << seed << ' ' << i;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace batuta

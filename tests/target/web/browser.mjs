@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// What the tests of the page share: a server of static files, a browser without a window, and the host's program.
+
+import { execFileSync } from "node:child_process";
+import { createServer } from "node:http";
+import { existsSync, mkdtempSync, readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { dirname, extname, join, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
+
+const here = dirname(fileURLToPath(import.meta.url));
+export const root = resolve(here, "../../..");
+export const site = join(root, "build/web/site");
+export const folder = mkdtempSync(join(tmpdir(), "batuta_web_"));
+const kTypes = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".txt": "text/plain" };
+const kChromium = ["/usr/bin/chromium", "/usr/bin/chromium-browser"].find(existsSync);
+
+export function check(condition, what) {
+  if (!condition) throw new Error(`FAILED: ${what}`);
+}
+
+/** @returns the address of a server of the site, and what stops it */
+export async function serve() {
+  const server = createServer((request, answer) => {
+    const path = join(site, new URL(request.url, "http://x").pathname.replace(/\/$/, "/index.html"));
+    if (!path.startsWith(site) || !existsSync(path)) {
+      answer.writeHead(404).end();
+      return;
+    }
+    answer.writeHead(200, { "content-type": kTypes[extname(path)] ?? "application/octet-stream" }).end(readFileSync(path));
+  });
+  await new Promise((ready) => server.listen(0, "127.0.0.1", ready));
+  return { url: `http://127.0.0.1:${server.address().port}/`, stop: () => server.close() };
+}
+
+/** A browser that draws in software. @param more  arguments of Chromium */
+export async function open(more = []) {
+  const modules = join(root, "build/node/package.json");
+  const { chromium } = createRequire(modules)("playwright-core");
+  const gl = more.includes("--disable-gpu") ? [] : ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
+  return chromium.launch({ executablePath: kChromium, args: ["--no-sandbox", ...gl, ...more] });
+}
+
+/** A page of the site. What its console says of errors is collected. */
+export async function visit(browser, url, options = {}, before = null) {
+  const context = await browser.newContext({ acceptDownloads: true, viewport: { width: 900, height: 900 }, ...options });
+  const page = await context.newPage();
+  const errors = [];
+  page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
+  page.on("pageerror", (error) => errors.push(String(error)));
+  if (before) await page.addInitScript(before);
+  await page.goto(url, { timeout: 120000 });
+  return { page, errors };
+}
+
+export const mode = (page) => page.evaluate(() => document.body.dataset.mode);
+
+export async function until(page, names, ms = 60000) {
+  await page.waitForFunction((wanted) => wanted.includes(document.body.dataset.mode), [names].flat(), { timeout: ms });
+}
+
+/** Saves the last bout. @returns where */
+export async function savedBout(page, name) {
+  const [download] = await Promise.all([page.waitForEvent("download"), page.click("#save")]);
+  const path = join(folder, name);
+  await download.saveAs(path);
+  return path;
+}
+
+export const duel = [join(root, "build/host/batuta-duel"), join(root, "build/duel/batuta-duel")].find(existsSync);
+
+/** What the host's program says of a recording; throws where it does not replay it to the end. */
+export function replayed(path) {
+  check(duel, "there is no batuta-duel in build/host or build/duel: cmake --workflow --preset duel");
+  return execFileSync(duel, ["--replay", path], { encoding: "utf8" });
+}
+
+/** The hash in the end mark of a recording. */
+export function lastHash(path) {
+  const bytes = readFileSync(path);
+  return bytes.readBigUInt64LE(bytes.length - 4 - 16 + 4).toString(16).padStart(16, "0");
+}

@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: MIT
+// What the page says of bad input, and that it goes on; its sizes; two players; the laboratory.
+
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { check, folder, lastHash, mode, open, replayed, root, savedBout, serve, until, visit } from "./browser.mjs";
+
+const word = (page) => page.textContent("#word");
+const says = async (page, expected) => {
+  await page.waitForFunction((text) => new RegExp(text).test(document.getElementById("word").textContent), expected.source, { timeout: 60000, polling: 100 })
+    .catch(async () => check(false, `the page should say ${expected}, and says: ${await word(page)}`));
+};
+const kWalkMs = 400;
+const data = (page, name) => page.evaluate((key) => document.body.dataset[key], name);
+
+/** How many colours a part of the page has: a picture that was not drawn has one. */
+async function colours(page, selector) {
+  const bytes = await page.locator(selector).screenshot();
+  return page.evaluate(async (text) => {
+    const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${text}`)).blob());
+    const canvas = new OffscreenCanvas(image.width, image.height);
+    const pen = canvas.getContext("2d");
+    pen.drawImage(image, 0, 0);
+    return new Set(new Uint32Array(pen.getImageData(0, 0, image.width, image.height).data.buffer)).size;
+  }, bytes.toString("base64"));
+}
+
+async function sizes(browser, url) {
+  for (const [width, height] of [[390, 844], [1920, 1080]]) {
+    for (const path of ["", "laboratory.html"]) {
+      const { page, errors } = await visit(browser, url + path, { viewport: { width, height } });
+      await until(page, ["fencing", "ready"]);
+      await page.waitForTimeout(700);
+      check((await page.evaluate(() => document.documentElement.scrollWidth)) <= width, `${path} at ${width}: nothing stands out to the right`);
+      for (const button of await page.locator("main button").all()) {
+        const box = await button.boundingBox();
+        check(box && box.x >= 0 && box.x + box.width <= width && box.height >= 30, `${path} at ${width}: ${await button.textContent()}`);
+      }
+      const stage = await page.locator("#stage").boundingBox();
+      check(stage.y + stage.height <= height && stage.width >= 0.4 * width, `${path} at ${width}: the picture is in sight`);
+      const seen = await colours(page, "#stage");
+      check(seen > (path ? 30 : 500), `${path} at ${width}: ${seen} colours`);
+      check(errors.length === 0, `${errors}`);
+      await page.context().close();
+    }
+  }
+}
+
+async function files(page) {
+  const good = await goodBout(page);
+  const bytes = readFileSync(good);
+  const make = (name, change) => {
+    const copy = Buffer.from(bytes);
+    writeFileSync(join(folder, name), change(copy) ?? copy);
+    return join(folder, name);
+  };
+  const kVersion = 4; // of the format, behind the magic number (src/record/archive.md)
+  const cases = [
+    [make("text.batuta", () => Buffer.from("hello, I am a letter to somebody".repeat(30))), /is not a recording of batuta/],
+    [make("other.batuta", (copy) => void copy.writeUInt16LE(99, kVersion)), /another version/],
+    [make("flipped.batuta", (copy) => void (copy[copy.length >> 1] ^= 1)), /is damaged here/],
+    [make("cut.batuta", (copy) => copy.subarray(0, copy.length - 40)), /without an end mark/],
+    [make("empty.batuta", () => Buffer.alloc(0)), /is empty/],
+    [make("bad.events", () => Buffer.from("# EVEMU 1.3\nE: 0.000001 0003 0000 0005\nnonsense\n")), /cannot be used: line 3/],
+  ];
+  for (const [file, expected] of cases) {
+    await page.setInputFiles("#file", file);
+    await says(page, expected);
+  }
+  await page.setInputFiles("#file", good);
+  await says(page, /The same bits here as there/);
+  const told = await page.textContent("#hash");
+  check(told.split(lastHash(good)).length === 3, `both hashes are shown: ${told}`);
+  await page.setInputFiles("#file", join(root, "port/programs/recordings/default.events"));
+  await says(page, /default.events moves the left stick/);
+  check((await page.inputValue("#left")) === "recording", "the list says so");
+  await page.setInputFiles("#file", join(root, "tests/fixtures/default.batuta"));
+  await says(page, /default.batuta/);
+}
+
+async function goodBout(page) {
+  await page.selectOption("#right", "script:guard");
+  await page.selectOption("#touches", "1");
+  await until(page, "fencing");
+  await page.keyboard.down("w");
+  await until(page, "over");
+  await page.keyboard.up("w");
+  return savedBout(page, "good.batuta");
+}
+
+async function background(page) {
+  await page.click("#begin");
+  await until(page, "fencing");
+  const hide = (hidden) => page.evaluate((is) => {
+    Object.defineProperty(document, "hidden", { value: is, configurable: true });
+    document.dispatchEvent(new Event("visibilitychange"));
+  }, hidden);
+  await hide(true);
+  await until(page, "paused");
+  await says(page, /in the background/);
+  const steps = await data(page, "steps");
+  await hide(false);
+  await page.waitForTimeout(400);
+  check(Number(await data(page, "steps")) - Number(steps) < 100, "a bout in the background stands still");
+  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press("Enter");
+  await until(page, "fencing");
+}
+
+async function help(page) {
+  await page.keyboard.press("h");
+  check(await page.locator("#help").evaluate((dialog) => dialog.open), "H opens the help");
+  await page.keyboard.press("Escape");
+  check(!(await page.locator("#help").evaluate((dialog) => dialog.open)), "Escape closes it");
+}
+
+async function twoPlayers(page) {
+  await page.selectOption("#left", "hand");
+  await page.selectOption("#right", "hand");
+  await page.selectOption("#touches", "1");
+  await page.evaluate(() => document.activeElement.blur());
+  await until(page, "fencing");
+  await page.keyboard.down("ArrowUp");
+  await until(page, "over");
+  await page.keyboard.up("ArrowUp");
+  check(/^right touches/.test(await page.textContent("#big")), `the arrows are the right hand: ${await page.textContent("#big")}`);
+}
+
+/** By keys, wheel, button and a second hand's keys: each moves its own fencer, forward or back. */
+async function feet(page) {
+  const places = async () => (await data(page, "places")).split(" ").map(Number);
+  const box = await page.locator("#salle").boundingBox();
+  const key = (code) => async () => {
+    await page.keyboard.down(code);
+    await page.waitForTimeout(kWalkMs);
+    await page.keyboard.up(code);
+  };
+  const wheel = (dy) => async () => {
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    for (let i = 0; i < 3; i += 1) await page.mouse.wheel(0, dy);
+  };
+  const button = (id) => async () => {
+    await page.hover(id);
+    await page.mouse.down();
+    await page.waitForTimeout(kWalkMs);
+    await page.mouse.up();
+  };
+  const walks = [[0, "hand", key("KeyG"), -1], [0, "hand", wheel(100), -1], [0, "hand", wheel(-100), 1], [0, "hand", button("#back"), -1],
+    [0, "hand", button("#forward"), 1], [1, "hand", key("KeyK"), 1], [0, "script:guard", key("KeyK"), -1]];
+  for (const [side, right, walk, way] of walks) {
+    await page.selectOption("#right", right);
+    await page.selectOption("#touches", "5");
+    await page.evaluate(() => document.activeElement.blur());
+    await page.click("#begin");
+    await page.evaluate(() => document.activeElement.blur());
+    await until(page, "fencing");
+    await page.waitForFunction(() => document.body.dataset.places === "-1.125 1.125", null, { timeout: 60000, polling: 50 });
+    await walk();
+    await page.waitForFunction(([at, sign]) => (Number(document.body.dataset.places.split(" ")[at]) - (at === 0 ? -1.125 : 1.125)) * sign > 0.02,
+      [side, way], { timeout: 60000, polling: 50 }).catch(async () => check(false, `feet of ${side} ${way} ${walk}: ${await places()}`));
+    const other = 1 - side;
+    check((await places())[other] === (other === 0 ? -1.125 : 1.125), `the other stays: ${await places()}`);
+  }
+}
+
+/** A bout to five touches, whose halts Enter shortens. */
+async function fiveTouches(page) {
+  await page.selectOption("#right", "script:guard");
+  await page.selectOption("#touches", "5");
+  await page.evaluate(() => document.activeElement.blur());
+  await until(page, "fencing");
+  await page.keyboard.down("w");
+  for (let halts = 1; halts < 5; halts += 1) {
+    await until(page, "halt");
+    check(/^left touches/.test(await page.textContent("#big")), `why there is a halt: ${await page.textContent("#big")}`);
+    await page.keyboard.press("Enter");
+    await until(page, "fencing");
+    await page.waitForFunction((sum) => document.getElementById("left-score").textContent === `${sum}`, halts, { timeout: 60000, polling: 50 });
+  }
+  await until(page, "over");
+  await page.keyboard.up("w");
+  check(/Left wins 5 : 0/.test(await page.textContent("#big")), await page.textContent("#big"));
+  const path = await savedBout(page, "five.batuta");
+  check(/hashes agreed, search advancement$/.test(replayed(path).trim()), "batuta-duel replays it");
+  await page.setInputFiles("#file", path);
+  await until(page, "halt");
+  await page.keyboard.press("Enter"); // a recording shows its halts as well
+  await until(page, "playing");
+}
+
+/** Opponents that see: each is chosen, and fences. */
+async function opponents(page) {
+  for (const name of ["novice", "club", "master"]) {
+    await page.selectOption("#right", `script:${name}`);
+    await until(page, "fencing");
+    await page.waitForFunction(() => Number(document.body.dataset.places?.split(" ")[1]) !== 1.125, null, { timeout: 60000, polling: 50 })
+      .catch(() => check(false, `${name} stands still`));
+  }
+}
+
+const kPads = () => {
+  const pad = (index, id) => ({ index, id, connected: true, axes: [0, 0], buttons: [], mapping: "standard" });
+  globalThis.pads = [pad(0, "red pad"), pad(1, "blue pad")];
+  navigator.getGamepads = () => globalThis.pads;
+};
+
+async function pads(browser, url) {
+  const { page, errors } = await visit(browser, url, {}, kPads);
+  await until(page, "fencing");
+  await page.selectOption("#right", "hand");
+  await page.evaluate(() => { globalThis.pads[0].axes = [0.5, 0]; });
+  await says(page, /red pad\) fences on the left/);
+  await page.evaluate(() => { globalThis.pads[1].axes = [0.5, 0]; });
+  await says(page, /blue pad\) fences on the right/);
+  await page.evaluate(() => {
+    globalThis.pads.reverse();
+    globalThis.pads.forEach((pad, i) => { pad.index = i; });
+  });
+  await says(page, /pad is now at place \d; its hand/);
+  const left = await page.evaluate(() => { globalThis.pads[1].axes = [-1, 0]; globalThis.pads[0].axes = [0.2, 0]; });
+  await page.waitForFunction(() => document.getElementById("dot").style.left === "6%", null, { timeout: 60000, polling: 100 }).catch(() => check(false, `red still moves the left stick ${left}`));
+  await page.evaluate(() => { globalThis.pads[1].axes = [0, 0, 0, 1]; });
+  await page.waitForFunction(() => document.getElementById("feet").style.top === "94%", null, { timeout: 60000, polling: 100 }).catch(() => check(false, "red's second stick is its feet"));
+  await page.evaluate(() => { globalThis.pads[1].connected = false; });
+  await says(page, /red pad is unplugged/);
+  check((await mode(page)) !== "loading", "the page goes on");
+  await page.evaluate(() => { globalThis.pads[1].connected = true; });
+  await says(page, /red pad is back/);
+  check(errors.length === 0, `${errors}`);
+  await page.context().close();
+}
+
+async function withoutWebGl(url) {
+  const browser = await open(["--disable-gpu", "--disable-3d-apis"]);
+  try {
+    const { page, errors } = await visit(browser, url);
+    await until(page, "fencing");
+    check((await page.evaluate(() => typeof SharedArrayBuffer)) === "undefined", "the page does without SharedArrayBuffer");
+    await says(page, /no WebGL/);
+    check((await colours(page, "#salle")) > 20, "the bout is drawn flat");
+    await goodBout(page);
+    const faults = errors.filter((text) => !/WebGL/.test(text));
+    check(faults.length === 0, `${faults}`);
+  } finally {
+    await browser.close();
+  }
+}
+
+async function laboratory(browser, url) {
+  const { page, errors } = await visit(browser, `${url}laboratory.html`);
+  await until(page, "ready");
+  const agree = async () => {
+    const [truth, said, outcome] = [await data(page, "truth"), await data(page, "advancement"), await data(page, "outcome")];
+    if (truth === "none") return check(outcome === "free", `they do not meet, and it says ${outcome}`);
+    check(outcome === "touching" || (outcome === "contact" && Number(said) <= Number(truth) + 1e-6 && Number(truth) - Number(said) < 1e-3), `${outcome} ${said}, truth ${truth}`);
+    return undefined;
+  };
+  for (let i = 0; i < 60; i += 1) { // pairs by chance
+    await page.evaluate(() => document.getElementById("other").click());
+    await agree();
+  }
+  const before = await data(page, "truth");
+  const box = await page.locator("#plane").boundingBox();
+  const slider = page.locator('#numbers input[data-side="0"][data-name="x"]');
+  await slider.focus();
+  for (let i = 0; i < 15; i += 1) await page.keyboard.press("ArrowRight");
+  await agree();
+  check(before !== (await data(page, "truth")) || before === "none", "a number by keys changes the pair");
+  await slider.fill("-0.5");
+  await page.locator('#numbers input[data-side="0"][data-name="y"]').fill("0");
+  const scale = Math.min(box.width, box.height) / 2.5;
+  await page.mouse.move(box.x + box.width / 2 - 0.5 * scale, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2 - 0.9 * scale, box.y + box.height / 2 - 40, { steps: 4 });
+  await page.mouse.up();
+  const moved = [await slider.inputValue(), await page.locator('#numbers input[data-side="0"][data-name="v_x"]').inputValue(), await page.locator('#numbers input[data-side="0"][data-name="angle"]').inputValue()];
+  check(moved[0] !== "-0.5" || moved[1] !== "0", `the pointer drags: ${moved}`);
+  await page.click("#next");
+  check(/evaluations/.test(await word(page)), "one evaluation");
+  check(errors.length === 0, `${errors}`);
+  await page.context().close();
+}
+
+const server = await serve();
+const browser = await open();
+try {
+  await sizes(browser, server.url);
+  const { page, errors } = await visit(browser, server.url);
+  await until(page, "fencing");
+  await files(page);
+  await help(page);
+  await twoPlayers(page);
+  await background(page);
+  await feet(page);
+  await fiveTouches(page);
+  await opponents(page);
+  check(errors.length === 0, `the console says ${errors}`);
+  await pads(browser, server.url);
+  await laboratory(browser, server.url);
+  await withoutWebGl(server.url);
+  check(existsSync(folder), "files were written");
+  console.log("the page says what is wrong, and goes on");
+} finally {
+  await browser.close();
+  server.stop();
+}

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// Who decides by what an eye sees: late, by sights alone, and no faster than a hand.
+#include "batuta/fencing/opponent.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <memory>
+
+#include "draws.hpp"
+
+namespace batuta {
+using namespace fencing;
+namespace {
+
+constexpr std::int32_t kStepUs = 1000;
+constexpr std::array<Skill, 3> kSkills = {Skill::kNovice, Skill::kClub, Skill::kMaster};
+
+Vec3<float> around(test::Draws& draws, double x, double y, double z) {
+  const Vec3<double> p = Vec3<double>(x, y, z) + draws.in_ball(0.4);
+  return p.cast<float>();
+}
+
+/// A rival who comes, goes and threatens at random, every 40 ms somewhere else.
+Observation wild_sight(std::uint64_t seed, int step) {
+  test::Draws draws(seed, 1, static_cast<std::uint64_t>(step / 40));
+  Observation sight;
+  sight.own.torso_V = around(draws, -1.1, 0, 1.1);
+  sight.own.guard_V = around(draws, -0.6, 0, 1.1);
+  sight.own.point_V = around(draws, 0.2, 0, 1.1);
+  sight.rival.torso_V = around(draws, 1.1, 0, 1.1);
+  sight.rival.guard_V = around(draws, 0.4, 0, 1.1);
+  sight.rival.point_V = around(draws, -0.5, 0, 1.1);
+  return sight;
+}
+
+Opponent opponent(Skill skill, std::uint32_t seed) {
+  Opponent one;
+  EXPECT_EQ(one.configure(skill, seed), Status::kOk);
+  return one;
+}
+
+bool same_place(const StickPlace& a, const StickPlace& b) {
+  return a.blade == b.blade && a.feet == b.feet;
+}
+
+TEST(Opponent, SameSights_SameDecisions) {
+  for (const Skill skill : kSkills) {
+    Opponent one = opponent(skill, 5);
+    Opponent two = opponent(skill, 5);
+    for (int step = 0; step < 60000; ++step) {
+      const Observation seen = wild_sight(9, step);
+      ASSERT_TRUE(same_place(one.step(seen, kStepUs), two.step(seen, kStepUs))) << step;
+    }
+  }
+}
+
+TEST(Opponent, AnotherSeed_AnotherFencer) {
+  Opponent one = opponent(Skill::kClub, 5);
+  Opponent two = opponent(Skill::kClub, 6);
+  int apart = 0;
+  for (int step = 0; step < 20000; ++step) {
+    const Observation seen = wild_sight(9, step);
+    if (!same_place(one.step(seen, kStepUs), two.step(seen, kStepUs))) ++apart;
+  }
+  EXPECT_GT(apart, 2000);
+}
+
+/// What happens from an instant on is not known for 0.15 s, whatever it is.
+TEST(Opponent, WhatIsYoungerThanTheDelay_ChangesNothing) {
+  int known = 0;
+  for (int turn = 1000; turn < 1400; turn += 7) {
+    Opponent one = opponent(Skill::kMaster, static_cast<std::uint32_t>(turn));
+    Opponent two = opponent(Skill::kMaster, static_cast<std::uint32_t>(turn));
+    for (int step = 0; step < turn + 2000; ++step) {
+      const bool told = same_place(one.step(wild_sight(9, step), kStepUs),
+                                   two.step(wild_sight(step < turn ? 9 : 10, step), kStepUs));
+      if (step < turn + 150) {
+        ASSERT_TRUE(told) << turn << " " << step;
+      } else if (!told) {
+        ++known;
+        break;
+      }
+    }
+  }
+  EXPECT_GT(known, 40);  // and afterwards it is
+}
+
+TEST(Opponent, HandIsNoFasterThanAHand_AndStaysInItsSquare) {
+  for (const Skill skill : kSkills) {
+    Opponent one = opponent(skill, 77);
+    Vec2<float> before = one.place().blade;
+    float fastest = 0;
+    for (int step = 0; step < 200000; ++step) {
+      const StickPlace& now = one.step(wild_sight(3, step), kStepUs);
+      fastest = std::max(fastest, (now.blade - before).norm() / 1e-3F);
+      ASSERT_LE(now.blade.cwiseAbs().maxCoeff(), 1.0F);
+      ASSERT_LE(std::abs(now.feet), 1.0F);
+      before = now.blade;
+    }
+    EXPECT_LE(fastest, Opponent::kHandSpeed * 1.001F);
+    EXPECT_GT(fastest, 0.5F * Opponent::kHandSpeed);
+  }
+}
+
+TEST(Opponent, BadInput_IsToldOrNotLookedAt) {
+  Opponent one = opponent(Skill::kClub, 1);
+  EXPECT_EQ(one.configure(static_cast<Skill>(3), 1), Status::kInvalidArgument);
+  Observation blind = wild_sight(9, 0);
+  blind.rival.guard_V.x() = std::numeric_limits<float>::quiet_NaN();
+  for (int step = 0; step < 5000; ++step) {
+    const StickPlace& now = one.step(blind, kStepUs);
+    ASSERT_TRUE(same_place(now, StickPlace()));  // who sees nothing waits on guard
+  }
+}
+
+/// The right fencer's frame is the left one's turned by half a turn about z.
+TEST(Observation, IsTheSalleAsItsViewerSeesIt) {
+  const auto duel = std::make_unique<Duel<>>();
+  ASSERT_EQ(duel->configure(duel_settings(), first_fencer<float>(), second_fencer<float>()),
+            Status::kOk);
+  const Observation left = observation_of(*duel, Side::kLeft);
+  const Observation right = observation_of(*duel, Side::kRight);
+  const Vec3<float> turned(-1, -1, 1);
+  EXPECT_EQ(left.own.point_V.cwiseProduct(turned), right.rival.point_V);
+  EXPECT_EQ(left.rival.torso_V.cwiseProduct(turned), right.own.torso_V);
+  EXPECT_EQ(left.own.guard_V, duel->blade_W(Side::kLeft).axis.a);
+  EXPECT_GT(left.rival.torso_V.x(), left.own.torso_V.x());
+  EXPECT_GT(right.rival.torso_V.x(), right.own.torso_V.x());
+}
+
+/// A look is kept for kDelayLooks looks, in duels of any step.
+TEST(DelayedObservation, IsAsOldAsItSays) {
+  for (const std::int32_t step_us : {100, 1000, 7000, 15000, 20000}) {
+    DelayedObservation eye;
+    for (int step = 0; step < 500; ++step) {
+      Observation now;
+      now.own.point_V.x() = static_cast<float>(step);
+      if (!eye.look(now, step_us) || !eye.sees()) continue;
+      const float age_us =
+          static_cast<float>(step_us) * (now.own.point_V - eye.seen().own.point_V).x();
+      ASSERT_GE(age_us, static_cast<float>(DelayedObservation::kDelayUs));
+      ASSERT_LE(age_us, static_cast<float>(DelayedObservation::kDelayLooks *
+                                           (DelayedObservation::kLookUs + step_us)));
+      ASSERT_LT(eye.before().own.point_V.x(), eye.seen().own.point_V.x());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace batuta
