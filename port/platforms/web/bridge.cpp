@@ -288,11 +288,18 @@ void web_choose(int side, int script) {
   if (const auto named = host::seeing_script(name)) stick.fencer.emplace(*named);
 }
 
-/// A hand's sample for the next step, as its device tells it.
-void web_sample(int side, std::uint32_t time_us, float x, float y, float feet_x, float feet_y,
-                std::uint32_t buttons, std::uint32_t sequence) {
+/// Where a device's second pair of axes stands, from the next web_sample() on.
+void web_feet(int side, float x, float y) {
+  InputSample& sample = stick_of(side).sample;
+  sample.feet_x = x;
+  sample.feet_y = y;
+}
+
+/// A hand's sample for the next step, as its device tells it; its feet are those of web_feet().
+void web_sample(int side, std::uint32_t time_us, float x, float y, std::uint32_t buttons,
+                std::uint32_t sequence) {
   Stick& stick = stick_of(side);
-  stick.sample = {time_us, x, y, feet_x, feet_y, buttons, sequence};
+  stick.sample = {time_us, x, y, stick.sample.feet_x, stick.sample.feet_y, buttons, sequence};
   stick.fresh = true;
 }
 

@@ -118,7 +118,8 @@ export class Engine {
   }
 
   tell(side, { time, x, y, feetX, feetY, buttons, sequence }) {
-    this.bridge.wasm.web_sample(side, time, x, y, feetX, feetY, buttons, sequence);
+    this.bridge.wasm.web_feet(side, feetX, feetY);
+    this.bridge.wasm.web_sample(side, time, x, y, buttons, sequence);
   }
 
   /** @returns whether a step was made */
