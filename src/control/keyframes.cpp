@@ -91,6 +91,12 @@ Taps<Scalar> taps_at(Scalar stick, int count) {
   return taps;
 }
 
+/// The numbers of the key in a column and a row.
+template <class Scalar>
+const Scalar* key_at(const detail::KeyGridView<Scalar>& grid, int column, int row) {
+  return grid.numbers + grid.stride * (column + grid.columns * row);
+}
+
 /// The surface through the key points and its two partial derivatives.
 template <class Scalar>
 struct Surface {
@@ -106,10 +112,10 @@ Surface<Scalar> surface_at(const detail::KeyGridView<Scalar>& grid, const Vec2<S
   for (std::size_t j = 0; j < y.index.size(); ++j) {  // Bound: kTaps
     detail::KeyPoint<Scalar> row = detail::KeyPoint<Scalar>::Zero();
     detail::KeyPoint<Scalar> row_rate = detail::KeyPoint<Scalar>::Zero();
-    const detail::KeyPoint<Scalar>* keys = grid.keys + y.index[j] * grid.columns;
     for (std::size_t i = 0; i < x.index.size(); ++i) {  // Bound: kTaps
-      row += x.weight[i] * keys[x.index[i]];
-      row_rate += x.rate[i] * keys[x.index[i]];
+      const Eigen::Map<const detail::KeyPoint<Scalar>> key(key_at(grid, x.index[i], y.index[j]));
+      row += x.weight[i] * key;
+      row_rate += x.rate[i] * key;
     }
     surface.value += y.weight[j] * row;
     surface.rate.col(0) += y.weight[j] * row_rate;
@@ -158,10 +164,29 @@ KeyedPose<Scalar> detail::pose_on(const detail::KeyGridView<Scalar>& grid,
   return result;
 }
 
+template <class Scalar>
+Scalar detail::number_on(const detail::KeyGridView<Scalar>& grid, int number,
+                         const Vec2<Scalar>& stick) {
+  BATUTA_ASSERT(is_finite(stick) && grid.columns >= 2 && grid.rows >= 2);
+  BATUTA_ASSERT(number >= 0 && number < grid.stride);
+  const Taps<Scalar> x = taps_at(stick.x(), grid.columns);
+  const Taps<Scalar> y = taps_at(stick.y(), grid.rows);
+  Scalar value = 0;
+  for (std::size_t j = 0; j < y.index.size(); ++j) {  // Bound: kTaps
+    Scalar row = 0;
+    for (std::size_t i = 0; i < x.index.size(); ++i) {  // Bound: kTaps
+      row += x.weight[i] * key_at(grid, x.index[i], y.index[j])[number];
+    }
+    value += y.weight[j] * row;
+  }
+  return value;
+}
+
 #define BATUTA_INSTANTIATE(S)                                                                     \
   template Twist<S> hand_twist(const StickJacobian<S>&, const Vec2<S>&);                          \
   template Status detail::relate_keys(const Pose<S>*, const Quat<S>&, detail::KeyPoint<S>*, int); \
-  template KeyedPose<S> detail::pose_on(const detail::KeyGridView<S>&, const Vec2<S>&);
+  template KeyedPose<S> detail::pose_on(const detail::KeyGridView<S>&, const Vec2<S>&);           \
+  template S detail::number_on(const detail::KeyGridView<S>&, int, const Vec2<S>&);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 

@@ -1,45 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "batuta/fencing/fencer.hpp"
 
+#include "map_keys.hpp"
+
 // Data only: lengths in m, masses in kg, frame F (x towards the opponent, y to the fencer's left, z
-// up). The tests check what the numbers are chosen for: the guards stand clear of the opponent, the
-// blades overlap, a lunge arrives.
+// up). The keys are in map_keys.hpp.
 
 namespace batuta::fencing {
 namespace {
 
-/// A hand and where its blade points.
-struct KeyData {
-  float hand_F[3];
-  float aim_F[3];  ///< the blade's direction, any length
-};
-using KeyTable = std::array<KeyData, 9>;
-
-/// Row by row: back guard, guard, lunge; in a row: parry or line to the left, middle, to the right.
-constexpr KeyTable kFirstKeys = {{{{0.28F, 0.27F, 1.18F}, {1.0F, -0.20F, 0.22F}},
-                                  {{0.24F, -0.16F, 1.24F}, {1.0F, 0.10F, 0.36F}},
-                                  {{0.28F, -0.36F, 1.14F}, {1.0F, -0.14F, 0.26F}},
-                                  {{0.38F, 0.28F, 1.14F}, {1.0F, -0.26F, 0.14F}},
-                                  {{0.42F, -0.14F, 1.12F}, {1.0F, 0.177F, 0.12F}},
-                                  {{0.40F, -0.34F, 1.08F}, {1.0F, -0.10F, 0.18F}},
-                                  {{1.18F, 0.12F, 1.30F}, {1.0F, -0.07F, 0.00F}},
-                                  {{1.20F, -0.10F, 1.16F}, {1.0F, 0.095F, 0.02F}},
-                                  {{1.18F, -0.32F, 1.00F}, {1.0F, 0.25F, 0.02F}}}};
-
-constexpr KeyTable kSecondKeys = {{{{0.30F, 0.28F, 1.22F}, {1.0F, -0.20F, 0.20F}},
-                                   {{0.26F, -0.16F, 1.28F}, {1.0F, 0.10F, 0.32F}},
-                                   {{0.30F, -0.37F, 1.18F}, {1.0F, -0.14F, 0.24F}},
-                                   {{0.40F, 0.29F, 1.18F}, {1.0F, -0.26F, 0.11F}},
-                                   {{0.44F, -0.14F, 1.16F}, {1.0F, 0.182F, 0.08F}},
-                                   {{0.42F, -0.35F, 1.12F}, {1.0F, -0.10F, 0.14F}},
-                                   {{1.23F, 0.12F, 1.34F}, {1.0F, -0.07F, -0.03F}},
-                                   {{1.25F, -0.10F, 1.20F}, {1.0F, 0.095F, -0.02F}},
-                                   {{1.23F, -0.33F, 1.04F}, {1.0F, 0.25F, 0.00F}}}};
-
-template <class Scalar>
-Vec3<Scalar> vec(const float (&x)[3]) {
-  return {Scalar(x[0]), Scalar(x[1]), Scalar(x[2])};
-}
+constexpr std::size_t kGuardKey = 22;  ///< of the library's map: its centre
+constexpr std::size_t kLungeKey = 40;  ///< of the same: the middle of its front
+/// Where the hand is in guard and in a full lunge, x in F, m: lunges of all lines go as far.
+constexpr float kGuardHandX = kLibraryKeys[kGuardKey].hand_F[0];
+constexpr float kLungeHandX = kLibraryKeys[kLungeKey].hand_F[0];
 
 /// A body of this size: 1 is 1.80 m tall.
 template <class Scalar>
@@ -79,27 +53,19 @@ void set_bones(const Size<Scalar>& size, FencerBuild<Scalar>& build) {
 }
 
 template <class Scalar>
-FencerBuild<Scalar> build_of(const Size<Scalar>& size, const KeyTable& keys) {
+FencerBuild<Scalar> build_of(const Size<Scalar>& size) {
   FencerBuild<Scalar> build;
   set_bones(size, build);
   build.weapon_arm.bend_F = size.at(0, -0.6F, -1);
   build.other_arm = {size.at(-0.32F, 0.28F, 0.22F), size.at(0, 0.3F, -1)};
   build.front_leg = {size.at(0.35F, -0.10F, 0.08F), size.at(1, 0, 0)};
   build.rear_leg = {size.at(-0.36F, 0.12F, 0.08F), size.at(0.4F, 1, 0)};
-  build.guard_hand_x = Scalar(keys[4].hand_F[0]);
-  build.lunge_hand_x = Scalar(keys[7].hand_F[0]);
+  build.guard_hand_x = Scalar(kGuardHandX);
+  build.lunge_hand_x = Scalar(kLungeHandX);
   build.lunge_shift_F = size.at(0.45F, 0, -0.25F);
   build.stride_F = size.at(0.65F, 0, 0);
   build.lunge_lean = Scalar(0.25F);
   return build;
-}
-
-template <class Scalar>
-Pose<Scalar> key_pose(const KeyData& key) {
-  const Vec3<Scalar> aim = vec<Scalar>(key.aim_F).normalized();
-  // The shortest turn from x to the aim, which never points backwards.
-  return {vec<Scalar>(key.hand_F),
-          renewed(Quat<Scalar>(Scalar(1) + aim.x(), Scalar(0), -aim.z(), aim.y()))};
 }
 
 /// Sums to 0.77 kg: blade, guard, grip, pommel.
@@ -121,14 +87,12 @@ Weapon<Scalar> epee() {
 }
 
 template <class Scalar>
-Fencer<Scalar> fencer_of(const KeyTable& keys, float size, float strength) {
+Fencer<Scalar> fencer_of(float size, float strength) {
   Fencer<Scalar> fencer;
-  for (std::size_t i = 0; i < keys.size(); ++i) {  // Bound: nine keys
-    fencer.keys_FH[i] = key_pose<Scalar>(keys[i]);
-  }
+  fencer.map = library_map<Scalar>();
   fencer.weapon = epee<Scalar>();
   fencer.grip.strength = Scalar(strength);
-  fencer.build = build_of(Size<Scalar>{Scalar(size)}, keys);
+  fencer.build = build_of(Size<Scalar>{Scalar(size)});
   return fencer;
 }
 
@@ -136,12 +100,12 @@ Fencer<Scalar> fencer_of(const KeyTable& keys, float size, float strength) {
 
 template <class Scalar>
 Fencer<Scalar> first_fencer() {
-  return fencer_of<Scalar>(kFirstKeys, 1.0F, 4.0F);
+  return fencer_of<Scalar>(1.0F, 4.0F);
 }
 
 template <class Scalar>
 Fencer<Scalar> second_fencer() {
-  return fencer_of<Scalar>(kSecondKeys, 1.04F, 5.5F);
+  return fencer_of<Scalar>(1.04F, 5.5F);
 }
 
 template <class Scalar>

@@ -43,13 +43,18 @@ namespace detail {
 template <class Scalar>
 using KeyPoint = Eigen::Matrix<Scalar, 6, 1>;
 
+/// How many numbers a KeyPoint has.
+inline constexpr int kKeyNumbers = 6;
+
 /// A grid of any size: what the kernels work on. Keys row by row: index = column + columns * row;
 /// column 0 is x = -1 (left), row 0 is y = -1 (back).
 template <class Scalar>
 struct KeyGridView {
-  const KeyPoint<Scalar>* keys = nullptr;  ///< columns * rows of them
-  int columns = 0;                         ///< >= 2
-  int rows = 0;                            ///< >= 2
+  /// Of columns * rows keys, `stride` for each; the first six of them are its KeyPoint.
+  const Scalar* numbers = nullptr;
+  int stride = kKeyNumbers;  ///< from one key to the next, >= kKeyNumbers
+  int columns = 0;           ///< >= 2
+  int rows = 0;              ///< >= 2
   /// rotation of the central key: turns are measured from it
   Quat<Scalar> q_ref = Quat<Scalar>::Identity();
 };
@@ -67,6 +72,12 @@ Status relate_keys(const Pose<Scalar>* poses, const Quat<Scalar>& q_ref, KeyPoin
 /// Bound: 16 keys are looked at, whatever the size of the grid.
 template <class Scalar>
 KeyedPose<Scalar> pose_on(const KeyGridView<Scalar>& grid, const Vec2<Scalar>& stick);
+
+/// One number of the keys on the same surface, by its index in a key; clamped at the rim.
+/// @pre stick finite; the grid has at least 2 x 2 keys; 0 <= number < stride
+/// Bound: 16 keys are looked at, whatever the size of the grid.
+template <class Scalar>
+Scalar number_on(const KeyGridView<Scalar>& grid, int number, const Vec2<Scalar>& stick);
 
 }  // namespace detail
 
@@ -101,7 +112,8 @@ class KeyframeGrid {
 
   /// @pre stick finite
   KeyedPose<Scalar> at(const Vec2<Scalar>& stick) const {
-    return detail::pose_on(detail::KeyGridView<Scalar>{points_.data(), M, N, q_ref_}, stick);
+    const detail::KeyGridView<Scalar> grid{points_[0].data(), detail::kKeyNumbers, M, N, q_ref_};
+    return detail::pose_on(grid, stick);
   }
 
   /// Its state, for record/archive.hpp.

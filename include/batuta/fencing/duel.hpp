@@ -38,6 +38,7 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
 
   /// Puts both fencers on guard and starts a new bout. Stack: about 2 kB in float, for what
   /// both fencers come to before anything is changed.
+  /// @pre the keys of both maps outlive this duel, or its next configure()
   /// @returns kOk | kInvalidArgument (settings, settings.world, settings.touch or a fencer's data
   /// out of range; nothing changed: a running bout goes on)
   Status configure(const Settings& settings, const Fencer<Scalar>& left,
@@ -104,9 +105,11 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
   }
 
   /// Everything that the next step depends on, for save() and restore() (record/snapshot.hpp), a
-  /// Recorder, or hash_of(); include record/duel.hpp. What is read must be settings that
-  /// configure() takes, two blades, sticks within their square, and numbers that are sane; else
-  /// the duel is one that was not configured. Bound: its members.
+  /// Recorder, or hash_of(); include record/duel.hpp. The keys of the fencers' maps are not among
+  /// it, only their map_id(): what is read goes on with the maps of the duel that reads, those that
+  /// it was configured with, or library_map(). It must have their ids, settings that configure()
+  /// takes, two blades, sticks within their square, and numbers that are sane; else the duel is one
+  /// that was not configured. Bound: its members, and the keys of both maps.
   template <class ArchiveT>
   void archive(ArchiveT& ar) {
     auto& [settings, world, places, scoring, steps, dt] = *this;
@@ -121,21 +124,26 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
 
   struct DuelSide {
     StickTracker<Scalar> stick;
-    FencerGrid<Scalar> grid;
+    FencerMap<Scalar> map;  ///< no keys: that of the library
     WeaponBody<Scalar> weapon;
     KeyedPose<Scalar> hand;
     BodyId blade;
 
+    /// An address has no meaning elsewhere: the id of the map is kept, and who reads has the map.
     template <class ArchiveT>
     void archive(ArchiveT& ar) {
       auto& [tracker, keys, arm, hand_W, id] = *this;
-      ar(tracker, keys, arm, hand_W, id);
+      if (keys.keys == nullptr && ar.reading()) keys = library_map<Scalar>();
+      const std::uint32_t own = map_id(keys.keys == nullptr ? library_map<Scalar>() : keys);
+      std::uint32_t written = own;
+      ar(tracker, written, arm, hand_W, id);
+      ar.require(written == own);
     }
   };
 
   /// What a fencer's data come to, before anything is changed.
   struct FencerSetup {
-    FencerGrid<Scalar> grid;
+    FencerMap<Scalar> map;
     WeaponBody<Scalar> weapon;
     KeyedPose<Scalar> hand;
     Actor<SceneType> blade;
@@ -162,7 +170,7 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
   void stand(Side side, Actor<SceneType>& blade);
   const Actor<SceneType>& blade_of(Side side) const;
   void move_stick(Side side, const InputSample* sample);
-  static Scalar feet_order(const StickTracker<Scalar>& stick);
+  Scalar feet_order(Side side) const;
   void walk();
   KeyedPose<Scalar> hand_at(Side side, const Vec2<Scalar>& stick) const;
   void move_hand(Side side);

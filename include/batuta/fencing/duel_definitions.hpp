@@ -114,21 +114,15 @@ Result<typename Duel<SceneT>::FencerSetup> Duel<SceneT>::setup_for(const Fencer<
     if (validate(fencer.build) != Status::kOk)
       return failure<FencerSetup>(Status::kInvalidArgument);
   }
-  typename FencerGrid<Scalar>::Keys keys_WH;
-  for (std::size_t i = 0; i < keys_WH.size(); ++i) {  // Bound: nine keys
-    const Pose<Scalar>& key_FH = fencer.keys_FH[i];
-    // A place that is NaN goes on to set_keys(); an orientation that is would be renewed.
-    const bool far = key_FH.p_W.cwiseAbs().maxCoeff() > kLargestReach<Scalar>;
-    if (far || !is_finite(key_FH.q_WB)) return failure<FencerSetup>(Status::kInvalidArgument);
-    keys_WH[i] = chained(X_WF, key_FH);
-  }
   const auto weapon = weapon_body(fencer.weapon);
-  FencerSetup setup;
-  if (!weapon.ok() || setup.grid.set_keys(keys_WH) != Status::kOk) {
+  if (!weapon.ok() || validate(fencer.map) != Status::kOk) {
     return failure<FencerSetup>(Status::kInvalidArgument);
   }
+  FencerSetup setup;
+  setup.map = fencer.map;
   setup.weapon = weapon.value;
-  setup.hand = setup.grid.at(Vec2<Scalar>::Zero());  // where a stick starts
+  // Where a stick starts.
+  setup.hand = fencing::hand_at(fencer.map, Vec2<Scalar>(Vec2<Scalar>::Zero()), X_WF);
   if (arm(fencer, setup) != Status::kOk) return failure<FencerSetup>(Status::kInvalidArgument);
   return success(setup);
 }
@@ -150,7 +144,7 @@ template <class SceneT>
 void Duel<SceneT>::take_place(Side side, const FencerSetup& setup,
                               [[maybe_unused]] const FencerBuild<Scalar>& build) {
   DuelSide& place = at(side);
-  place.grid = setup.grid;
+  place.map = setup.map;
   place.weapon = setup.weapon;
   (void)place.stick.configure(settings_.stick);
   if constexpr (Played::kTargets) scoring_.take_place(side, build);
@@ -219,32 +213,31 @@ void Duel<SceneT>::move_stick(Side side, const InputSample* sample) {
   stick.advance(dt_);
 }
 
-/// What a stick asks of the feet, -1 ... 1. The one place that knows: a map of one stick alone may
-/// order them from here.
+/// What a device asks of the feet, -1 ... 1: by its second pair of axes, and by where the map has
+/// the first.
 template <class SceneT>
-typename Duel<SceneT>::Scalar Duel<SceneT>::feet_order(const StickTracker<Scalar>& stick) {
-  return stick.feet().y();
+typename Duel<SceneT>::Scalar Duel<SceneT>::feet_order(Side side) const {
+  if constexpr (Played::kFeet) {
+    const DuelSide& place = at(side);
+    const Scalar order = place.stick.feet().y() + feet_at(place.map, place.stick.position());
+    return clamp(order, Scalar(-1), Scalar(1));
+  }
+  return Scalar(0);
 }
 
 template <class SceneT>
 void Duel<SceneT>::walk() {
   if constexpr (Played::kFeet) {
-    const Vec2<Scalar> orders(feet_order(at(Side::kLeft).stick),
-                              feet_order(at(Side::kRight).stick));
+    const Vec2<Scalar> orders(feet_order(Side::kLeft), feet_order(Side::kRight));
     scoring_.walk(orders, settings_, dt_);
   }
 }
 
-/// The hand that a stick means, carried by the feet.
+/// The hand that a stick means, where the feet have carried the fencer.
 template <class SceneT>
 KeyedPose<typename Duel<SceneT>::Scalar> Duel<SceneT>::hand_at(Side side,
                                                                const Vec2<Scalar>& stick) const {
-  KeyedPose<Scalar> hand = at(side).grid.at(stick);
-  if constexpr (Played::kFeet) {
-    const Scalar way = feet(side).way();
-    hand.X_WH.p_W.x() += side == Side::kLeft ? way : -way;
-  }
-  return hand;
+  return fencing::hand_at(at(side).map, stick, X_WF(side));
 }
 
 template <class SceneT>

@@ -3,30 +3,29 @@
 // A fencer as data: what the stick means, weapon, grip and body. Frame F (skeleton.hpp). Two
 // fencers come with the library; a new one is a new value of this struct.
 //
-// What the stick means (both fencers, seen by themselves; stick right = the fencer's own right):
-//   ( 0,  0)  guard: the blades are engaged, a finger's breadth apart
-//   ( 0, +1)  full lunge, straight; reaches the opponent's chest
-//   (-1, +1), (+1, +1)  lunge into the left (high) and the right (low) line
-//   (-1, -1 ... 0)  parry left: the hand goes to the left, the point stays in; beats the guard
-//   (+1, -1 ... 0)  parry right: the same; the guard is not on that side
-//   ( 0, -1)  back guard: out of the opponent's reach, blade high
+// What the stick means (library_map(), for both fencers, seen by themselves; stick right = the
+// fencer's own right, inside is the left of who holds the weapon in the right hand):
+//   ( 0,  0)  guard
+//   (-1,  0) quarte, (+1,  0) sixte, (-1, -1) septime, (+1, -1) octave: the parries, high inside,
+//             high outside, low inside, low outside; on the way to the low ones the point drops
+//             before the hand sweeps
+//   ( 0, -1)  retreat: the arm drawn back, and the feet go back (DuelOptions::feet)
+//   (-1, +1), (-0.5, +1), (+0.5, +1), (+1, +1)  lunges: high inside, low inside, low outside, high
+//             outside; (0, +1) lies between the low ones
+//   y = 0.5: the extensions, arm out and the point in its line: high inside -0.5 and beyond, low
+//             inside -0.25, low outside 0.25, high outside 0.5 and beyond
 
-#include "batuta/control/keyframes.hpp"
 #include "batuta/fencing/grip.hpp"
+#include "batuta/fencing/map.hpp"
 #include "batuta/fencing/skeleton.hpp"
 #include "batuta/fencing/weapon.hpp"
 
 namespace batuta::fencing {
 
-/// Hand poses of a fencer: three columns from left to right, three rows from the back to the front.
-template <class Scalar>
-using FencerGrid = KeyframeGrid<Scalar, 3, 3>;
-
 /// A fencer as data.
 template <class Scalar>
 struct Fencer {
-  typename FencerGrid<Scalar>::Keys
-      keys_FH;                ///< hand poses; row by row from the back, left to right
+  FencerMap<Scalar> map;      ///< what the stick means; its keys are not in here
   Weapon<Scalar> weapon;      ///< what the hand holds
   GripSettings<Scalar> grip;  ///< how firmly it holds it
   FencerBuild<Scalar> build;  ///< the body that can be touched

@@ -60,7 +60,8 @@ struct Grid {
   std::vector<detail::KeyPoint<S>> points;
 
   KeyedPose<S> at(const Vec2<S>& stick) const {
-    return detail::pose_on(detail::KeyGridView<S>{points.data(), n, n, q_ref}, stick);
+    const detail::KeyGridView<S> view{points.front().data(), detail::kKeyNumbers, n, n, q_ref};
+    return detail::pose_on(view, stick);
   }
 };
 
