@@ -134,7 +134,7 @@ void StickTracker<Scalar>::start_from_centre() {
 }
 
 template <class Scalar>
-void StickTracker<Scalar>::advance(Scalar dt) {
+void StickTracker<Scalar>::advance(Scalar dt, StickFollow follow) {
   BATUTA_ASSERT(is_finite(dt) && dt > Scalar(0));
   const Scalar limit = seconds<Scalar>(settings_.stale_after_us);
   silence_ = min_of(silence_ + dt, limit);
@@ -151,6 +151,10 @@ void StickTracker<Scalar>::advance(Scalar dt) {
   } else {
     position_ = goal_;
     remaining_ = 0;
+  }
+  if (follow == StickFollow::kBack) {
+    position_ = {before.x(), min_of(before.y(), position_.y())};
+    remaining_ = max_of(remaining_, shortest_way());
   }
   velocity_ = (position_ - before) / dt;
 }

@@ -76,22 +76,22 @@ Weapon<Scalar> epee() {
   weapon.parts = {
       WeaponPart<Scalar>{{{size.at(0.10F, 0, 0), size.at(1.00F, 0, 0)}, Scalar(0.0045F)},
                          Scalar(0.24F)},
-      WeaponPart<Scalar>{Capsule<Scalar>::sphere(size.at(0.08F, 0, 0), Scalar(0.03F)),
+      WeaponPart<Scalar>{Capsule<Scalar>::sphere(size.at(0.07F, 0, 0), Scalar(0.062F)),
                          Scalar(0.20F)},
       WeaponPart<Scalar>{{{size.at(-0.08F, 0, 0), size.at(0.06F, 0, 0)}, Scalar(0.014F)},
                          Scalar(0.17F)},
       WeaponPart<Scalar>{Capsule<Scalar>::sphere(size.at(-0.10F, 0, 0), Scalar(0.012F)),
                          Scalar(0.16F)}};
-  weapon.restitution = Scalar(0.6F);
+  weapon.hand_H = {{size.at(-0.05F, 0, 0), size.at(0.03F, 0, 0)}, Scalar(0.04F)};
+  weapon.restitution = Scalar(0.3F);
   return weapon;
 }
 
 template <class Scalar>
-Fencer<Scalar> fencer_of(float size, float strength) {
+Fencer<Scalar> fencer_of(float size) {
   Fencer<Scalar> fencer;
   fencer.map = library_map<Scalar>();
   fencer.weapon = epee<Scalar>();
-  fencer.grip.strength = Scalar(strength);
   fencer.build = build_of(Size<Scalar>{Scalar(size)});
   return fencer;
 }
@@ -100,12 +100,12 @@ Fencer<Scalar> fencer_of(float size, float strength) {
 
 template <class Scalar>
 Fencer<Scalar> first_fencer() {
-  return fencer_of<Scalar>(1.0F, 4.0F);
+  return fencer_of<Scalar>(1.0F);
 }
 
 template <class Scalar>
 Fencer<Scalar> second_fencer() {
-  return fencer_of<Scalar>(1.04F, 5.5F);
+  return fencer_of<Scalar>(1.04F);
 }
 
 template <class Scalar>

@@ -22,39 +22,74 @@ Pose<Scalar> moved_by(const Pose<Scalar>& pose, const Offset<Scalar>& offset, Sc
           renewed<Scalar>(exp_map<Scalar>(share * offset.turn_W) * pose.q_WB)};
 }
 
+/// 1 over the inertia that resists a turn about the hand: the blade's own, the larger of its three,
+/// and that of its mass at its distance. 0: nothing turns it.
+template <class Scalar>
+Scalar inverse_inertia_about(const Vec3<Scalar>& hand_B, const Body<Scalar>& body) {
+  const Scalar own = body.inverse_moments.minCoeff();
+  if (!(own > Scalar(0)) || !(body.inverse_mass > Scalar(0))) return Scalar(0);
+  // 1 / (1 / own + r^2 / inverse_mass)
+  return own * body.inverse_mass / (body.inverse_mass + own * hand_B.squaredNorm());
+}
+
+template <class Scalar>
+Scalar weight_of(CatchWeight weight, Scalar parameter) {
+  const Scalar s = clamp(parameter, Scalar(0), Scalar(1));
+  return weight == CatchWeight::kLinear ? s : s * s * (Scalar(3) - Scalar(2) * s);
+}
+
+/// The turn of `q`, but no further from `hand` than `largest`, rad.
+template <class Scalar>
+Quat<Scalar> within_wrist(const Quat<Scalar>& q, const Quat<Scalar>& hand, Scalar largest) {
+  const Vec3<Scalar> away_W = log_map<Scalar>(q * hand.conjugate());
+  const Scalar turn = away_W.norm();
+  if (!(turn > largest)) return q;
+  return renewed<Scalar>(exp_map<Scalar>(Vec3<Scalar>((largest / turn) * away_W)) * hand);
+}
+
 }  // namespace
 
 template <class Scalar>
 Status validate(const GripSettings<Scalar>& settings) {
-  const bool good = is_positive(settings.strength) && is_positive(settings.min_regain) &&
-                    is_positive(settings.max_regain) &&
-                    settings.max_regain >= settings.min_regain &&
-                    is_positive(settings.recover_time) && is_positive(settings.lever);
-  return good ? Status::kOk : Status::kInvalidArgument;
+  bool good = settings.weight == CatchWeight::kSmooth || settings.weight == CatchWeight::kLinear;
+  for (const Scalar value :
+       {settings.torque, settings.force, settings.min_regain, settings.max_regain,
+        settings.recover_time, settings.largest_turn, settings.forte, settings.composure,
+        settings.settle_torque, settings.max_lost}) {  // Bound: 10
+    good = good && is_positive(value);
+  }
+  return good && settings.max_regain >= settings.min_regain ? Status::kOk
+                                                            : Status::kInvalidArgument;
 }
 
 template <class Scalar>
-Scalar regain_time(const GripSettings<Scalar>& settings, Scalar impulse, Scalar lag,
-                   Scalar inverse_mass) {
-  if (!(impulse > Scalar(0))) return Scalar(0);
-  const Scalar acceleration = settings.strength * inverse_mass;
-  const Scalar fetching = std::sqrt(Scalar(6) * lag / acceleration);
+Scalar regain_time(const GripSettings<Scalar>& settings, const GripLoad<Scalar>& load) {
+  const Scalar fetching = std::sqrt(Scalar(6) * load.lag / (load.effort * load.inverse_inertia));
   if (!is_finite(fetching)) return settings.max_regain;  // nothing moves such a blade
-  return clamp(max_of(impulse / settings.strength, fetching), settings.min_regain,
-               settings.max_regain);
+  return clamp(max_of(load.blow / load.effort, fetching), settings.min_regain, settings.max_regain);
+}
+
+template <class Scalar>
+Scalar lost_time(const GripSettings<Scalar>& settings, const HandBlow<Scalar>& blow) {
+  if (!(blow.reach > settings.forte) || !(blow.moment > settings.composure)) return Scalar(0);
+  return min_of((blow.moment - settings.composure) / settings.settle_torque, settings.max_lost);
 }
 
 template <class Scalar>
 Pose<Scalar> caught(const Motion<Scalar>& flight, Scalar elapsed, const Pose<Scalar>& hand,
-                    Scalar parameter) {
-  if (parameter >= Scalar(1)) return hand;
-  const Scalar s = max_of(parameter, Scalar(0));
-  const Scalar by_hand = s * s * (Scalar(3) - Scalar(2) * s);
-  const Scalar free = Scalar(1) - by_hand;
-  const Vec3<Scalar> p_free = flight.X_WB.p_W + elapsed * flight.twist.v_W;
-  const Vec3<Scalar> turn = (free * elapsed) * flight.twist.w_W;
-  return {free * p_free + by_hand * hand.p_W,
-          detail::composed(exp_map(turn), interpolated(flight.X_WB.q_WB, hand.q_WB, by_hand))};
+                    const Vec3<Scalar>& hand_B, const HandShare<Scalar>& share) {
+  if (share.turn >= Scalar(1) && share.place >= Scalar(1)) return hand;
+  const Scalar free_turn = Scalar(1) - share.turn;
+  const Vec3<Scalar> turn_W = (free_turn * elapsed) * flight.twist.w_W;
+  const Quat<Scalar> q =
+      detail::composed(exp_map(turn_W), interpolated(flight.X_WB.q_WB, hand.q_WB, share.turn));
+  const Vec3<Scalar> start_W = to_world(flight.X_WB, hand_B);
+  const Vec3<Scalar> arm_W = start_W - flight.X_WB.p_W;
+  const Vec3<Scalar> free_W =
+      start_W + elapsed * (flight.twist.v_W + flight.twist.w_W.cross(arm_W));
+  const Vec3<Scalar> held_W =
+      (Scalar(1) - share.place) * free_W + share.place * to_world(hand, hand_B);
+  return {held_W - q * hand_B, q};
 }
 
 template <class Scalar>
@@ -69,8 +104,8 @@ void Grip<Scalar>::place(const Pose<Scalar>& X_WB) {
   target_ = X_WB;
   hand_ = still(X_WB, Scalar(0));
   step_ = 0;
-  regain_ = 0;
-  phase_ = GripPhase::kHeld;
+  turn_regain_ = place_regain_ = lost_ = 0;
+  is_held_ = true;
 }
 
 template <class Scalar>
@@ -89,10 +124,21 @@ Pose<Scalar> Grip<Scalar>::hand_at(Scalar t) const {
 }
 
 template <class Scalar>
+HandShare<Scalar> Grip<Scalar>::share_at(Scalar elapsed) const {
+  return {weight_of(settings_.weight, elapsed / turn_regain_),
+          weight_of(settings_.weight, elapsed / place_regain_)};
+}
+
+template <class Scalar>
 Pose<Scalar> Grip<Scalar>::planned_at(Scalar t) const {
-  if (phase_ == GripPhase::kHeld) return hand_at(t);
+  if (is_held_) return hand_at(t);
   const Scalar elapsed = max_of(t - flight_start_, Scalar(0));
-  return caught(flight_, elapsed, hand_at(t), elapsed / regain_);
+  const Pose<Scalar> hand = hand_at(t);
+  Pose<Scalar> pose = caught(flight_, elapsed, hand, hand_B_, share_at(elapsed));
+  const Vec3<Scalar> held_W = to_world(pose, hand_B_);
+  pose.q_WB = within_wrist(pose.q_WB, hand.q_WB, settings_.largest_turn);
+  pose.p_W = held_W - pose.q_WB * hand_B_;
+  return pose;
 }
 
 template <class Scalar>
@@ -111,34 +157,53 @@ PlannedMotion<Scalar> Grip<Scalar>::plan(const Body<Scalar>& body, Scalar t,
 template <class Scalar>
 void Grip<Scalar>::on_contact(const Body<Scalar>& body, const Feedback<Scalar>& feedback) {
   if (!(feedback.impulse > Scalar(0))) return;  // a separation shows in the body's pose, and fades
-  const Offset<Scalar> offset = offset_of(body.X_WB, hand_at(feedback.time));
-  const Scalar lag = offset.shift_W.norm() + settings_.lever * offset.turn_W.norm();
-  regain_ = regain_time(settings_, feedback.impulse, lag, body.inverse_mass);
-  flight_ = free_flight(body, regain_);
-  if (!is_valid(flight_)) flight_ = still(body.X_WB, regain_);  // turns beyond what can be told
+  const Vec3<Scalar> lever_W = feedback.point_W - to_world(body.X_WB, hand_B_);
+  const HandBlow<Scalar> blow{lever_W.norm(), lever_W.cross(feedback.impulse_W).norm()};
+  const Scalar left = is_held_ ? Scalar(0) : lost_ - (feedback.time - flight_start_);
+  lost_ = max_of(left, lost_time(settings_, blow));
+
+  const Pose<Scalar> hand = hand_at(feedback.time);
+  const Offset<Scalar> offset = offset_of(body.X_WB, hand);
+  const Scalar shift = (to_world(body.X_WB, hand_B_) - to_world(hand, hand_B_)).norm();
+  turn_regain_ = regain_time<Scalar>(
+      settings_,
+      {settings_.torque, blow.moment, offset.turn_W.norm(), inverse_inertia_about(hand_B_, body)});
+  place_regain_ = regain_time<Scalar>(
+      settings_, {settings_.force, feedback.impulse_W.norm(), shift, body.inverse_mass});
+  flight_ = free_flight(body, settings_.max_regain);
+  if (!is_valid(flight_)) flight_ = still(body.X_WB, settings_.max_regain);  // turns beyond telling
   flight_start_ = feedback.time;
-  phase_ = GripPhase::kRegaining;
+  is_held_ = false;
 }
 
 template <class Scalar>
 void Grip<Scalar>::on_step_end(const Body<Scalar>& /*body*/, Scalar dt) {
   hand_ = still(target_, Scalar(0));
   step_ = 0;
-  if (phase_ == GripPhase::kHeld) return;
+  if (is_held_) return;
   flight_start_ -= dt;
-  if (-flight_start_ >= regain_) phase_ = GripPhase::kHeld;
+  is_held_ = -flight_start_ >= max_of(lost_, max_of(turn_regain_, place_regain_));
+}
+
+template <class Scalar>
+GripPhase Grip<Scalar>::phase() const {
+  if (is_held_) return GripPhase::kHeld;
+  return -flight_start_ < lost_ ? GripPhase::kBeaten : GripPhase::kRegaining;
 }
 
 template <class Scalar>
 Scalar Grip<Scalar>::control() const {
-  if (phase_ == GripPhase::kHeld) return Scalar(1);
-  return clamp(-flight_start_ / regain_, Scalar(0), Scalar(1));
+  if (is_held_) return Scalar(1);
+  if (phase() == GripPhase::kBeaten) return Scalar(0);
+  return clamp(-flight_start_ / max_of(turn_regain_, place_regain_), Scalar(0), Scalar(1));
 }
 
-#define BATUTA_INSTANTIATE(S)                                      \
-  template Status validate(const GripSettings<S>&);                \
-  template S regain_time(const GripSettings<S>&, S, S, S);         \
-  template Pose<S> caught(const Motion<S>&, S, const Pose<S>&, S); \
+#define BATUTA_INSTANTIATE(S)                                                  \
+  template Status validate(const GripSettings<S>&);                            \
+  template S regain_time(const GripSettings<S>&, const GripLoad<S>&);          \
+  template S lost_time(const GripSettings<S>&, const HandBlow<S>&);            \
+  template Pose<S> caught(const Motion<S>&, S, const Pose<S>&, const Vec3<S>&, \
+                          const HandShare<S>&);                                \
   template class Grip<S>;
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE

@@ -19,6 +19,11 @@ Result<MassProperties<Scalar>> mass_of(const WeaponPart<Scalar>& part) {
   return solid_capsule(part.capsule_H, Scalar(1000) * (part.mass / of_water.value.mass));
 }
 
+template <class Scalar>
+Capsule<Scalar> in_body(const Pose<Scalar>& X_HB, const Capsule<Scalar>& capsule_H) {
+  return {{to_body(X_HB, capsule_H.axis.a), to_body(X_HB, capsule_H.axis.b)}, capsule_H.radius};
+}
+
 }  // namespace
 
 template <class Scalar>
@@ -33,15 +38,18 @@ Result<WeaponBody<Scalar>> weapon_body(const Weapon<Scalar>& weapon) {
     sum.value = sum.value + part.value;
   }
   const PrincipalFrame<Scalar> frame = principal_frame(sum.value);
-  const Capsule<Scalar>& blade_H = weapon.parts[0].capsule_H;
 
   WeaponBody<Scalar> body;
   body.mass = sum.value.mass;
   body.moments = frame.moments;
   body.X_HB = {frame.center_S, frame.q_SB};
-  body.blade_B = {{to_body(body.X_HB, blade_H.axis.a), to_body(body.X_HB, blade_H.axis.b)},
-                  blade_H.radius};
-  if (!is_valid(body.blade_B)) return failure<WeaponBody<Scalar>>(Status::kInvalidArgument);
+  body.blade_B = in_body(body.X_HB, weapon.parts[0].capsule_H);
+  body.guard_B = in_body(body.X_HB, weapon.parts[1].capsule_H);
+  body.hand_B = in_body(body.X_HB, weapon.hand_H);
+  for (const Capsule<Scalar>* capsule_B :
+       {&body.blade_B, &body.guard_B, &body.hand_B}) {  // Bound: 3
+    if (!is_valid(*capsule_B)) return failure<WeaponBody<Scalar>>(Status::kInvalidArgument);
+  }
   return success(body);
 }
 

@@ -31,6 +31,12 @@ struct StickSettings {
 /// stale_after_us
 Status validate(const StickSettings& settings);
 
+/// Where the stick goes in a step.
+enum class StickFollow : std::uint8_t {
+  kAll,   ///< to where the samples say
+  kBack,  ///< no further than it draws back: x stays, y does not grow
+};
+
 /// What became of a sample.
 enum class SampleUse : std::uint8_t {
   kUsed,      ///< the stick is on its way to it
@@ -70,7 +76,7 @@ class StickTracker {
   SampleUse accept(const InputSample& sample);
 
   /// Moves on by one step. @pre dt > 0 and finite, s
-  void advance(Scalar dt);
+  void advance(Scalar dt, StickFollow follow = StickFollow::kAll);
 
   /// Puts the stick to the centre, still; from there it goes to where the last sample says it is,
   /// as fast as max_speed. A stick that is stale stays at the centre.

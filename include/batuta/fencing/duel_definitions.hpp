@@ -26,9 +26,12 @@ inline constexpr std::int32_t kLongestHaltUs = 10000000;
 /// @returns kOk | kInvalidArgument: out of range
 template <class SceneT>
 Status validate(const TouchSettings<SceneT>& settings) {
-  const bool good = settings.touches >= 1 && settings.touches <= kMostTouches &&
-                    settings.halt_us >= 0 && settings.halt_us <= kLongestHaltUs &&
-                    settings.double_window_us >= 0 && settings.double_window_us <= kLongestWindowUs;
+  const bool good =
+      settings.touches >= 1 && settings.touches <= kMostTouches && settings.halt_us >= 0 &&
+      settings.halt_us <= kLongestHaltUs && settings.double_window_us >= 0 &&
+      settings.double_window_us <= kLongestWindowUs && is_positive(settings.point_length) &&
+      is_finite(settings.least_speed) && settings.least_speed >= 0 && settings.least_control >= 0 &&
+      settings.least_control <= 1 && is_finite(settings.largest_slip) && settings.largest_slip >= 0;
   return good ? validate(settings.touch) : Status::kInvalidArgument;
 }
 
@@ -134,9 +137,16 @@ Status Duel<SceneT>::arm(const Fencer<Scalar>& fencer, FencerSetup& setup) {
   const auto body = make_body(X_WB, setup.weapon.mass, setup.weapon.moments);
   if (!body.ok()) return body.status;
   setup.blade.body = body.value;
-  setup.blade.capsule_B = setup.weapon.blade_B;
+  if constexpr (Played::kCapsulesPerBody == 1) {
+    setup.blade.capsule_B = setup.weapon.blade_B;
+  } else {
+    setup.blade.capsules_B.push(setup.weapon.blade_B);
+    setup.blade.capsules_B.push(setup.weapon.guard_B);
+    setup.blade.capsules_B.push(setup.weapon.hand_B);
+  }
   if constexpr (Played::kRestitution) setup.blade.restitution = fencer.weapon.restitution;
-  return setup.blade.controller.take(X_WB, fencer.grip);
+  return setup.blade.controller.take(X_WB, fencer.grip,
+                                     to_body(setup.weapon.X_HB, Vec3<Scalar>(0, 0, 0)));
 }
 
 /// @pre both blades of the earlier bout are out of the world
@@ -210,7 +220,11 @@ template <class SceneT>
 void Duel<SceneT>::move_stick(Side side, const InputSample* sample) {
   StickTracker<Scalar>& stick = at(side).stick;
   if (sample != nullptr) (void)stick.accept(*sample);
-  stick.advance(dt_);
+  StickFollow follow = StickFollow::kAll;
+  if constexpr (Played::kGrip) {
+    if (grip(side).phase() == GripPhase::kBeaten) follow = StickFollow::kBack;
+  }
+  stick.advance(dt_, follow);
 }
 
 /// What a device asks of the feet, -1 ... 1: by its second pair of axes, and by where the map has
@@ -253,7 +267,7 @@ void Duel<SceneT>::move_hand(Side side) {
 
   auto& actor = *world_.get(place.blade);
   if constexpr (Played::kTargets) {
-    scoring_.follow(side, {X_WF(side), place.hand.X_WH}, actor.body.X_WB, dt_);
+    scoring_.follow(side, {X_WF(side), place.hand.X_WH}, actor, dt_);
   }
   actor.controller.command(chained(place.hand.X_WH, place.weapon.X_HB), dt_);
 }
@@ -277,7 +291,8 @@ bool Duel<SceneT>::is_sound() const {
               dt_ == static_cast<Scalar>(settings_.step_us) * kSecondsPerUs<Scalar>;
   for (const DuelSide& place : places_) {  // Bound: 2
     const auto* blade = world_.get(place.blade);
-    good = good && blade != nullptr && is_valid(blade->capsule_B) &&
+    good = good && blade != nullptr && parts_of(*blade) == Played::kCapsulesPerBody &&
+           is_valid(part_of(*blade, 0)) &&
            place.stick.position().cwiseAbs().maxCoeff() <= Scalar(1) &&
            place.stick.feet().cwiseAbs().maxCoeff() <= Scalar(1);
   }
@@ -300,7 +315,7 @@ const Actor<typename Duel<SceneT>::SceneType>& Duel<SceneT>::blade_of(Side side)
 template <class SceneT>
 auto Duel<SceneT>::blade_W(Side side) const -> Capsule<Scalar> {
   const auto& blade = blade_of(side);
-  return to_world(blade.body.X_WB, blade.capsule_B);
+  return to_world(blade.body.X_WB, part_of(blade, 0));
 }
 
 }  // namespace batuta::fencing

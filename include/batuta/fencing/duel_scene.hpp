@@ -15,9 +15,19 @@
 
 namespace batuta::fencing {
 
+/// Capsules of a weapon that collide: blade, guard, hand.
+inline constexpr int kWeaponCapsules = 3;
+
 /// The options of a duel of two blades. In a function that returns them, `DuelOptions scene =
 /// two_fencers();` and what is different.
 struct DuelOptions : SceneOptions {
+  /// A weapon is blade, guard and hand. With capsules_per_body = 1 and max_pairs = 1 it is the
+  /// blade alone, and passes through guards and hands.
+  constexpr DuelOptions() {
+    capsules_per_body = kWeaponCapsules;
+    max_pairs = kWeaponCapsules * kWeaponCapsules;
+    max_contacts = 16;
+  }
   /// Blades are held by a grip that a blow loosens [Kavan eq. 32]. Off: each blade is carried by a
   /// Hand, which has whatever strength it takes; Fencer::grip is not looked at.
   batuta::detail::TrueOrFalse grip = true;
@@ -85,9 +95,10 @@ enum class DuelRule : std::uint8_t {
   kNone,         ///< nothing
   kNoDuelScene,  ///< to be a DuelScene
   kEngine,       ///< the engine in which bodies turn
-  kTwoBlades,    ///< two bodies, and the one pair of them
+  kTwoBlades,    ///< two bodies
   kRotation,     ///< bodies that turn
-  kParts,        ///< one capsule for each body
+  kParts,        ///< blade, guard and hand, or the blade alone
+  kPairs,        ///< room for each pair of their capsules
   kHapticEvents  ///< events, from which a hand learns of blows
 };
 
@@ -98,9 +109,11 @@ constexpr DuelRule broken_duel_rule() {
     return DuelRule::kNoDuelScene;
   } else {
     if (SceneT::kEngine != Engine::kGeneral) return DuelRule::kEngine;
-    if (SceneT::kMaxBodies != 2 || SceneT::kMaxPairs != 1) return DuelRule::kTwoBlades;
+    constexpr int kCapsules = SceneT::kCapsulesPerBody;
+    if (SceneT::kMaxBodies != 2) return DuelRule::kTwoBlades;
     if (!SceneT::kRotation) return DuelRule::kRotation;
-    if (SceneT::kCapsulesPerBody != 1) return DuelRule::kParts;
+    if (kCapsules != 1 && kCapsules != kWeaponCapsules) return DuelRule::kParts;
+    if (SceneT::kMaxPairs != kCapsules * kCapsules) return DuelRule::kPairs;
     const bool is_deaf = SceneT::kHaptics && SceneT::kMaxEvents <= 0;
     return is_deaf ? DuelRule::kHapticEvents : DuelRule::kNone;
   }
@@ -128,11 +141,13 @@ struct DuelVerdict : PlayedOf<SceneT, broken_duel_rule<SceneT>() == DuelRule::kN
                 "Duel: name a DuelScene itself: using Drill = DuelScene<my_options>; my_options is "
                 "a constexpr function that returns DuelOptions");
   static_assert(kRule != DuelRule::kEngine, "DuelScene: engine = Engine::kGeneral: blades turn");
-  static_assert(kRule != DuelRule::kTwoBlades,
-                "DuelScene: max_bodies = 2 and max_pairs = 1: a duel has two blades");
+  static_assert(kRule != DuelRule::kTwoBlades, "DuelScene: max_bodies = 2: a duel has two blades");
   static_assert(kRule != DuelRule::kRotation, "DuelScene: rotation = true: blades turn");
   static_assert(kRule != DuelRule::kParts,
-                "DuelScene: capsules_per_body = 1: a blade is one capsule");
+                "DuelScene: capsules_per_body = 3 (blade, guard, hand) or 1 (the blade alone)");
+  static_assert(
+      kRule != DuelRule::kPairs,
+      "DuelScene: max_pairs = capsules_per_body squared: each may meet each of the other");
   static_assert(kRule != DuelRule::kHapticEvents,
                 "DuelScene: haptics takes max_events > 0: events tell the blows that a hand feels");
 };
@@ -162,6 +177,7 @@ struct Waypoint {
 template <class Scalar, int N>
 struct Corners {
   FixedList<Waypoint<Scalar>, N> corners;  ///< in the order of time
+  Scalar first_blow = 0;  ///< when the first blow of the step came, s; far beyond it: none
 };
 /// Corners, in a scene whose fencers can be touched.
 template <class SceneT>
@@ -178,10 +194,14 @@ struct BladeController : CornersOf<SceneT> {
   std::conditional_t<SceneT::kGrip, Grip<Scalar>, Hand<Scalar>>
       carrier;  ///< what carries the blade
 
-  /// Takes the blade where it is. @returns kOk | kInvalidArgument (settings)
-  Status take(const Pose<Scalar>& X_WB, [[maybe_unused]] const GripSettings<Scalar>& settings) {
+  /// Takes the blade where it is, at hand_B. @returns kOk | kInvalidArgument (settings)
+  Status take(const Pose<Scalar>& X_WB, [[maybe_unused]] const GripSettings<Scalar>& settings,
+              [[maybe_unused]] const Vec3<Scalar>& hand_B) {
     place(X_WB);
-    if constexpr (SceneT::kGrip) return carrier.configure(settings);
+    if constexpr (SceneT::kGrip) {
+      carrier.hold_at(hand_B);
+      return carrier.configure(settings);
+    }
     return Status::kOk;
   }
   /// Puts hand and blade somewhere, still.
@@ -194,7 +214,10 @@ struct BladeController : CornersOf<SceneT> {
   }
   /// Where the blade is wanted at the end of the coming step of length dt. @pre finite; dt > 0
   void command(const Pose<Scalar>& X_WB, Scalar dt) {
-    if constexpr (SceneT::kTargets) this->corners.clear();
+    if constexpr (SceneT::kTargets) {
+      this->corners.clear();
+      this->first_blow = std::numeric_limits<Scalar>::max();
+    }
     if constexpr (SceneT::kGrip) {
       carrier.command(X_WB, dt);
     } else {
@@ -210,8 +233,18 @@ struct BladeController : CornersOf<SceneT> {
   /// Keeps the corner, and tells the carrier.
   void on_contact(const Body<Scalar>& body, const Feedback<Scalar>& feedback) {
     // Never full: the world resolves at most kMaxContacts in a step.
-    if constexpr (SceneT::kTargets) this->corners.push({feedback.time, body.X_WB});
+    if constexpr (SceneT::kTargets) {
+      this->corners.push({feedback.time, body.X_WB});
+      if (feedback.impulse > Scalar(0)) {
+        this->first_blow = min_of(this->first_blow, feedback.time);
+      }
+    }
     carrier.on_contact(body, feedback);
+  }
+  /// What the hand has of the weapon: Grip::control(); all of it where a Hand carries it.
+  Scalar control() const {
+    if constexpr (SceneT::kGrip) return carrier.control();
+    return Scalar(1);
   }
   /// Tells the carrier.
   void on_step_end(const Body<Scalar>& body, Scalar dt) { carrier.on_step_end(body, dt); }
@@ -227,6 +260,9 @@ struct BladesOf : SceneT {
 /// What there is to say about touches.
 template <class SceneT>
 struct TouchSettings {
+  /// Of lengths and times.
+  using Scalar = typename SceneT::Scalar;
+
   /// The bout goes to so many touches of one fencer, 1 ... kMostTouches. Two at once count for
   /// both; where one touch is missing to either, they are annulled, but not in a bout to one touch,
   /// which ends with them.
@@ -235,6 +271,15 @@ struct TouchSettings {
   std::int32_t halt_us = 1000000;
   /// A second touch within this time counts as double, us, 0 ... 10000000
   std::int32_t double_window_us = 40000;
+  /// The end of the blade that touches, m, > 0, at most the blade: what the rest meets is none.
+  Scalar point_length = Scalar(0.02F);
+  /// The point goes into the body along the blade at least so fast, m/s, >= 0
+  Scalar least_speed = Scalar(1);
+  /// The hand has its weapon in its power: Grip::control() is no less, 0 ... 1. In a scene without
+  /// grip it always has.
+  Scalar least_control = Scalar(0.8F);
+  /// The grip is no further from where the hand wants it, m, >= 0
+  Scalar largest_slip = Scalar(0.15F);
   /// Search for touches.
   typename SceneT::Search::Options touch = batuta::detail::SearchOf<SceneT>::options();
   PartMask target = kAllParts;  ///< parts where a touch counts: the weapon's convention

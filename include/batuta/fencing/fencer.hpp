@@ -31,11 +31,11 @@ struct Fencer {
   FencerBuild<Scalar> build;  ///< the body that can be touched
 };
 
-/// Of medium height, a light hand.
+/// Of medium height.
 template <class Scalar>
 Fencer<Scalar> first_fencer();
 
-/// Taller, with a longer reach and a firmer hand.
+/// Taller, with a longer reach.
 template <class Scalar>
 Fencer<Scalar> second_fencer();
 

@@ -8,46 +8,85 @@
 
 namespace batuta::fencing {
 
-/// How firmly a hand holds.
-template <class Scalar>
-struct GripSettings {
-  Scalar strength = Scalar(4);       ///< N, > 0: the force with which the hand takes a blade back
-  Scalar min_regain = Scalar(0.02);  ///< s, > 0; shortest t_b - t_a after a blow
-  Scalar max_regain = Scalar(0.4);   ///< s, >= min_regain; longest
-  /// s, > 0: time constant in which a blade that was pushed away returns
-  Scalar recover_time = Scalar(0.1);
-  Scalar lever = Scalar(0.5);  ///< m, > 0: a turn of 1 rad counts as a lag of this length
+/// How the weight of the hand grows from the blow to the time of control, s in [0, 1].
+enum class CatchWeight : std::uint8_t {
+  kSmooth,  ///< s^2 (3 - 2 s): velocity is continuous, too
+  kLinear,  ///< s, as [Kavan eq. 32] has it
 };
 
-/// @returns kOk | kInvalidArgument: an option is not positive and finite, or max_regain <
-/// min_regain
+/// How firmly a hand holds, and what beats it.
+template <class Scalar>
+struct GripSettings {
+  Scalar torque = Scalar(6);          ///< N m, > 0: with which the wrist turns a blade back
+  Scalar force = Scalar(60);          ///< N, > 0: with which the arm keeps the hand in its place
+  Scalar min_regain = Scalar(0.02F);  ///< s, > 0; shortest t_b - t_a after a blow
+  Scalar max_regain = Scalar(0.4F);   ///< s, >= min_regain; longest
+  /// s, > 0: time constant in which a blade that was pushed away returns
+  Scalar recover_time = Scalar(0.1F);
+  Scalar largest_turn = Scalar(1.2F);  ///< rad, > 0: a wrist gives way no further
+  /// m, > 0: a blow so near to the hand does not beat it, however hard: it falls on the forte.
+  Scalar forte = Scalar(0.6F);
+  /// N m s, > 0: a blow whose moment about the hand is no larger does not beat it
+  Scalar composure = Scalar(0.3F);
+  Scalar settle_torque =
+      Scalar(1);                    ///< N m, > 0: a larger moment costs the hand its excess over it
+  Scalar max_lost = Scalar(0.35F);  ///< s, > 0: longest time that a blow costs a hand
+  CatchWeight weight = CatchWeight::kSmooth;  ///< of the hand, on the way back to it
+};
+
+/// @returns kOk | kInvalidArgument: an option is not positive and finite, max_regain < min_regain,
+/// or the weight is none
 template <class Scalar>
 Status validate(const GripSettings<Scalar>& settings);
 
-/// t_b - t_a: the longer of impulse / strength, in which that force takes up the blow, and
-/// sqrt(6 lag mass / strength), in which it fetches the blade back; within [min_regain,
-/// max_regain], s. 0 for no impulse.
-/// @param impulse       j, N s, >= 0
-/// @param lag           distance from the blade to where the hand wants it, m, >= 0
-/// @param inverse_mass  of the blade, 1/kg, >= 0
+/// What a hand or a wrist has to take up: lengths and momenta, or angles and their moments.
 template <class Scalar>
-Scalar regain_time(const GripSettings<Scalar>& settings, Scalar impulse, Scalar lag,
-                   Scalar inverse_mass);
+struct GripLoad {
+  Scalar effort = 0;           ///< N or N m, > 0
+  Scalar blow = 0;             ///< N s or N m s, >= 0
+  Scalar lag = 0;              ///< from where the hand wants it, m or rad, >= 0
+  Scalar inverse_inertia = 0;  ///< 1/kg or 1/(kg m^2), >= 0
+};
 
-/// [Kavan eq. 32]: between the free flight P and the hand H. Parameter 0: P; 1: H, to the last bit.
-/// The weight of H is s^2 (3 - 2 s), so that also the velocity is that of P at t_a and that of H at
-/// t_b. The turn is taken back along the way on which the flight made it: it does not jump however
-/// far a blade turns.
+/// t_b - t_a: the longer of blow / effort, in which that effort takes up the blow, and
+/// sqrt(6 lag inertia / effort), in which it fetches the blade back; within [min_regain,
+/// max_regain], s.
+template <class Scalar>
+Scalar regain_time(const GripSettings<Scalar>& settings, const GripLoad<Scalar>& load);
+
+/// A blow as the hand feels it.
+template <class Scalar>
+struct HandBlow {
+  Scalar reach = 0;   ///< from the hand to where the blades met, m, >= 0
+  Scalar moment = 0;  ///< of the impulse about the hand, N m s, >= 0
+};
+
+/// For how long a blow costs a hand its line, s: nothing on the forte or up to the composure;
+/// beyond that (moment - composure) / settle_torque, at most max_lost.
+template <class Scalar>
+Scalar lost_time(const GripSettings<Scalar>& settings, const HandBlow<Scalar>& blow);
+
+/// How much of a pose is the hand's already: 0 the free flight, 1 the hand.
+template <class Scalar>
+struct HandShare {
+  Scalar turn = 0;   ///< of the orientation
+  Scalar place = 0;  ///< of the place of the hand
+};
+
+/// [Kavan eq. 32]: between the free flight P and the hand H, about the place where the hand holds
+/// the weapon. Shares of 0: P; of 1: H, to the last bit. The turn is taken back along the way on
+/// which the flight made it: it does not jump however far a blade turns.
 /// @param flight  from t_a on; @param elapsed  t - t_a, s, >= 0
-/// @param parameter  s = (t - t_a) / (t_b - t_a), in [0, 1]
+/// @param hand    pose of B as the hand wants it; @param hand_B  where it holds the weapon, B
 template <class Scalar>
 Pose<Scalar> caught(const Motion<Scalar>& flight, Scalar elapsed, const Pose<Scalar>& hand,
-                    Scalar parameter);
+                    const Vec3<Scalar>& hand_B, const HandShare<Scalar>& share);
 
 /// Who moves the blade.
 enum class GripPhase : std::uint8_t {
   kHeld,       ///< the blade follows the hand
   kRegaining,  ///< between free flight and hand
+  kBeaten,     ///< the hand has lost its line as well: it follows nothing but what draws it back
 };
 
 /// The controller. Where the world kept the blade from going where the plan wants it (separation,
@@ -60,6 +99,8 @@ class Grip {
   /// changed)
   Status configure(const GripSettings<Scalar>& settings);
 
+  /// Where the hand holds the weapon, B. @pre finite
+  void hold_at(const Vec3<Scalar>& hand_B) { hand_B_ = hand_B; }
   /// Puts the hand somewhere, still, and closes it.
   void place(const Pose<Scalar>& X_WB);
 
@@ -69,38 +110,45 @@ class Grip {
   /// Hand, or the way back to it [Kavan eq. 32], over [t, t + duration] of the step.
   /// @pre 0 <= t, 0 <= duration
   PlannedMotion<Scalar> plan(const Body<Scalar>& body, Scalar t, Scalar duration) const;
-  /// A blow loosens the hold for regain_time().
+  /// A blow loosens the hold for regain_time(), and may cost the hand lost_time().
   void on_contact(const Body<Scalar>& body, const Feedback<Scalar>& feedback);
   /// The step of length dt is over; the body is where it is.
   void on_step_end(const Body<Scalar>& body, Scalar dt);
 
   /// Who moves the blade at present.
-  GripPhase phase() const { return phase_; }
-  /// t of [Kavan eq. 32] at the end of the last step: 0 free ... 1 held.
+  GripPhase phase() const;
+  /// t of [Kavan eq. 32] at the end of the last step: 0 free or beaten ... 1 held.
   Scalar control() const;
+  /// Where the hand holds the weapon, B.
+  const Vec3<Scalar>& hand_B() const { return hand_B_; }
   /// The hand at the end of the last commanded step.
   const Pose<Scalar>& hand() const { return target_; }
 
   /// Its state, for record/archive.hpp.
   template <class ArchiveT>
   void archive(ArchiveT& ar) {
-    auto& [settings, hand, target, step, flight, flight_start, regain, phase] = *this;
-    ar(settings, hand, target, step, flight, flight_start, regain, phase);
+    auto& [settings, hand_B, hand, target, step, flight, flight_start, turn, place, lost, held] =
+        *this;
+    ar(settings, hand_B, hand, target, step, flight, flight_start, turn, place, lost, held);
   }
 
  private:
   Pose<Scalar> hand_at(Scalar t) const;
   Pose<Scalar> planned_at(Scalar t) const;
+  HandShare<Scalar> share_at(Scalar elapsed) const;
 
   GripSettings<Scalar> settings_;
+  Vec3<Scalar> hand_B_ = detail::zero<Scalar>();
   Motion<Scalar> hand_;    ///< of the hand over the current step
   Pose<Scalar> target_;    ///< at its end
   Scalar step_ = 0;        ///< s; 0: nothing commanded
   Motion<Scalar> flight_;  ///< P, from t_a
   /// t_a on the clock of the current step, s: <= 0 after the step in which it happened
   Scalar flight_start_ = 0;
-  Scalar regain_ = 0;  ///< t_b - t_a, s
-  GripPhase phase_ = GripPhase::kHeld;
+  Scalar turn_regain_ = 0;   ///< t_b - t_a of the wrist, s
+  Scalar place_regain_ = 0;  ///< t_b - t_a of the arm, s
+  Scalar lost_ = 0;          ///< from t_a until a beaten hand finds its line, s
+  bool is_held_ = true;
 };
 
 }  // namespace batuta::fencing

@@ -16,11 +16,13 @@ struct WeaponPart {
   Scalar mass = 0;            ///< kg, > 0, evenly spread over the capsule
 };
 
-/// Blade, guard, grip, pommel. Only the blade collides.
+/// Blade, guard, grip, pommel, and the hand around the grip. Blade, guard and hand collide.
 template <class Scalar>
 struct Weapon {
   static constexpr int kParts = 4;  ///< blade, guard, grip, pommel
   std::array<WeaponPart<Scalar>, static_cast<std::size_t>(kParts)> parts;  ///< the blade first
+  /// The hand as what strikes it finds it; what it weighs is the arm's.
+  Capsule<Scalar> hand_H;
   Scalar restitution = 0;  ///< C of the blade, in [0, 1]
 };
 
@@ -30,11 +32,13 @@ struct WeaponBody {
   Scalar mass = 0;                              ///< kg
   Vec3<Scalar> moments = Vec3<Scalar>::Zero();  ///< principal moments of inertia, kg m^2
   Pose<Scalar> X_HB;                            ///< fixed
-  Capsule<Scalar> blade_B;                      ///< the part that collides
+  Capsule<Scalar> blade_B;                      ///< these three collide
+  Capsule<Scalar> guard_B;                      ///< the bell
+  Capsule<Scalar> hand_B;                       ///< that holds it
 };
 
-/// @returns kOk | kInvalidArgument (a part's mass or shape, or the restitution, is out of range)
-/// Bound: kParts parts.
+/// @returns kOk | kInvalidArgument (a part's mass or shape, the hand's shape, or the restitution,
+/// is out of range) Bound: kParts parts.
 template <class Scalar>
 Result<WeaponBody<Scalar>> weapon_body(const Weapon<Scalar>& weapon);
 

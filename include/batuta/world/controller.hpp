@@ -25,6 +25,9 @@ struct Feedback {
   Scalar time = 0;                                ///< in the step, s
   Scalar impulse = 0;                             ///< j, N s; 0 after a pure separation
   Vec3<Scalar> shift_W = detail::zero<Scalar>();  ///< by separation, m
+  /// J that the body was given at point_W, N s; its part along the normal is `impulse` long.
+  Vec3<Scalar> impulse_W = detail::zero<Scalar>();
+  Vec3<Scalar> point_W = detail::zero<Scalar>();  ///< where the bodies met, m
 };
 
 /// A body that nobody moves.

@@ -4,7 +4,7 @@
 // body, until the bout is over [Kavan §5]. The part of a duel that a scene without targets leaves
 // out. Frame W, SI units.
 
-#include "batuta/fencing/duel_scene.hpp"
+#include "batuta/fencing/detail/touch_rule.hpp"
 
 namespace batuta::fencing {
 
@@ -33,9 +33,9 @@ class Referee {
   /// Puts a fencer somewhere, still. @pre finite
   void stand(Side side, const Stance<Scalar>& stance);
 
-  /// The fencer goes to a stance in the coming step of length dt; the blade is at X_WB.
+  /// The fencer goes to a stance in the coming step of length dt; the blade is where it is.
   /// @pre finite; dt > 0
-  void follow(Side side, const Stance<Scalar>& stance, const Pose<Scalar>& X_WB, Scalar dt);
+  void follow(Side side, const Stance<Scalar>& stance, const Blade& blade, Scalar dt);
 
   /// The halt is over, both are on guard: the next exchange.
   void resume();
@@ -44,7 +44,8 @@ class Referee {
   /// one is noted first, the left one of two at once. In a halt nobody looks.
   /// @param blades  of the left and the right fencer, where they are now
   /// @param now     steps that were over before this one, and its length
-  /// Bound: 2 (kMaxContacts + 1) touch searches.
+  /// Bound: 2 (kMaxContacts + 1) touch searches, and one more for each part that the point enters
+  /// without a touch.
   void judge(const std::array<const Blade*, 2>& blades, const Settings& settings,
              const Moment<Scalar>& now, DuelReport& report);
 
@@ -62,22 +63,36 @@ class Referee {
   }
 
  private:
+  /// The point's way through one piece of a step.
+  struct PointWay {
+    MovingCapsule<Scalar> point;
+    Scalar from = 0;               ///< s
+    detail::Command<Scalar> hand;  ///< what it has of the weapon
+  };
+
   struct RefereeSide {
     FencerBuild<Scalar> build;
     Target<Scalar> target;
     Pose<Scalar> start_WB;  ///< the blade's body at the start of the step
+    Vec3<Scalar> hand_W = batuta::detail::zero<Scalar>();  ///< where the hand is wanted at its end
+    Scalar control = 1;                                    ///< of the hand, at its start
+    PartMask closed = 0;  ///< parts of the other that the point is in, and did not touch
 
     template <class ArchiveT>
     void archive(ArchiveT& ar) {
-      auto& [limbs, body, start] = *this;
-      ar(limbs, body, start);
+      auto& [limbs, body, start, hand, held, shut] = *this;
+      ar(limbs, body, start, hand, held, shut);
     }
   };
 
   RefereeSide& at(Side side) { return places_[index_of(side)]; }
   const RefereeSide& at(Side side) const { return places_[index_of(side)]; }
   TouchSearch<Scalar> touch_by(Side side, const Blade& blade, const Settings& settings, Scalar dt,
-                               DuelReport& report) const;
+                               DuelReport& report);
+  TouchSearch<Scalar> touch_in(Side side, const PointWay& way, const Settings& settings,
+                               DuelReport& report);
+  Scalar slip_of(Side side, const Blade& blade) const;
+  void reopen(Side side, const Capsule<Scalar>& point_W);
   void note(Side by, const TouchSearch<Scalar>& search, const Settings& settings,
             std::uint32_t step);
   bool is_within_window(const Settings& settings, const Moment<Scalar>& second) const;

@@ -53,15 +53,18 @@ void Referee<SceneT>::resume() {
   bout_.state = BoutState::kFencing;
   bout_.touches.clear();
   bout_.annulled = false;
+  for (RefereeSide& place : places_) place.closed = 0;  // Bound: 2
   ++bout_.exchange;
 }
 
 template <class SceneT>
-void Referee<SceneT>::follow(Side side, const Stance<Scalar>& stance, const Pose<Scalar>& X_WB,
+void Referee<SceneT>::follow(Side side, const Stance<Scalar>& stance, const Blade& blade,
                              Scalar dt) {
   RefereeSide& place = at(side);
   place.target.move_to(pose_body(place.build, stance.X_WF, stance.X_WH), dt);
-  place.start_WB = X_WB;
+  place.start_WB = blade.body.X_WB;
+  place.hand_W = stance.X_WH.p_W;
+  place.control = blade.controller.control();
 }
 
 template <class SceneT>
@@ -83,13 +86,16 @@ void Referee<SceneT>::judge(const std::array<const Blade*, 2>& blades, const Set
   if (is_exchange_over(settings, now.step + 1)) end_exchange(settings);
 }
 
-/// The first touch of a blade on its way through the step: from its start over the corners where
-/// contacts were answered to its end.
+/// The first touch of a blade's point on its way through the step: from its start over the corners
+/// where contacts were answered to its end.
 template <class SceneT>
 TouchSearch<typename SceneT::Scalar> Referee<SceneT>::touch_by(Side side, const Blade& blade,
                                                                const Settings& settings, Scalar dt,
-                                                               DuelReport& report) const {
+                                                               DuelReport& report) {
   const auto& corners = blade.controller.corners;
+  const Capsule<Scalar> point_B = detail::point_of(part_of(blade, 0), settings.point_length);
+  PointWay way;
+  way.hand = {at(side).control, blade.controller.first_blow, slip_of(side, blade)};
   TouchSearch<Scalar> first;
   bool complete = true;
   Scalar known_until = dt;
@@ -98,20 +104,67 @@ TouchSearch<typename SceneT::Scalar> Referee<SceneT>::touch_by(Side side, const 
     const Waypoint<Scalar> end =
         k < corners.size() ? corners[k] : Waypoint<Scalar>{dt, blade.body.X_WB};
     const auto piece = detail::piece_between(start, end);
-    first = at(other(side))
-                .target.template find_touch<Search>({blade.capsule_B, piece.motion}, piece.from,
-                                                    settings.touch, settings.target);
-    report.evaluations += first.evaluations;
-    report.touch_searches += first.searches;
-    report.budget_outs += first.budget_outs;
-    report.searches_invalid += first.searches_invalid;
+    way.point = {point_B, piece.motion};
+    way.from = piece.from;
+    first = touch_in(side, way, settings, report);
     if (!first.complete && complete) known_until = first.known_until;
     complete = complete && first.complete;
     start = end;
   }
+  reopen(side, to_world(blade.body.X_WB, point_B));
   first.complete = complete;
   first.known_until = known_until;
+  const Scalar share = detail::length_of(point_B) / detail::length_of(part_of(blade, 0));
+  first.place = Scalar(1) - share * (Scalar(1) - first.place);  // of the whole blade
   return first;
+}
+
+/// From the grip to where the hand wants it, m.
+template <class SceneT>
+typename SceneT::Scalar Referee<SceneT>::slip_of([[maybe_unused]] Side side,
+                                                 [[maybe_unused]] const Blade& blade) const {
+  if constexpr (SceneT::kGrip) {
+    const Vec3<Scalar> grip_W = to_world(blade.body.X_WB, blade.controller.carrier.hand_B());
+    return (grip_W - at(side).hand_W).norm();
+  } else {
+    return Scalar(0);
+  }
+}
+
+/// The first entry of the point in a piece of its way that is a touch. A part that it enters
+/// otherwise is closed.
+template <class SceneT>
+TouchSearch<typename SceneT::Scalar> Referee<SceneT>::touch_in(Side side, const PointWay& way,
+                                                               const Settings& settings,
+                                                               DuelReport& report) {
+  const Target<Scalar>& target = at(other(side)).target;
+  TouchSearch<Scalar> search;
+  for (int entry = 0; entry <= kBodyParts; ++entry) {  // Bound: kBodyParts + 1
+    search = target.template find_touch<Search>(way.point, way.from, settings.touch,
+                                                settings.target & ~at(side).closed);
+    report.evaluations += search.evaluations;
+    report.touch_searches += search.searches;
+    report.budget_outs += search.budget_outs;
+    report.searches_invalid += search.searches_invalid;
+    if (!search.found) break;
+    const Scalar speed = detail::entry_speed(way.point, target.part(search.part), search, way.from);
+    if (detail::counts<SceneT>(settings, way.hand, search.t_free, speed)) break;
+    at(side).closed |= mask_of(search.part);
+    search.found = false;
+  }
+  return search;
+}
+
+/// Parts that the point has left can be touched again.
+template <class SceneT>
+void Referee<SceneT>::reopen(Side side, const Capsule<Scalar>& point_W) {
+  PartMask& closed = at(side).closed;
+  const BodyShape<Scalar>& body = at(other(side)).target.shape();
+  for (std::size_t i = 0; closed != 0 && i < body.size(); ++i) {  // Bound: kBodyParts
+    const PartMask part = mask_of(static_cast<BodyPart>(i));
+    if ((closed & part) == 0) continue;
+    if (capsule_gap(point_W, body[i]).gap > detail::kPointIsOut<Scalar>) closed &= ~part;
+  }
 }
 
 template <class SceneT>

@@ -15,8 +15,8 @@ constexpr Side last_of(Side) {
 constexpr BodyPart last_of(BodyPart) {
   return BodyPart::kRearShin;
 }
-constexpr GripPhase last_of(GripPhase) {
-  return GripPhase::kRegaining;
+constexpr CatchWeight last_of(CatchWeight) {
+  return CatchWeight::kLinear;
 }
 constexpr BoutState last_of(BoutState) {
   return BoutState::kHalt;
@@ -24,8 +24,10 @@ constexpr BoutState last_of(BoutState) {
 
 template <class Scalar>
 void archive(Archive& ar, GripSettings<Scalar>& settings) {
-  auto& [strength, min_regain, max_regain, recover_time, lever] = settings;
-  ar(strength, min_regain, max_regain, recover_time, lever);
+  auto& [torque, force, min_regain, max_regain, recover_time, largest_turn, forte, composure,
+         settle_torque, max_lost, weight] = settings;
+  ar(torque, force, min_regain, max_regain, recover_time, largest_turn, forte, composure,
+     settle_torque, max_lost, weight);
 }
 
 template <class Scalar>
@@ -50,8 +52,8 @@ void archive(Archive& ar, FencerBuild<Scalar>& build) {
 
 template <class Scalar>
 void archive(Archive& ar, WeaponBody<Scalar>& weapon) {
-  auto& [mass, moments, X_HB, blade_B] = weapon;
-  ar(mass, moments, X_HB, blade_B);
+  auto& [mass, moments, X_HB, blade_B, guard_B, hand_B] = weapon;
+  ar(mass, moments, X_HB, blade_B, guard_B, hand_B);
 }
 
 template <class Scalar>
@@ -92,8 +94,8 @@ void archive(Archive& ar, Waypoint<Scalar>& waypoint) {
 
 template <class Scalar, int N>
 void archive(Archive& ar, Corners<Scalar, N>& way) {
-  auto& [corners] = way;
-  ar(corners);
+  auto& [corners, first_blow] = way;
+  ar(corners, first_blow);
 }
 
 template <class SceneT>
@@ -107,8 +109,10 @@ void archive(Archive& ar, BladeController<SceneT>& controller) {
 
 template <class SceneT>
 void archive(Archive& ar, TouchSettings<SceneT>& settings) {
-  auto& [touches, halt_us, double_window_us, touch, target] = settings;
-  ar(touches, halt_us, double_window_us, touch, target);
+  auto& [touches, halt_us, double_window_us, point_length, least_speed, least_control, largest_slip,
+         touch, target] = settings;
+  ar(touches, halt_us, double_window_us, point_length, least_speed, least_control, largest_slip,
+     touch, target);
 }
 
 template <class SceneT>

@@ -144,19 +144,23 @@ void GeneralWorld<SceneT>::strike_neighbour(ProxyPair pair) {
   result.kind = ContactKind::kColliding;
   result.v_rel = hit.value.v_rel;
   result.impulse = hit.value.magnitude;
+  result.impulse_A_W = hit.value.on_A.linear_W;
   touches_.record(bodies_, pair, at, result);
-  tell_controllers(pair, result.impulse, zero<Scalar>(), zero<Scalar>());
+  tell_controllers(pair, at.contact, result, {});
 }
 
 template <class SceneT>
-void GeneralWorld<SceneT>::tell_controllers(ProxyPair pair, Scalar impulse,
-                                            const Vec3<Scalar>& shift_A_W,
-                                            const Vec3<Scalar>& shift_B_W) {
+void GeneralWorld<SceneT>::tell_controllers(ProxyPair pair, const Contact<Scalar>& contact,
+                                            const Answer<Scalar>& result,
+                                            const Separation<Scalar>& made) {
   if constexpr (!BodiesT::kIsFree) {
     for (int i = 0; i < 2; ++i) {  // Bound: 2
-      ActorType& actor = bodies_.actor(BodiesT::body_of(i == 0 ? pair.first : pair.second));
-      actor.controller.on_contact(
-          actor.body, Feedback<Scalar>{bodies_.now, impulse, i == 0 ? shift_A_W : shift_B_W});
+      const bool is_A = i == 0;
+      ActorType& actor = bodies_.actor(BodiesT::body_of(is_A ? pair.first : pair.second));
+      Feedback<Scalar> feedback{bodies_.now, result.impulse, is_A ? made.shift_A_W : made.shift_B_W,
+                                result.impulse_A_W, contact.point_W};
+      if (!is_A) feedback.impulse_W = -feedback.impulse_W;
+      actor.controller.on_contact(actor.body, feedback);
     }
   }
 }

@@ -154,10 +154,14 @@ bool GeneralWorld<SceneT>::strike_turning(ProxyPair pair, const Sides& sides,
     const auto hit = strike(pair, sides, contact, bounces ? restitution_of(pair) : Scalar(0));
     if (!hit.ok()) return false;
     result.impulse = hit.value.magnitude;
+    result.impulse_A_W = hit.value.on_A.linear_W;
   }
   if (!kSolves && takes_load(pair, contact)) {
     const auto press = strike(pair, sides_of(pair), contact, Scalar(0));
-    if (press.ok()) result.impulse += press.value.magnitude;
+    if (press.ok()) {
+      result.impulse += press.value.magnitude;
+      result.impulse_A_W += press.value.on_A.linear_W;
+    }
   }
   return true;
 }
@@ -174,7 +178,7 @@ void GeneralWorld<SceneT>::finish_turning(ProxyPair pair, const PairQuery& query
     if (is_resting || contact.gap < -query.contact_gap) {
       separate_pair(pair, query, contact, result, is_resting);
     } else {
-      tell_controllers(pair, result.impulse, zero<Scalar>(), zero<Scalar>());
+      tell_controllers(pair, contact, result, {});
     }
     if constexpr (kBends<SceneT>) shorten_courses(bodies_, pair, contact, query.contact_gap);
   }
@@ -187,7 +191,7 @@ void GeneralWorld<SceneT>::finish_lasting(ProxyPair pair, const PairQuery& query
                                           const Answer<Scalar>& result) {
   const std::size_t a = BodiesT::body_of(pair.first);
   const std::size_t b = BodiesT::body_of(pair.second);
-  tell_controllers(pair, result.impulse, zero<Scalar>(), zero<Scalar>());
+  tell_controllers(pair, contact, result, {});
   const bool again = answers_of_pair_ > 1 || !(result.impulse > Scalar(0));
   if (again) share_off(bodies_, a, b);
   if (answers_of_pair_ >= SceneT::kMaxSeparations) end_openings(bodies_, a, b);
@@ -287,7 +291,7 @@ template <class SceneT>
   }
   add_to(bodies_.actor(a).body.X_WB.p_W, made.value.shift_A_W);
   add_to(bodies_.actor(b).body.X_WB.p_W, made.value.shift_B_W);
-  tell_controllers(pair, result.impulse, made.value.shift_A_W, made.value.shift_B_W);
+  tell_controllers(pair, contact, result, made.value);
   if (stays_deep(contact, made.value, margin)) {
     if constexpr (kSolves) {
       // What presses them together may be what opens gaps of others.

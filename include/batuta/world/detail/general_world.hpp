@@ -191,8 +191,8 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   void separate_pair(ProxyPair pair, const PairQuery& query, const Contact<Scalar>& contact,
                      const Answer<Scalar>& result, bool is_resting);
   Scalar room_of(std::size_t slot, ProxyPair pair, const Vec3<Scalar>& away_W, Scalar shift) const;
-  void tell_controllers(ProxyPair pair, Scalar impulse, const Vec3<Scalar>& shift_A_W,
-                        const Vec3<Scalar>& shift_B_W);
+  void tell_controllers(ProxyPair pair, const Contact<Scalar>& contact,
+                        const Answer<Scalar>& result, const Separation<Scalar>& made);
 
   BodiesT bodies_;
   PairsT pairs_;

@@ -12,9 +12,10 @@ namespace batuta::detail {
 template <class Scalar>
 struct Answer {
   ContactKind kind = ContactKind::kResting;
-  Scalar v_rel = 0;         ///< before, m/s
-  Scalar impulse = 0;       ///< j, N s
-  bool is_overlap = false;  ///< the pair was found in each other
+  Scalar v_rel = 0;                           ///< before, m/s
+  Scalar impulse = 0;                         ///< j, N s
+  Vec3<Scalar> impulse_A_W = zero<Scalar>();  ///< J on A; B was given the opposite
+  bool is_overlap = false;                    ///< the pair was found in each other
 };
 
 template <class SceneT>
