@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Measures the fight, looks for better keys and draws the map: tests/measure/fight/README.md.
+// Measures the table of the fight, looks for better keys of the map and draws it. Everything is
+// played through the stick, by scripts that know only their own clock.
 
 #include <cstdio>
 #include <cstdlib>
