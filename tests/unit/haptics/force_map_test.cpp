@@ -42,14 +42,25 @@ TEST(ForceMap, OneColumn_IsTheWorkOfAUnitRate) {
   EXPECT_EQ(force.y(), 0);
 }
 
+/// Whether the way between two times crosses a border of cells: nine columns, five rows.
+bool crosses_a_border(double t, double h) {
+  const auto cell = [](double time) {
+    const Vec2<double> stick = stick_at(time);
+    return std::pair{std::floor(4 * stick.x()), std::floor(2 * stick.y())};
+  };
+  return cell(t) != cell(t + h);
+}
+
 TEST(ForceMap, PowerOfTheStick_IsThatOfTheHand) {
   for (const auto& fencer : {first_fencer<double>(), second_fencer<double>()}) {
     const auto& map = fencer.map;
     for (int i = 0; i < 3000; ++i) {
       const double t = 0.01 * i;
       const double h = 1e-4;
-      // Middle against chord: of third order in h, with derivatives of the way below 100.
-      EXPECT_NEAR(work_on_stick(map, t, h), work_on_hand(map, t, h), 1e4 * h * h * h) << t;
+      // Middle against chord: of third order in h, with derivatives of the way below 100; where the
+      // second one jumps, of second order.
+      const double slack = crosses_a_border(t, h) ? 100 * h * h : 1e4 * h * h * h;
+      EXPECT_NEAR(work_on_stick(map, t, h), work_on_hand(map, t, h), slack) << t;
     }
   }
 }
