@@ -14,15 +14,15 @@ constexpr int kFeetNumber = 6;  ///< the last of them
 
 template <class Scalar>
 constexpr LibraryKeys<Scalar> in_scalar(const LibraryKeys<float>& keys) {
-  LibraryKeys<Scalar> answer{};
+  LibraryKeys<Scalar> same{};
   for (std::size_t i = 0; i < keys.size(); ++i) {  // Bound: the keys of the library's map
     for (std::size_t k = 0; k < keys[i].hand_F.size(); ++k) {  // Bound: 3
-      answer[i].hand_F[k] = Scalar(keys[i].hand_F[k]);
-      answer[i].turn_F[k] = Scalar(keys[i].turn_F[k]);
+      same[i].hand_F[k] = Scalar(keys[i].hand_F[k]);
+      same[i].turn_F[k] = Scalar(keys[i].turn_F[k]);
     }
-    answer[i].feet = Scalar(keys[i].feet);
+    same[i].feet = Scalar(keys[i].feet);
   }
-  return answer;
+  return same;
 }
 
 template <class Scalar>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Settings and data of fencers with a hostile number in every place: refused, with the bout that
 // runs as it was, or a bout that goes on with numbers. Sides, parts and kinds that there are not.
+#include <algorithm>
 #include <memory>
 
 #include "batuta/record/duel.hpp"
@@ -49,10 +50,16 @@ TYPED_TEST(Fencing, HostileFencer_IsRefusedOrFences) {
   using S = TypeParam;
   const auto ready = std::make_unique<Ready<S>>();
   ASSERT_EQ(ready->configure(), Status::kOk);
-  const Fencer<S> good = ready->left;
+  // Without its map, which is no number: HostileMap_IsRefusedOrHasHandsAndFeet.
+  struct Data {
+    Weapon<S> weapon;
+    GripSettings<S> grip;
+    FencerBuild<S> build;
+  };
+  const Data good{ready->left.weapon, ready->left.grip, ready->left.build};
   int fenced = 0;
-  test::for_each_spoiled<S>(good, 500, [&](const Fencer<S>& fencer, bool is_number) {
-    ready->left = fencer;
+  test::for_each_spoiled<S>(good, 500, [&](const Data& data, bool is_number) {
+    ready->left = {library_map<S>(), data.weapon, data.grip, data.build};
     const auto before = hash_of(ready->duel);
     const Status status = ready->configure();
     if (!is_number) {
@@ -118,13 +125,54 @@ TYPED_TEST(Fencing, HostileWeapon_HasABodyOrIsRefused) {
   });
 }
 
+TYPED_TEST(Fencing, HostileMap_IsRefusedOrHasHandsAndFeet) {
+  using S = TypeParam;
+  struct Keys {
+    std::array<MapKey<S>, 6> keys;
+  };
+  Keys good{};
+  std::copy_n(library_map<S>().keys, good.keys.size(), good.keys.begin());
+  const auto ready = std::make_unique<Ready<S>>();
+  ASSERT_EQ(ready->configure(), Status::kOk);
+  const auto before = hash_of(ready->duel);
+  test::for_each_spoiled<S>(good, 2000, [&](const Keys& spoiled, bool is_number) {
+    const FencerMap<S> map{spoiled.keys.data(), 2, 3};
+    const Status status = validate(map);
+    if (!is_number) {
+      EXPECT_EQ(status, Status::kInvalidArgument);
+    }
+    if (status != Status::kOk) {
+      ready->right.map = map;
+      EXPECT_EQ(ready->configure(), Status::kInvalidArgument);
+      EXPECT_EQ(hash_of(ready->duel), before);
+      return;
+    }
+    for (const S x : {S(-1), S(-0.3), S(0), S(0.7), S(1), S(2), std::numeric_limits<S>::max()}) {
+      const Vec2<S> stick(x, -x);
+      EXPECT_TRUE((test::all_finite<S>(hand_at(map, stick)))) << x;
+      EXPECT_LE(std::abs(feet_at(map, stick)), S(1)) << x;
+    }
+  });
+  constexpr auto kMost = test::kHighest<std::int32_t>[0];
+  constexpr auto kLeast = test::kLowest<std::int32_t>[0];
+  for (const std::int32_t bad : {kLeast, -2, 0, 1, kMostMapKeys + 1, kMost}) {
+    EXPECT_EQ(validate(FencerMap<S>{good.keys.data(), bad, 2}), Status::kInvalidArgument) << bad;
+    EXPECT_EQ(validate(FencerMap<S>{good.keys.data(), 2, bad}), Status::kInvalidArgument) << bad;
+  }
+}
+
+/// Also for programs that have a grid of their own.
 TYPED_TEST(Fencing, HostileKeys_AreRefusedAndTheOldStay) {
   using S = TypeParam;
-  FencerGrid<S> grid;
-  const auto good = first_fencer<S>().keys_FH;
+  KeyframeGrid<S, 3, 2> grid;
+  typename KeyframeGrid<S, 3, 2>::Keys good;
+  for (std::size_t k = 0; k < good.size(); ++k) {
+    const Vec2<S> stick(S(-1) + static_cast<S>(k % 3), S(-1) + S(2) * static_cast<S>(k / 3));
+    good[k] = hand_at(library_map<S>(), stick).X_WH;
+  }
   ASSERT_EQ(grid.set_keys(good), Status::kOk);
   test::for_each_spoiled<S>(good, 2000, [&](const auto& keys, bool is_number) {
-    const FencerGrid<S> before = grid;
+    const KeyframeGrid<S, 3, 2> before = grid;
     const Status status = grid.set_keys(keys);
     if (!is_number) {
       EXPECT_EQ(status, Status::kInvalidArgument);

@@ -20,7 +20,9 @@ void plan_riposte(const Case& what, const Move& attack, Jitter& jitter, Plan& pl
   defence.push_back(parry(jitter, what.line, attack, kInTime));
   defence.push_back(riposte(jitter, what.answer, attack.end() + kRiposteDelay));
   if (what.situation == Situation::kRiposteRetreats) {
-    plan.scripts[kAttacker].moves.push_back(recovery(jitter, attack.end() + kRecoveryDelay));
+    const Move back = recovery(jitter, attack.end() + kRecoveryDelay);
+    plan.scripts[kAttacker].moves.push_back(back);
+    plan.scripts[kAttacker].feet = {{back.start, -1}};
   }
   plan.length = defence.back().end() + kRiposteAfterwards;
 }
@@ -66,7 +68,7 @@ bool is_riposte(Situation situation) {
 }  // namespace
 
 Choices choices() {
-  return {{Line::kHighInside, Line::kLowOutside, Line::kLowInside, Line::kLowInside},
+  return {{Line::kLowInside, Line::kLowInside, Line::kHighInside, Line::kLowInside},
           {0, 0.5},
           {0.25, 0}};
 }

@@ -51,8 +51,9 @@ struct Tally {
   double deepest = 0;      ///< m
   long incomplete = 0;     ///< steps
 };
-inline constexpr double kHardBeat = 0.1;    // N s
-inline constexpr double kSeenDepth = 2e-5;  // m: what float leaves of a salle's size, times ten
+inline constexpr double kHardBeat = 0.1;  // N s
+/// The world keeps touching weapons apart by this, m: what is not deeper has touched.
+inline constexpr double kSeenDepth = 2e-4;
 
 /// One try of a case.
 Plan plan_for(const Case& what, const Choices& choices, std::uint64_t seed);

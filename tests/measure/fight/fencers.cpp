@@ -5,7 +5,7 @@ namespace fight {
 
 Pair pair_with(const Keys* keys) {
   auto fencer = batuta::fencing::first_fencer<float>();
-  (void)keys;
+  if (keys != nullptr) fencer.map = {keys->data(), kColumns, kRows};
   return {fencer, fencer};
 }
 

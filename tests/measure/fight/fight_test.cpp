@@ -157,9 +157,16 @@ TEST(FightKeys, LieWhereTheKnobsSay) {
   EXPECT_NEAR(double{key(8, 0).hand_F[0]}, knobs.at("octave.hand.x"), kRounding);
   EXPECT_EQ(double{key(4, 0).feet}, knobs.at("retreat.feet"));
   EXPECT_EQ(double{key(4, 1).feet}, knobs.at("retreat.half_feet"));
-  double feet = 0;
-  for (const MapKey& each : keys) feet += std::abs(double{each.feet});
-  EXPECT_EQ(feet, std::abs(knobs.at("retreat.feet")) + std::abs(knobs.at("retreat.half_feet")));
+  // What is asked of the feet elsewhere is none, between the keys as well.
+  const batuta::fencing::FencerMap<float> map{keys.data(), kColumns, kRows};
+  for (int i = 0; i <= 40; ++i) {
+    const float x = -1 + 0.05F * static_cast<float>(i);
+    for (const float y : {0.0F, 0.3F, 0.6F, 1.0F}) {
+      EXPECT_EQ(batuta::fencing::feet_at<float>(map, {x, y}), 0) << x << ", " << y;
+    }
+  }
+  EXPECT_EQ(batuta::fencing::feet_at<float>(map, {0, -1}), -1);
+  EXPECT_EQ(batuta::fencing::feet_at<float>(map, {0, -0.5F}), -1);
   // The parry's blade points along (1, y, z).
   const Triple aim = aim_of(doubles(key(0, 2).turn_F));
   EXPECT_NEAR(aim[1] / aim[0], knobs.at("quarte.aim.y"), 1e-3);

@@ -88,10 +88,9 @@ class MapFigure {
                  "What the stick means: hand, guard and blade of each key, "
                  "as the fencer sees them before the opponent on guard",
                  kTitle, Anchor::kStart);
-    canvas_.text({width / 2, bottom + kMargin / 2},
-                 "stick to the left: inside                                    "
-                 "stick to the right: outside",
-                 kWords, Anchor::kMiddle);
+    const double below = bottom + kMargin / 2;
+    canvas_.text({kMargin, below}, "stick to the left: inside", kWords, Anchor::kStart);
+    canvas_.text({width - kMargin, below}, "stick to the right: outside", kWords, Anchor::kEnd);
     canvas_.text({kMargin / 2, kHead + kCell / 2}, "forward", kWords, Anchor::kMiddle);
     canvas_.text({kMargin / 2, bottom - kCell / 2}, "back", kWords, Anchor::kMiddle);
   }

@@ -17,11 +17,20 @@ Triple unit(const Triple& x) {
   return {x[0] / length, x[1] / length, x[2] / length};
 }
 
+/// What keeps the feet still beside the two keys that let them retreat: between keys the surface
+/// swings (src/fencing/map.md). Row by row from the back.
+constexpr std::array<std::array<double, kColumns>, kRows> kAgainstSwing = {
+    {{0, 0, 0, -0.3, 0, -0.3, 0, 0, 0},
+     {0, 0, 0, 0, 0, 0, 0, 0, 0},
+     {0, 0, -0.2, 0.2, 0, 0.2, -0.2, 0, 0},
+     {0, 0, 0, -0.2, -0.2, -0.2, 0, 0, 0},
+     {0, 0, 0, 0, 0, 0, 0, 0, 0}}};
+
 /// A hand, where its blade points, and what it asks of the feet.
 struct Stance {
   Triple hand;
   Triple aim;  ///< of any length
-  double feet = 0;
+  double feet;
 };
 
 Stance mix(const Stance& a, const Stance& b, double share) {
@@ -137,12 +146,15 @@ Grid grid_of(const Stances& of) {
   between[1] = of.drop("septime");
   between[3] = of.drop("octave");
   Grid grid = {spread(low), spread(between), spread(high), extensions(of), lunges(of)};
-  grid[0][4].feet = of.value("retreat.feet");
-  grid[1][4].feet = of.value("retreat.half_feet");
   // The point sweeps flat through the other blade's foible.
   const auto beat = static_cast<int>(of.value("beat.place"));
   if (beat == 1) grid[3][4] = of.pose("beat");
   if (beat == 2) grid[2][3] = of.pose("beat");
+  for (std::size_t row = 0; row < grid.size(); ++row) {
+    for (std::size_t i = 0; i < kColumns; ++i) grid[row][i].feet = kAgainstSwing[row][i];
+  }
+  grid[0][4].feet = of.value("retreat.feet");
+  grid[1][4].feet = of.value("retreat.half_feet");
   return grid;
 }
 

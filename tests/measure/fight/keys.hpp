@@ -6,10 +6,12 @@
 #include <array>
 #include <cstdio>
 
+#include "batuta/fencing/map.hpp"
 #include "knobs.hpp"
-#include "map_key.hpp"
 
 namespace fight {
+
+using MapKey = batuta::fencing::MapKey<float>;
 
 inline constexpr int kColumns = 9;
 inline constexpr int kRows = 5;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Measures the fight, looks for better keys and draws the map: tests/measure/fight/README.md.
+// Measures the table of the fight, looks for better keys of the map and draws it. Everything is
+// played through the stick, by scripts that know only their own clock.
 
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
+#include <fstream>
 #include <string>
 
 #include "fencers.hpp"
+#include "figure.hpp"
 #include "search.hpp"
 #include "table.hpp"
 
@@ -17,7 +19,8 @@ constexpr const char* kUsage =
     "usage: batuta-fight map [KEYS]\n"
     "       batuta-fight table TRIES SEED [KEYS]       without KEYS: the library's own map\n"
     "       batuta-fight ripostes TRIES SEED [KEYS]    which lunge follows which parry\n"
-    "       batuta-fight search TRIES ROUNDS SEED KEYS";
+    "       batuta-fight search TRIES ROUNDS SEED KEYS\n"
+    "       batuta-fight figure FILE                   of the library's own map";
 
 int refuse(const std::string& why) {
   std::fprintf(stderr, "batuta-fight: %s\n", why.c_str());
@@ -111,6 +114,14 @@ int climb(const Words& words) {
   return wrong.empty() ? 0 : refuse(wrong);
 }
 
+int draw(const Words& words) {
+  if (!words.are(1, 1)) return refuse(kUsage);
+  std::ofstream file(words.text(0));
+  draw_map(batuta::fencing::first_fencer<float>(), file);
+  file.close();
+  return file ? 0 : refuse(std::string(words.text(0)) + ": cannot be written");
+}
+
 }  // namespace
 
 int main(int count, char** words) {
@@ -120,5 +131,6 @@ int main(int count, char** words) {
   if (command == "table") return print_table(rest);
   if (command == "ripostes") return print_ripostes(rest);
   if (command == "search") return climb(rest);
+  if (command == "figure") return draw(rest);
   return refuse(kUsage);
 }

@@ -9,7 +9,9 @@ namespace fight {
 namespace {
 
 /// So many rounds play the same tries; then others come.
-constexpr int kRoundsOfTries = 10;
+constexpr int kRoundsOfTries = 20;
+/// What is worse on this part of the tries is not looked at twice.
+constexpr int kGlance = 3;
 
 double score_with(const Knobs& knobs, const Trials& trials) {
   const Keys keys = keys_from(knobs);
@@ -40,28 +42,26 @@ std::string search(const SearchOrder& order) {
   const std::string wrong = best.load(order.path);
   if (!wrong.empty()) return wrong;
   Random random(order.seed);
-  Trials trials{order.tries, 0};
-  double score = 0;
+  Trials glance{(order.tries + kGlance - 1) / kGlance, 0};
+  double seen = 0;
   for (int round = 0; round < order.rounds; ++round) {
     if (round % kRoundsOfTries == 0) {
-      trials.seed = random.next();
-      score = score_with(best, trials);
-      std::printf("round %d: score %.1f on new tries\n", round, score);
-      std::fflush(stdout);
+      glance.seed = random.next();
+      seen = score_with(best, glance);
     }
     const Knobs next = moved(best, random);
-    const double found = score_with(next, trials);
-    if (found >= score) continue;
+    const double found = score_with(next, glance);
+    if (found >= seen) continue;
     const Trials others{order.tries, random.next()};
     const double before = score_with(best, others);
     const double after = score_with(next, others);
-    const bool is_better = found + after < score + before && after < before;
-    std::printf("round %d: %.1f -> %.1f, on others %.1f -> %.1f%s\n", round, score, found, before,
+    const bool is_better = after < before;
+    std::printf("round %d: %.1f -> %.1f, on others %.1f -> %.1f%s\n", round, seen, found, before,
                 after, is_better ? ", kept" : "");
     std::fflush(stdout);
     if (!is_better) continue;
     best = next;
-    score = found;
+    seen = found;
     if (!best.save(order.path)) return order.path + ": cannot be written";
   }
   return {};

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A climb to better keys: a few knobs at a time are moved at random, and what is better on the
-// tries that it was found with has to be better on others as well.
+// A climb to better keys: a few knobs at a time are moved at random. What is better at a glance is
+// kept if it is better on tries that nobody has seen before.
 
 #include "table.hpp"
 
 namespace fight {
 
 struct SearchOrder {
-  int tries;  ///< of each case, for every comparison; fewer than 16 find what only seems better
+  int tries;  ///< of each case, to keep what is better; with fewer than 16 it only seems so
   int rounds;
   std::uint64_t seed;
   std::string path;  ///< of the knobs: read, and written whenever they are better

@@ -25,10 +25,6 @@ Capsule<float> point_of(const Capsule<float>& blade) {
   return {{blade.axis.b - kPointLength * along, blade.axis.b}, blade.radius};
 }
 
-const Capsule<float>& hand_of(const Weapon<float>& weapon) {
-  return weapon.parts[2].capsule_H;
-}
-
 double depth(const Capsule<float>& a, const Capsule<float>& b) {
   return std::max(-static_cast<double>(capsule_gap(a, b).gap), 0.0);
 }
@@ -125,7 +121,7 @@ double Arena::depth_in_weapon(const Plan& plan, Side side) const {
   const Pose<float> X_WH = duel_->held_hand_W(other(side));
   const Capsule<float> blade = duel_->blade_W(side);
   return std::max(depth(blade, to_world(X_WH, weapon.parts[1].capsule_H)),
-                  depth(blade, to_world(X_WH, hand_of(weapon))));
+                  depth(blade, to_world(X_WH, weapon.hand_H)));
 }
 
 }  // namespace fight

@@ -7,10 +7,7 @@
 #include <new>
 #include <random>
 
-#include "batuta/fencing/fencer.hpp"
-
 namespace batuta {
-using namespace fencing;
 namespace {
 
 template <class S>
@@ -208,8 +205,13 @@ TEST(KeyframeGrid, NegatedQuaternions_ChangeNothing) {
 TEST(KeyframeGrid, Float_FollowsDouble) {
   KeyframeGrid<float, 3, 3> in_float;
   KeyframeGrid<double, 3, 3> in_double;
-  ASSERT_EQ(in_float.set_keys(first_fencer<float>().keys_FH), Status::kOk);
-  ASSERT_EQ(in_double.set_keys(first_fencer<double>().keys_FH), Status::kOk);
+  const auto keys = random_keys<float, 3, 3>(17);
+  KeyframeGrid<double, 3, 3>::Keys same_keys;
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    same_keys[k] = {keys[k].p_W.cast<double>(), keys[k].q_WB.cast<double>()};
+  }
+  ASSERT_EQ(in_float.set_keys(keys), Status::kOk);
+  ASSERT_EQ(in_double.set_keys(same_keys), Status::kOk);
   for (double y = -1; y <= 1; y += 0.03125) {
     for (double x = -1; x <= 1; x += 0.03125) {
       const auto f = in_float.at({static_cast<float>(x), static_cast<float>(y)});
@@ -219,6 +221,31 @@ TEST(KeyframeGrid, Float_FollowsDouble) {
       ASSERT_LE((f.jacobian.cast<double>() - d.jacobian).norm(), 1e-5);
     }
   }
+}
+
+// Seven numbers a key, of which one is asked for: it lies on the surface of the places.
+TEST(KeyGridView, OneNumber_IsOnTheSurfaceOfItsKeys) {
+  constexpr int kStride = 7;
+  constexpr int kColumns = 5;
+  constexpr int kRows = 4;
+  std::mt19937 random(29);
+  const auto unit = [&random] { return static_cast<double>(random() % 20001) / 10000.0 - 1.0; };
+  std::array<double, kStride * kColumns * kRows> numbers;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    numbers[i] = i % kStride == 6 ? numbers[i - 5] : 0.3 * unit();  // the last is the place's y
+  }
+  const detail::KeyGridView<double> grid{numbers.data(), kStride, kColumns, kRows,
+                                         Quat<double>::Identity()};
+  for (int n = 0; n < 500; ++n) {
+    const Vec2<double> stick(1.2 * unit(), 1.2 * unit());
+    const auto pose = detail::pose_on(grid, stick);
+    for (int axis = 0; axis < 3; ++axis) {
+      ASSERT_NEAR(detail::number_on(grid, axis, stick), pose.X_WH.p_W[axis], 1e-15);
+    }
+    ASSERT_NEAR(detail::number_on(grid, 6, stick), pose.X_WH.p_W.y(), 1e-15);
+  }
+  EXPECT_DEATH((void)detail::number_on(grid, kStride, {0.0, 0.0}), "");
+  EXPECT_DEATH((void)detail::number_on(grid, -1, {0.0, 0.0}), "");
 }
 
 TEST(KeyframeGrid, BeforeThereAreKeys_IsTheOrigin) {

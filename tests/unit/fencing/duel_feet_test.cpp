@@ -161,7 +161,8 @@ TYPED_TEST(DuelFeet, LeastDistance_KeepsTrunksAndHeadsApart) {
   for (const Side side : {Side::kLeft, Side::kRight}) {
     const Fencer<S> fencer = second_fencer<S>();
     const Pose<S> X_WF = salle.X_WF(side, way);
-    shapes[index_of(side)] = pose_body(fencer.build, X_WF, chained(X_WF, fencer.keys_FH[7]));
+    const Pose<S> X_WH = hand_at(fencer.map, Vec2<S>(0, 1), X_WF).X_WH;
+    shapes[index_of(side)] = pose_body(fencer.build, X_WF, X_WH);
   }
   for (const BodyPart a : {BodyPart::kPelvis, BodyPart::kTorso, BodyPart::kHead}) {
     for (const BodyPart b : {BodyPart::kPelvis, BodyPart::kTorso, BodyPart::kHead}) {

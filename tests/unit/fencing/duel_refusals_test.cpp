@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a duel does not take: settings and fencers out of range, steps before it is configured.
+#include <vector>
+
 #include "configured_duel.hpp"
 
 namespace batuta {
@@ -89,12 +91,18 @@ TYPED_TEST(DuelRefusals, FencerOutOfRange_IsRefused) {
            this->duel->configure(this->settings, good, bad) == Status::kInvalidArgument;
   };
   const S nan = std::numeric_limits<S>::quiet_NaN();
-  EXPECT_TRUE(refused([nan](auto& f) { f.keys_FH[2].p_W.x() = nan; }));
+  MapKey<S> key = first_fencer<S>().map.keys[0];
+  std::vector<MapKey<S>> keys(6, key);
+  const FencerMap<S> small{keys.data(), 3, 2};
+  EXPECT_FALSE(refused([small](auto& f) { f.map = small; }));
+  EXPECT_TRUE(refused([](auto& f) { f.map.keys = nullptr; }));
+  EXPECT_TRUE(refused([](auto& f) { f.map.columns = 1; }));
+  keys[5].hand_F[2] = nan;
+  EXPECT_TRUE(refused([small](auto& f) { f.map = small; }));
   EXPECT_TRUE(refused([](auto& f) { f.weapon.parts[1].mass = 0; }));
   EXPECT_TRUE(refused([](auto& f) { f.weapon.restitution = 2; }));
   EXPECT_TRUE(refused([](auto& f) { f.weapon.restitution = S(-0.1); }));
   EXPECT_TRUE(refused([](auto& f) { f.grip.strength = 0; }));
-  EXPECT_TRUE(refused([](auto& f) { f.keys_FH[4].p_W.x() = S(1e30); }));
   EXPECT_TRUE(refused([nan](auto& f) { f.build.bones[3].start_P.x() = nan; }));
   EXPECT_TRUE(refused([](auto& f) { f.build.bones[4].capsule_J.axis.b.setZero(); }));
   EXPECT_TRUE(refused([](auto& f) { f.build.front_leg.bend_F.setZero(); }));

@@ -19,11 +19,7 @@ class Pairing : public ::testing::TestWithParam<int> {
     fencers[1] = GetParam() / 2 == 0 ? first_fencer<double>() : second_fencer<double>();
   }
   Pose<double> hand(Side side, double x, double y) const {
-    auto keys = fencers[index_of(side)].keys_FH;
-    for (auto& key : keys) key = chained(salle.X_WF(side), key);
-    FencerGrid<double> grid;
-    EXPECT_EQ(grid.set_keys(keys), Status::kOk);
-    return grid.at({x, y}).X_WH;
+    return hand_at(fencers[index_of(side)].map, Vec2<double>(x, y), salle.X_WF(side)).X_WH;
   }
   Capsule<double> blade(Side side, double x, double y) const {
     return to_world(hand(side, x, y), fencers[index_of(side)].weapon.parts[0].capsule_H);
@@ -76,15 +72,29 @@ TEST_P(Pairing, ParryLeft_CrossesTheEngagedBlade) {
 }
 INSTANTIATE_TEST_SUITE_P(All, Pairing, ::testing::Values(0, 1, 2, 3));
 
-TEST(Fencer, Keys_PointTheBladeAtTheOpponentAndLieInTheGridsRange) {
+/// No blade points away from the opponent, not even in a parry.
+TEST(Fencer, Map_IsInRangeAndPointsTheBladeForward) {
   for (const auto& fencer : {first_fencer<double>(), second_fencer<double>()}) {
-    FencerGrid<double> grid;
-    EXPECT_EQ(grid.set_keys(fencer.keys_FH), Status::kOk);
-    for (const auto& key : fencer.keys_FH) {
-      EXPECT_NEAR(key.q_WB.norm(), 1.0, 1e-12);
-      EXPECT_GT((key.q_WB * Vec3<double>::UnitX()).x(), 0.9);
+    EXPECT_EQ(validate(fencer.map), Status::kOk);
+    for (double y = -1; y <= 1; y += 0.125) {
+      for (double x = -1; x <= 1; x += 0.125) {
+        const auto hand = hand_at(fencer.map, Vec2<double>(x, y)).X_WH;
+        EXPECT_GT((hand.q_WB * Vec3<double>::UnitX()).x(), 0.7) << x << ", " << y;
+      }
     }
     EXPECT_EQ(validate(fencer.grip), Status::kOk);
+  }
+}
+
+/// The trunk goes forward with the hand of a lunge, and of nothing before it.
+TEST(Fencer, Build_LungesWithTheMap) {
+  for (const auto& fencer : {first_fencer<double>(), second_fencer<double>()}) {
+    const auto share = [&fencer](double x, double y) {
+      const auto hand = hand_at(fencer.map, Vec2<double>(x, y)).X_WH;
+      return lunge_share(fencer.build, hand.p_W.x());
+    };
+    EXPECT_EQ(share(0, 0), 0);
+    for (const double x : {-1.0, -0.5, 0.0, 0.5, 1.0}) EXPECT_NEAR(share(x, 1), 1, 1e-6) << x;
   }
 }
 

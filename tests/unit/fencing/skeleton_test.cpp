@@ -76,14 +76,11 @@ class Body : public ::testing::TestWithParam<int> {
  protected:
   Fencer<double> fencer = GetParam() == 0 ? first_fencer<double>() : second_fencer<double>();
   Pose<double> X_WF = Salle<double>{}.X_WF(GetParam() == 0 ? Side::kLeft : Side::kRight);
-  FencerGrid<double> grid;
-  void SetUp() override {
-    auto keys = fencer.keys_FH;
-    for (auto& key : keys) key = chained(X_WF, key);
-    ASSERT_EQ(grid.set_keys(keys), Status::kOk);
+  Pose<double> hand(double x, double y) const {
+    return hand_at(fencer.map, Vec2<double>(x, y), X_WF).X_WH;
   }
   BodyShape<double> at(double x, double y) const {
-    return pose_body(fencer.build, X_WF, grid.at({x, y}).X_WH);
+    return pose_body(fencer.build, X_WF, hand(x, y));
   }
 };
 
@@ -106,8 +103,8 @@ TEST_P(Body, WholeStickSquare_IsOneConnectedBody) {
                     fencer.build.bones[i].capsule_J.axis.direction().norm(), 1e-12);
         EXPECT_GT(std::min(shape[i].axis.a.z(), shape[i].axis.b.z()), 0.0);  // above the floor
       }
-      const V hand = grid.at({x, y}).X_WH.p_W;
-      farthest = std::max(farthest, (part(shape, BodyPart::kWeaponHand).axis.a - hand).norm());
+      const V hand_W = hand(x, y).p_W;
+      farthest = std::max(farthest, (part(shape, BodyPart::kWeaponHand).axis.a - hand_W).norm());
     }
   }
   EXPECT_LE(farthest, 0.04);  // an arm may be stretched by this much, not more

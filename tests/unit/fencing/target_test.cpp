@@ -26,9 +26,7 @@ class Dice {
 
 BodyShape<double> shape_at(double x, double y) {
   static const Fencer<double> fencer = first_fencer<double>();
-  FencerGrid<double> grid;
-  EXPECT_EQ(grid.set_keys(fencer.keys_FH), Status::kOk);
-  return pose_body(fencer.build, Pose<double>{}, grid.at({x, y}).X_WH);
+  return pose_body(fencer.build, Pose<double>{}, hand_at(fencer.map, Vec2<double>(x, y)).X_WH);
 }
 
 /// A body on its way between two stick positions, one step of 20 ms.
@@ -239,12 +237,12 @@ TEST(FindTouch, InvalidSearch_IsReportedAsUnknown) {
 
 TEST(FindTouch, Float_AgreesWithDouble) {
   const auto fencer_f = first_fencer<float>();
-  FencerGrid<float> grid;
-  ASSERT_EQ(grid.set_keys(fencer_f.keys_FH), Status::kOk);
+  const auto hand = [&fencer_f](float x, float y) {
+    return hand_at(fencer_f.map, Vec2<float>(x, y)).X_WH;
+  };
   Target<float> in_float;
-  in_float.place(pose_body(fencer_f.build, Pose<float>{}, grid.at({0, 0}).X_WH));
-  in_float.move_to(pose_body(fencer_f.build, Pose<float>{}, grid.at({0.1F, 0.2F}).X_WH),
-                   float(kStep));
+  in_float.place(pose_body(fencer_f.build, Pose<float>{}, hand(0, 0)));
+  in_float.move_to(pose_body(fencer_f.build, Pose<float>{}, hand(0.1F, 0.2F)), float(kStep));
   Target<double> in_double;
   in_double.place(shape_at(0, 0));
   in_double.move_to(shape_at(0.1F, 0.2F), kStep);

@@ -39,11 +39,8 @@ Wide transverse_moment(const Vec3<double>& moments) {
 LedBlade::LedBlade(Side side, const BeatPlan& plan) : side_(side), plan_(plan) {
   const Fencer<double> fencer =
       side == Side::kLeft ? first_fencer<double>() : second_fencer<double>();
-  const Pose<double> X_WF = Salle<double>{}.X_WF(side);
-  FencerGrid<double>::Keys keys;
-  for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = chained(X_WF, fencer.keys_FH[i]);
-  const Status status = grid_.set_keys(keys);
-  BATUTA_ASSERT(status == Status::kOk);
+  X_WF_ = Salle<double>{}.X_WF(side);
+  map_ = fencer.map;
   weapon_ = weapon_body(fencer.weapon).value;
   grip_ = fencer.grip;
 }
@@ -65,7 +62,7 @@ Vec2<double> LedBlade::stick_rate(double t) const {
 }
 
 BladeState LedBlade::held(double t) const {
-  const KeyedPose<double> hand = grid_.at(stick(t));
+  const KeyedPose<double> hand = hand_at(map_, stick(t), X_WF_);
   const Twist<double> led = hand_twist(hand.jacobian, stick_rate(t));
   BladeState state;
   state.q_WB = (hand.X_WH.q_WB.cast<Wide>() * weapon_.X_HB.q_WB.cast<Wide>()).normalized();

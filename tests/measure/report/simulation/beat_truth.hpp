@@ -46,7 +46,8 @@ class LedBlade {
 
   Side side_;
   BeatPlan plan_;
-  FencerGrid<double> grid_;
+  FencerMap<double> map_;
+  Pose<double> X_WF_;
   WeaponBody<double> weapon_;
   GripSettings<double> grip_;
 };
