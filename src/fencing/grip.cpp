@@ -38,15 +38,6 @@ Scalar weight_of(CatchWeight weight, Scalar parameter) {
   return weight == CatchWeight::kLinear ? s : s * s * (Scalar(3) - Scalar(2) * s);
 }
 
-/// The turn of `q`, but no further from `hand` than `largest`, rad.
-template <class Scalar>
-Quat<Scalar> within_wrist(const Quat<Scalar>& q, const Quat<Scalar>& hand, Scalar largest) {
-  const Vec3<Scalar> away_W = log_map<Scalar>(q * hand.conjugate());
-  const Scalar turn = away_W.norm();
-  if (!(turn > largest)) return q;
-  return renewed<Scalar>(exp_map<Scalar>(Vec3<Scalar>((largest / turn) * away_W)) * hand);
-}
-
 }  // namespace
 
 template <class Scalar>
@@ -77,19 +68,20 @@ Scalar lost_time(const GripSettings<Scalar>& settings, const HandBlow<Scalar>& b
 
 template <class Scalar>
 Pose<Scalar> caught(const Motion<Scalar>& flight, Scalar elapsed, const Pose<Scalar>& hand,
-                    const Vec3<Scalar>& hand_B, const HandShare<Scalar>& share) {
-  if (share.turn >= Scalar(1) && share.place >= Scalar(1)) return hand;
-  const Scalar free_turn = Scalar(1) - share.turn;
-  const Vec3<Scalar> turn_W = (free_turn * elapsed) * flight.twist.w_W;
-  const Quat<Scalar> q =
-      detail::composed(exp_map(turn_W), interpolated(flight.X_WB.q_WB, hand.q_WB, share.turn));
-  const Vec3<Scalar> start_W = to_world(flight.X_WB, hand_B);
+                    const Catch<Scalar>& state) {
+  if (state.turn >= Scalar(1) && state.place >= Scalar(1)) return hand;
+  const Twist<Scalar>& twist = flight.twist;
+  const Scalar way = (Scalar(1) - state.turn) * elapsed;
+  const Scalar turned = way * twist.w_W.norm();
+  const Scalar kept = turned > state.largest_turn ? way * (state.largest_turn / turned) : way;
+  const Quat<Scalar> q = detail::composed(exp_map<Scalar>(kept * twist.w_W),
+                                          interpolated(flight.X_WB.q_WB, hand.q_WB, state.turn));
+  const Vec3<Scalar> start_W = to_world(flight.X_WB, state.hand_B);
   const Vec3<Scalar> arm_W = start_W - flight.X_WB.p_W;
-  const Vec3<Scalar> free_W =
-      start_W + elapsed * (flight.twist.v_W + flight.twist.w_W.cross(arm_W));
+  const Vec3<Scalar> free_W = start_W + elapsed * (twist.v_W + twist.w_W.cross(arm_W));
   const Vec3<Scalar> held_W =
-      (Scalar(1) - share.place) * free_W + share.place * to_world(hand, hand_B);
-  return {held_W - q * hand_B, q};
+      (Scalar(1) - state.place) * free_W + state.place * to_world(hand, state.hand_B);
+  return {held_W - q * state.hand_B, q};
 }
 
 template <class Scalar>
@@ -124,21 +116,16 @@ Pose<Scalar> Grip<Scalar>::hand_at(Scalar t) const {
 }
 
 template <class Scalar>
-HandShare<Scalar> Grip<Scalar>::share_at(Scalar elapsed) const {
-  return {weight_of(settings_.weight, elapsed / turn_regain_),
-          weight_of(settings_.weight, elapsed / place_regain_)};
+Catch<Scalar> Grip<Scalar>::catch_at(Scalar elapsed) const {
+  return {hand_B_, weight_of(settings_.weight, elapsed / turn_regain_),
+          weight_of(settings_.weight, elapsed / place_regain_), settings_.largest_turn};
 }
 
 template <class Scalar>
 Pose<Scalar> Grip<Scalar>::planned_at(Scalar t) const {
   if (is_held_) return hand_at(t);
   const Scalar elapsed = max_of(t - flight_start_, Scalar(0));
-  const Pose<Scalar> hand = hand_at(t);
-  Pose<Scalar> pose = caught(flight_, elapsed, hand, hand_B_, share_at(elapsed));
-  const Vec3<Scalar> held_W = to_world(pose, hand_B_);
-  pose.q_WB = within_wrist(pose.q_WB, hand.q_WB, settings_.largest_turn);
-  pose.p_W = held_W - pose.q_WB * hand_B_;
-  return pose;
+  return caught(flight_, elapsed, hand_at(t), catch_at(elapsed));
 }
 
 template <class Scalar>
@@ -198,12 +185,11 @@ Scalar Grip<Scalar>::control() const {
   return clamp(-flight_start_ / max_of(turn_regain_, place_regain_), Scalar(0), Scalar(1));
 }
 
-#define BATUTA_INSTANTIATE(S)                                                  \
-  template Status validate(const GripSettings<S>&);                            \
-  template S regain_time(const GripSettings<S>&, const GripLoad<S>&);          \
-  template S lost_time(const GripSettings<S>&, const HandBlow<S>&);            \
-  template Pose<S> caught(const Motion<S>&, S, const Pose<S>&, const Vec3<S>&, \
-                          const HandShare<S>&);                                \
+#define BATUTA_INSTANTIATE(S)                                                    \
+  template Status validate(const GripSettings<S>&);                              \
+  template S regain_time(const GripSettings<S>&, const GripLoad<S>&);            \
+  template S lost_time(const GripSettings<S>&, const HandBlow<S>&);              \
+  template Pose<S> caught(const Motion<S>&, S, const Pose<S>&, const Catch<S>&); \
   template class Grip<S>;
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE

@@ -66,21 +66,24 @@ struct HandBlow {
 template <class Scalar>
 Scalar lost_time(const GripSettings<Scalar>& settings, const HandBlow<Scalar>& blow);
 
-/// How much of a pose is the hand's already: 0 the free flight, 1 the hand.
+/// How a hand has caught its weapon so far: 0 of it is in free flight, 1 is where the hand wants
+/// it.
 template <class Scalar>
-struct HandShare {
-  Scalar turn = 0;   ///< of the orientation
-  Scalar place = 0;  ///< of the place of the hand
+struct Catch {
+  Vec3<Scalar> hand_B = detail::zero<Scalar>();  ///< where the hand holds the weapon, B
+  Scalar turn = 0;                               ///< share of the hand in the orientation, 0 ... 1
+  Scalar place = 0;         ///< share of the hand in the place of hand_B, 0 ... 1
+  Scalar largest_turn = 0;  ///< rad: the flight turns no further
 };
 
 /// [Kavan eq. 32]: between the free flight P and the hand H, about the place where the hand holds
 /// the weapon. Shares of 0: P; of 1: H, to the last bit. The turn is taken back along the way on
 /// which the flight made it: it does not jump however far a blade turns.
 /// @param flight  from t_a on; @param elapsed  t - t_a, s, >= 0
-/// @param hand    pose of B as the hand wants it; @param hand_B  where it holds the weapon, B
+/// @param hand    pose of B as the hand wants it
 template <class Scalar>
 Pose<Scalar> caught(const Motion<Scalar>& flight, Scalar elapsed, const Pose<Scalar>& hand,
-                    const Vec3<Scalar>& hand_B, const HandShare<Scalar>& share);
+                    const Catch<Scalar>& state);
 
 /// Who moves the blade.
 enum class GripPhase : std::uint8_t {
@@ -135,7 +138,7 @@ class Grip {
  private:
   Pose<Scalar> hand_at(Scalar t) const;
   Pose<Scalar> planned_at(Scalar t) const;
-  HandShare<Scalar> share_at(Scalar elapsed) const;
+  Catch<Scalar> catch_at(Scalar elapsed) const;
 
   GripSettings<Scalar> settings_;
   Vec3<Scalar> hand_B_ = detail::zero<Scalar>();

@@ -23,6 +23,8 @@ class Pressing : public ::testing::Test {
   World<SceneT> world;
   GripSettings<S> settings;
 
+  void SetUp() override { settings.force = S(4); }
+
   typename World<SceneT>::BodyId add(S x) {
     Actor<SceneT> blade;
     const Vec3<S> moments(S(0.02), S(0.02), S(1e-4));
@@ -58,7 +60,7 @@ TYPED_TEST(Pressing, PushesWithAboutTheHandsStrengthAndNeverOverlaps) {
   const double seconds = (this->kSteps - 1000) * 1e-3;
   // The mean force of the blows; that a step is as long as a bounce makes it a little more than the
   // hand's.
-  const double strength = static_cast<double>(this->settings.strength);
+  const double strength = static_cast<double>(this->settings.force);
   EXPECT_GT(impulses / seconds, 0.5 * strength);
   EXPECT_LT(impulses / seconds, 1.5 * strength);
 }
