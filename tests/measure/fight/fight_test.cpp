@@ -5,6 +5,10 @@
 
 #include <cmath>
 
+#include <sstream>
+
+#include "fencers.hpp"
+#include "figure.hpp"
 #include "search.hpp"
 #include "table.hpp"
 
@@ -320,6 +324,52 @@ TEST(FightSearch, MovesFewKnobsAndOnlyThoseItMay) {
     }
     EXPECT_GE(changed, 1);
     EXPECT_LE(changed, 3);
+  }
+}
+
+/// The least that a picture of the map must have; what it looks like is looked at by people.
+TEST(FightFigure, DrawsEveryKeyAndNamesWhatThereIs) {
+  std::ostringstream out;
+  draw_map(batuta::fencing::first_fencer<float>(), out);
+  const std::string picture = out.str();
+  const auto times = [&picture](const std::string& words) {
+    int count = 0;
+    for (auto at = picture.find(words); at != std::string::npos; at = picture.find(words, at + 1)) {
+      ++count;
+    }
+    return count;
+  };
+  EXPECT_EQ(times("the point"), kColumns * kRows);
+  for (const char* name : kParryNames) EXPECT_EQ(times(name), 1) << name;
+  for (const char* name : kLineNames) EXPECT_EQ(times(name), 1) << name;
+  EXPECT_EQ(times(">retreat<"), 1);
+  EXPECT_EQ(times(">guard<"), 1);
+  EXPECT_GE(times("feet go back"), 2);
+  EXPECT_EQ(times("feet advance"), 0);
+  EXPECT_EQ(times("</svg>"), 1);
+}
+
+/// What the tool measures with its file of knobs is what the library fences with.
+TEST(FightKeys, AreThoseOfTheLibrary) {
+  const Keys keys = keys_from(committed());
+  const auto& map = batuta::fencing::library_map<float>();
+  ASSERT_EQ(map.columns, kColumns);
+  ASSERT_EQ(map.rows, kRows);
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    EXPECT_EQ(keys[i].hand_F, map.keys[i].hand_F) << i;
+    EXPECT_EQ(keys[i].turn_F, map.keys[i].turn_F) << i;
+    EXPECT_EQ(keys[i].feet, map.keys[i].feet) << i;
+  }
+}
+
+/// The table of the fight with few tries, of the library's own map. With many: batuta-fight table.
+TEST(FightRows, OfTheLibrarysMapHold) {
+  constexpr Trials kFew = {40, 1};
+  const Choices chosen = choices();
+  const auto cases = all_cases(chosen);
+  const Table table = table_of(cases, play_all(pair_with(nullptr), cases, chosen, kFew));
+  for (const Row& row : rows_of(table)) {
+    EXPECT_TRUE(row.holds()) << row.name << ": " << row.value << ", bound " << row.bound;
   }
 }
 
