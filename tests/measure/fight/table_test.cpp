@@ -93,9 +93,13 @@ TEST(FightTable, CountsWhatATrialBrought) {
   remise.by[kDefender].touched = 0.7;
   remise.by[kAttacker].touched = 0.65;
   count(what, plan, remise, tally);
-  EXPECT_EQ(tally.tries, 3);
-  EXPECT_EQ(tally.ripostes, 2);
-  EXPECT_EQ(tally.landed, 1);
+  Outcome before_the_remise;
+  before_the_remise.by[kDefender].touched = 0.64;
+  before_the_remise.by[kAttacker].touched = 0.65;
+  count(what, plan, before_the_remise, tally);
+  EXPECT_EQ(tally.tries, 4);
+  EXPECT_EQ(tally.ripostes, 3);
+  EXPECT_EQ(tally.landed, 2);
   EXPECT_EQ(tally.stopped, 2);
 }
 
@@ -130,6 +134,7 @@ TEST(FightFigure, DrawsEveryKeyAndNamesWhatThereIs) {
   for (const char* name : kLineNames) EXPECT_EQ(times(name), 1) << name;
   EXPECT_EQ(times(">retreat<"), 1);
   EXPECT_EQ(times(">guard<"), 1);
+  EXPECT_EQ(times(">beat<"), 1);
   EXPECT_GE(times("feet go back"), 2);
   EXPECT_EQ(times("feet advance"), 0);
   EXPECT_EQ(times("</svg>"), 1);
