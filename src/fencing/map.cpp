@@ -62,17 +62,15 @@ constexpr std::uint32_t stirred(std::uint32_t sum, std::uint32_t word) {
   return ((x << 15U) | (x >> 17U)) * kFactor;
 }
 
-std::uint32_t stirred(std::uint32_t sum, float number) {
-  std::uint32_t bits = 0;
+/// Bit by bit, whatever the order of bytes in memory.
+template <class Scalar>
+std::uint32_t stirred_number(std::uint32_t sum, Scalar number) {
+  std::conditional_t<sizeof(Scalar) == 4, std::uint32_t, std::uint64_t> bits = 0;
+  static_assert(sizeof bits == sizeof number);
   std::memcpy(&bits, &number, sizeof bits);
-  return stirred(sum, bits);
-}
-
-std::uint32_t stirred(std::uint32_t sum, double number) {
-  std::uint64_t bits = 0;
-  std::memcpy(&bits, &number, sizeof bits);
-  return stirred(stirred(sum, static_cast<std::uint32_t>(bits)),
-                 static_cast<std::uint32_t>(bits >> 32U));
+  const std::uint32_t low = stirred(sum, static_cast<std::uint32_t>(bits));
+  if constexpr (sizeof(Scalar) == 4) return low;
+  return stirred(low, static_cast<std::uint32_t>(std::uint64_t{bits} >> 32U));
 }
 
 }  // namespace
@@ -118,11 +116,11 @@ Scalar feet_at(const FencerMap<Scalar>& map, const Vec2<Scalar>& stick) {
 
 template <class Scalar>
 std::uint32_t map_id(const FencerMap<Scalar>& map) {
-  std::uint32_t id =
-      stirred(static_cast<std::uint32_t>(map.columns), static_cast<std::uint32_t>(map.rows) << 8U);
+  // The rows show in how many numbers there are.
+  std::uint32_t id = stirred(0, static_cast<std::uint32_t>(map.columns));
   const Scalar* numbers = map.keys->hand_F.data();
   const int count = kMapKeyNumbers * map.columns * map.rows;
-  for (int i = 0; i < count; ++i) id = stirred(id, numbers[i]);  // Bound: 7 kMostMapKeys^2
+  for (int i = 0; i < count; ++i) id = stirred_number(id, numbers[i]);  // Bound: 7 kMostMapKeys^2
   return id;
 }
 

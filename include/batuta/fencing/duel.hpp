@@ -170,6 +170,7 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
   void stand(Side side, Actor<SceneType>& blade);
   const Actor<SceneType>& blade_of(Side side) const;
   void move_stick(Side side, const InputSample* sample);
+  bool is_beaten(Side side) const;
   Scalar feet_order(Side side) const;
   void walk();
   KeyedPose<Scalar> hand_at(Side side, const Vec2<Scalar>& stick) const;

@@ -220,11 +220,15 @@ template <class SceneT>
 void Duel<SceneT>::move_stick(Side side, const InputSample* sample) {
   StickTracker<Scalar>& stick = at(side).stick;
   if (sample != nullptr) (void)stick.accept(*sample);
-  StickFollow follow = StickFollow::kAll;
-  if constexpr (Played::kGrip) {
-    if (grip(side).phase() == GripPhase::kBeaten) follow = StickFollow::kBack;
-  }
-  stick.advance(dt_, follow);
+  stick.advance(dt_, is_beaten(side) ? StickFollow::kBack : StickFollow::kAll);
+}
+
+/// Whether a blow has cost a fencer's hand its line: then he follows nothing but what draws him
+/// back.
+template <class SceneT>
+bool Duel<SceneT>::is_beaten([[maybe_unused]] Side side) const {
+  if constexpr (Played::kGrip) return grip(side).phase() == GripPhase::kBeaten;
+  return false;
 }
 
 /// What a device asks of the feet, -1 ... 1: by its second pair of axes, and by where the map has
@@ -234,7 +238,7 @@ typename Duel<SceneT>::Scalar Duel<SceneT>::feet_order(Side side) const {
   if constexpr (Played::kFeet) {
     const DuelSide& place = at(side);
     const Scalar order = place.stick.feet().y() + feet_at(place.map, place.stick.position());
-    return clamp(order, Scalar(-1), Scalar(1));
+    return clamp(order, Scalar(-1), is_beaten(side) ? Scalar(0) : Scalar(1));
   }
   return Scalar(0);
 }

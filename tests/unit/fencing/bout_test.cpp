@@ -17,7 +17,8 @@ Vec2<float> guard(int) {
 /// A lunge of a quarter of a second, after a tenth; then back.
 Vec2<float> lunge(int k) {
   if (k > 500) return {0, 0};
-  return {0, clamp(static_cast<float>(k - 100) / 250.0F, 0.0F, 1.0F)};
+  const float share = clamp(static_cast<float>(k - 100) / 250.0F, 0.0F, 1.0F);
+  return {-share, share};
 }
 Vec2<float> late_lunge(int k) {
   return lunge(k - 20);
@@ -227,8 +228,9 @@ std::unique_ptr<DuelT> lunges_apart(int delay, std::int32_t window_us) {
   const auto at = [](int now, int k) {
     InputSample s;
     s.time = static_cast<Microseconds>(1000 * now);
-    s.y = k < 0 ? 0.0F : lunge(k).y();
-    s.x = s.y;
+    const Vec2<float> stick = lunge(k);
+    s.x = stick.x();
+    s.y = stick.y();
     return s;
   };
   for (int k = 0; k < 900 && !duel->bout().is_over(); ++k) {

@@ -91,16 +91,17 @@ Stick guard(float) {
   return {0, 0};
 }
 Stick lunge(float k) {
-  return {0, clamp((k - 100) / 250, 0.0F, 1.0F)};
+  const float share = clamp((k - 100) / 250, 0.0F, 1.0F);
+  return {-share, share};
 }
 Stick sway(float k) {
-  return {0.8F * std::sin(6e-3F * k), -0.2F + 0.2F * std::sin(3.1e-3F * k)};
+  return {0.8F * std::sin(6e-3F * k), 0.1F + 0.1F * std::sin(3.1e-3F * k)};
 }
 Stick counter_sway(float k) {
-  return {0.9F * std::sin(7.7e-3F * k + 1), -0.3F + 0.3F * std::sin(4.1e-3F * k)};
+  return {0.9F * std::sin(7.7e-3F * k + 1), 0.1F + 0.1F * std::sin(4.1e-3F * k)};
 }
 Stick hacking(float k) {
-  return {std::sin(37e-3F * k) > 0 ? 1.0F : -1.0F, -0.4F};
+  return {std::sin(37e-3F * k) > 0 ? 1.0F : -1.0F, 0.0F};
 }
 
 template <class DuelT>

@@ -15,7 +15,8 @@ Vec2<double> guard(int) {
   return {0, 0};
 }
 Vec2<double> lunge(int k) {
-  return {0, clamp((k - 100) / 250.0, 0.0, 1.0)};
+  const double share = clamp((k - 100) / 250.0, 0.0, 1.0);
+  return {-share, share};
 }
 Vec2<double> late_lunge(int k) {
   return lunge(k - 20);
@@ -23,17 +24,22 @@ Vec2<double> late_lunge(int k) {
 Vec2<double> very_late_lunge(int k) {
   return lunge(k - 240);
 }
-Vec2<double> parry_left(int k) {
-  return {-clamp((k - 100) / 100.0, 0.0, 1.0), -0.2};
+/// The arm goes out into the high inside line.
+Vec2<double> extend(int k) {
+  const double share = clamp(k / 100.0, 0.0, 1.0);
+  return {-0.5 * share, 0.5 * share};
+}
+Vec2<double> quarte(int k) {
+  return {-clamp((k - 100) / 100.0, 0.0, 1.0), 0};
 }
 Vec2<double> sway(int k) {
-  return {0.8 * std::sin(6e-3 * k), -0.2 + 0.2 * std::sin(3.1e-3 * k)};
+  return {0.8 * std::sin(6e-3 * k), 0.1 + 0.1 * std::sin(3.1e-3 * k)};
 }
 Vec2<double> counter_sway(int k) {
-  return {0.9 * std::sin(7.7e-3 * k + 1), -0.3 + 0.3 * std::sin(4.1e-3 * k)};
+  return {0.9 * std::sin(7.7e-3 * k + 1), 0.1 + 0.1 * std::sin(4.1e-3 * k)};
 }
 Vec2<double> hacking(int k) {
-  return {std::sin(37e-3 * k) > 0 ? 1.0 : -1.0, -0.4};
+  return {std::sin(37e-3 * k) > 0 ? 1.0 : -1.0, 0.0};
 }
 
 InputSample sample_of(Script script, int k) {
@@ -143,11 +149,13 @@ TYPED_TEST(DuelOf, NoWindow_EndsWithTheStepOfTheTouch) {
   EXPECT_EQ(this->duel->steps(), this->bout().touches[0].when.step + 1);
 }
 
-TYPED_TEST(DuelOf, Parry_BeatsTheEngagedBladeOutOfTheHand) {
+TYPED_TEST(DuelOf, Parry_BeatsTheBladeOutOfTheHandThatExtends) {
   bool lost = false;
   for (int k = 0; k < 300; ++k) {
-    const auto s = this->sample(parry_left, k);
-    ASSERT_EQ(this->duel->step(k % 10 == 0 ? &s : nullptr, nullptr), Status::kOk);
+    const auto l = this->sample(quarte, k);
+    const auto r = this->sample(extend, k);
+    ASSERT_EQ(this->duel->step(k % 10 == 0 ? &l : nullptr, k % 10 == 0 ? &r : nullptr),
+              Status::kOk);
     lost = lost || this->duel->grip(Side::kRight).phase() == GripPhase::kRegaining;
   }
   EXPECT_GT(this->duel->report().blows, 0U);

@@ -156,15 +156,16 @@ class Beat : public ::testing::Test {
     ASSERT_EQ(right.configure({}), Status::kOk);
   }
 
-  void step(float x, float y) {
+  /// @param right_out  how far the right fencer's arm is out, into the high inside line, 0 ... 1
+  void step(float x, float y, float right_out) {
     sample.time += 1000;
     ++sample.sequence;
     sample.x = x;
     sample.y = y;
-    InputSample guard = sample;
-    guard.x = 0;
-    guard.y = 0;
-    ASSERT_EQ(duel.step(&sample, &guard), Status::kOk);
+    InputSample other = sample;
+    other.x = -0.5F * right_out;
+    other.y = 0.5F * right_out;
+    ASSERT_EQ(duel.step(&sample, &other), Status::kOk);
   }
   /// Where the hand of the coupling went in the step: the power of the force on the stick.
   static double power(const Vec2<double>& force, const Vec2<double>& rate) {
@@ -174,7 +175,7 @@ class Beat : public ::testing::Test {
 
 TEST_F(Beat, OnGuard_NothingIsFeltBeyondRounding) {
   for (int i = 0; i < 200; ++i) {
-    step(0, 0);
+    step(0, 0, 0);
     EXPECT_LT(left.advance(hand_state(duel, Side::kLeft), kStep).norm(), 1e-6) << i;
   }
 }
@@ -184,8 +185,8 @@ TEST_F(Beat, HeldHandIsTheCommandedOne_UntilTheBladesMeet) {
     const auto state = hand_state(duel, Side::kLeft);
     EXPECT_LT((state.held_W.p_W - state.commanded.X_WH.p_W).norm(), 1e-9) << i;
     EXPECT_LT(state.held_W.q_WB.angularDistance(state.commanded.X_WH.q_WB), 1e-7) << i;
-    step(-std::min(1.0F, 0.01F * static_cast<float>(i)),
-         -0.5F * std::min(1.0F, 0.01F * static_cast<float>(i)));
+    const float share = 0.01F * static_cast<float>(i);
+    step(-std::clamp(share - 1, 0.0F, 1.0F), 0, std::min(1.0F, share));
   }
   EXPECT_GT(duel.report().blows, 0U);
 }
@@ -194,9 +195,9 @@ TEST_F(Beat, BothHandsFeelTheBlow_AndItBrakesTheOneThatBeats) {
   double work = 0;
   double area = 0;
   double felt_right = 0;
+  for (int i = 0; i < 100; ++i) step(0, 0, std::min(1.0F, 0.02F * static_cast<float>(i)));
   for (int i = 0; i < 150; ++i) {
-    const float way = std::min(1.0F, 0.02F * static_cast<float>(i));
-    step(-way, -0.5F * way);
+    step(-std::min(1.0F, 0.02F * static_cast<float>(i)), 0, 1);
     const Vec2<double> rate = duel.stick(Side::kLeft).velocity();
     work += kStep * power(left.advance(hand_state(duel, Side::kLeft), kStep), rate);
     const Vec2<double> on_right = right.advance(hand_state(duel, Side::kRight), kStep);
