@@ -2,11 +2,20 @@
 #include "fencers.hpp"
 
 namespace fight {
+namespace {
 
-Pair pair_with(const Keys* keys) {
-  auto fencer = batuta::fencing::first_fencer<float>();
+using namespace batuta::fencing;
+
+Fencer<float> fencer_with(const Keys* keys, Who who) {
+  Fencer<float> fencer = who == Who::kFirst ? first_fencer<float>() : second_fencer<float>();
   if (keys != nullptr) fencer.map = {keys->data(), kColumns, kRows};
-  return {fencer, fencer};
+  return fencer;
+}
+
+}  // namespace
+
+Pair pair_with(const Keys* keys, Who attacker, Who defender) {
+  return {fencer_with(keys, attacker), fencer_with(keys, defender)};
 }
 
 }  // namespace fight

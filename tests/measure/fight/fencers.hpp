@@ -7,8 +7,10 @@
 
 namespace fight {
 
-/// Two of the first fencer.
+/// Which of the library's fencers.
+enum class Who { kFirst, kSecond };
+
 /// @param keys  null: the library's own; else they stay where they are while somebody fences
-Pair pair_with(const Keys* keys);
+Pair pair_with(const Keys* keys, Who attacker = Who::kFirst, Who defender = Who::kFirst);
 
 }  // namespace fight

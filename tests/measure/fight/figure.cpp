@@ -32,7 +32,8 @@ struct Label {
   int row;
   const char* words;
 };
-constexpr std::array<Label, 10> kLabels = {{{0, 0, "septime"},
+constexpr std::array<Label, 11> kLabels = {{{4, 3, "beat"},
+                                            {0, 0, "septime"},
                                             {4, 0, "retreat"},
                                             {8, 0, "octave"},
                                             {0, 2, "quarte"},
@@ -42,7 +43,7 @@ constexpr std::array<Label, 10> kLabels = {{{0, 0, "septime"},
                                             {2, 4, "lunge, low inside"},
                                             {6, 4, "lunge, low outside"},
                                             {8, 4, "lunge, high outside"}}};
-constexpr Label kGuard = kLabels[4];
+constexpr Label kGuard = kLabels[5];
 
 class MapFigure {
  public:

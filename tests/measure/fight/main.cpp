@@ -17,7 +17,8 @@ using namespace fight;
 
 constexpr const char* kUsage =
     "usage: batuta-fight map [KEYS]\n"
-    "       batuta-fight table TRIES SEED [KEYS]       without KEYS: the library's own map\n"
+    "       batuta-fight table TRIES SEED [KEYS [WHO]] KEYS -: the library's own map, as without;\n"
+    "                                                  WHO 11, 12, 21, 22: attacker, defender\n"
     "       batuta-fight ripostes TRIES SEED [KEYS]    which lunge follows which parry\n"
     "       batuta-fight search TRIES ROUNDS SEED KEYS\n"
     "       batuta-fight figure FILE                   of the library's own map";
@@ -66,7 +67,7 @@ struct Named {
 
 Named named(const char* path) {
   Named result;
-  if (path == nullptr) return result;
+  if (path == nullptr || std::string(path) == "-") return result;
   Knobs knobs;
   result.wrong = knobs.load(path);
   if (result.wrong.empty()) result.keys = keys_from(knobs);
@@ -75,13 +76,17 @@ Named named(const char* path) {
 }
 
 int print_table(const Words& words) {
-  if (!words.are(2, 3) || words.number(0) <= 0) return refuse(kUsage);
+  const std::string who = words.text_or(3, "11");
+  const bool is_pair = who == "11" || who == "12" || who == "21" || who == "22";
+  if (!words.are(2, 4) || words.number(0) <= 0 || !is_pair) return refuse(kUsage);
   const Named map = named(words.text_or(2, nullptr));
   if (!map.wrong.empty()) return refuse(map.wrong);
   const Choices chosen = choices();
   const auto cases = all_cases(chosen);
   const Trials trials{words.number(0), words.seed(1)};
-  print(table_of(cases, play_all(pair_with(map.get()), cases, chosen, trials)), stdout);
+  const auto fencer = [](char name) { return name == '1' ? Who::kFirst : Who::kSecond; };
+  const Pair pair = pair_with(map.get(), fencer(who[0]), fencer(who[1]));
+  print(table_of(cases, play_all(pair, cases, chosen, trials)), stdout);
   return 0;
 }
 

@@ -164,7 +164,7 @@ void print(const Table& table, std::FILE* out) {
 
 double score_of(const Table& table) {
   // A figure that holds by this many points counts as safe.
-  constexpr double kMargin = 2;
+  constexpr double kMargin = 5;
   const auto below = [](double value, double goal) {
     return std::max(goal + kMargin - value, 0.0);
   };
