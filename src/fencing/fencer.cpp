@@ -65,6 +65,7 @@ FencerBuild<Scalar> build_of(const Size<Scalar>& size) {
   build.lunge_shift_F = size.at(0.45F, 0, -0.25F);
   build.stride_F = size.at(0.65F, 0, 0);
   build.lunge_lean = Scalar(0.25F);
+  build.shoulder_give = size.scale * Scalar(0.14F);  // the trunk turns with the arm
   return build;
 }
 

@@ -13,6 +13,11 @@ Vec3<Scalar> turned(const Quat<Scalar>& q, const Vec3<Scalar>& x) {
   return q * x;
 }
 
+/// Share of an arm's length at which its shoulder begins to come along: the elbow keeps a bend that
+/// does not run through the arm at once.
+template <class Scalar>
+inline constexpr Scalar kNearlyStraight = Scalar(0.98F);
+
 /// The shortest turn that carries the x axis of `q_WF` into the direction `x_W`. Unit x_W; straight
 /// backwards: about z.
 template <class Scalar>
@@ -60,14 +65,26 @@ struct Posing {
     carry(BodyPart::kTorso, share * build.lunge_lean);
     carry(BodyPart::kHead, Scalar(0));  // the eyes stay on the opponent
   }
+  /// Where a limb begins that has its bend up to `reach`, and then takes its root along.
+  Vec3<Scalar> root_of(BodyPart first, const Vec3<Scalar>& goal_W, Scalar give,
+                       Scalar reach) const {
+    const Vec3<Scalar> start = start_of(first);
+    const Vec3<Scalar> way = goal_W - start;
+    const Scalar distance = way.norm();
+    if (!(distance > reach)) return start;
+    return start + (min_of(distance - reach, give) / distance) * way;
+  }
   void carry(BodyPart part, Scalar lean) {
     X_WJ[slot(part)] = trunk_pose(start_of(part), X_WF.q_WB, lean);
   }
   /// The limb whose first bone is `first` and whose second is the next one.
-  void reach(BodyPart first, const Vec3<Scalar>& goal_W, const Vec3<Scalar>& bend_F) {
+  /// @param give  how far its root comes along before the limb is straight, m
+  void reach(BodyPart first, const Vec3<Scalar>& goal_W, const Vec3<Scalar>& bend_F,
+             Scalar give = Scalar(0)) {
     const auto second = static_cast<BodyPart>(slot(first) + 1);
-    const Vec3<Scalar> start = start_of(first);
     const Vec2<Scalar> lengths(length_of(first), length_of(second));
+    const Vec3<Scalar> start =
+        root_of(first, goal_W, give, kNearlyStraight<Scalar> * lengths.sum());
     const Reach<Scalar> limb = two_bone_reach(start, goal_W, lengths, turned(X_WF.q_WB, bend_F));
     X_WJ[slot(first)] = {start,
                          pointing(X_WF.q_WB, Vec3<Scalar>((limb.middle - start) / lengths.x()))};
@@ -103,7 +120,8 @@ template <class Scalar>
 bool is_good_lunge(const FencerBuild<Scalar>& build) {
   return is_within_reach(Vec3<Scalar>(build.guard_hand_x, build.lunge_hand_x, Scalar(0))) &&
          build.lunge_hand_x > build.guard_hand_x && is_within_reach(build.lunge_shift_F) &&
-         is_within_reach(build.stride_F) && build.lunge_lean >= Scalar(-1) &&
+         is_within_reach(build.stride_F) && build.shoulder_give >= Scalar(0) &&
+         build.shoulder_give <= kLargestReach<Scalar> && build.lunge_lean >= Scalar(-1) &&
          build.lunge_lean <= Scalar(1);
 }
 
@@ -168,7 +186,7 @@ BodyShape<Scalar> pose_body(const FencerBuild<Scalar>& build, const Pose<Scalar>
   const Scalar share = lunge_share(build, to_body(X_WF, X_WH.p_W).x());
   Posing<Scalar> posing{build, X_WF, share};
   posing.stand();
-  posing.reach(BodyPart::kWeaponUpperArm, X_WH.p_W, build.weapon_arm.bend_F);
+  posing.reach(BodyPart::kWeaponUpperArm, X_WH.p_W, build.weapon_arm.bend_F, build.shoulder_give);
   posing.X_WJ[slot(BodyPart::kWeaponHand)] = {posing.start_of(BodyPart::kWeaponHand), X_WH.q_WB};
   const Vec3<Scalar> other_hand =
       to_world(posing.X_WJ[slot(BodyPart::kTorso)], build.other_arm.goal_F);

@@ -68,11 +68,14 @@ struct FencerBuild {
   Vec3<Scalar> lunge_shift_F = Vec3<Scalar>::Zero();  ///< of the pelvis in a full lunge
   Vec3<Scalar> stride_F = Vec3<Scalar>::Zero();       ///< of the front foot in a full lunge
   Scalar lunge_lean = 0;  ///< of the torso in a full lunge, forward, rad, |lean| <= 1
+  /// So far the shoulder of the weapon arm goes along with the hand before the arm is straight, >=
+  /// 0
+  Scalar shoulder_give = 0;
 };
 
 /// @returns kOk | kInvalidArgument: not finite or beyond kLargestReach, a capsule that is not
-/// valid, a bone of a limb without length, a bend of zero, lunge_hand_x <= guard_hand_x, or
-/// |lunge_lean| > 1 Bound: kBodyParts bones.
+/// valid, a bone of a limb without length, a bend of zero, lunge_hand_x <= guard_hand_x,
+/// |lunge_lean| > 1, or a negative shoulder_give Bound: kBodyParts bones.
 template <class Scalar>
 Status validate(const FencerBuild<Scalar>& build);
 

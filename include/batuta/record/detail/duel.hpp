@@ -45,9 +45,9 @@ void archive(Archive& ar, Limb<Scalar>& limb) {
 template <class Scalar>
 void archive(Archive& ar, FencerBuild<Scalar>& build) {
   auto& [bones, weapon_arm, other_arm, front_leg, rear_leg, guard_hand_x, lunge_hand_x,
-         lunge_shift_F, stride_F, lunge_lean] = build;
+         lunge_shift_F, stride_F, lunge_lean, shoulder_give] = build;
   ar(bones, weapon_arm, other_arm, front_leg, rear_leg, guard_hand_x, lunge_hand_x, lunge_shift_F,
-     stride_F, lunge_lean);
+     stride_F, lunge_lean, shoulder_give);
 }
 
 template <class Scalar>
