@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "batuta/fencing/grip.hpp"
 
+#include <array>
+
 namespace batuta::fencing {
 namespace {
 
@@ -42,13 +44,12 @@ Scalar weight_of(CatchWeight weight, Scalar parameter) {
 
 template <class Scalar>
 Status validate(const GripSettings<Scalar>& settings) {
+  const std::array<Scalar, 10> positive = {
+      settings.torque,        settings.force,        settings.min_regain, settings.max_regain,
+      settings.recover_time,  settings.largest_turn, settings.forte,      settings.composure,
+      settings.settle_torque, settings.max_lost};
   bool good = settings.weight == CatchWeight::kSmooth || settings.weight == CatchWeight::kLinear;
-  for (const Scalar value :
-       {settings.torque, settings.force, settings.min_regain, settings.max_regain,
-        settings.recover_time, settings.largest_turn, settings.forte, settings.composure,
-        settings.settle_torque, settings.max_lost}) {  // Bound: 10
-    good = good && is_positive(value);
-  }
+  for (const Scalar value : positive) good = good && is_positive(value);  // Bound: 10
   return good && settings.max_regain >= settings.min_regain ? Status::kOk
                                                             : Status::kInvalidArgument;
 }

@@ -46,11 +46,8 @@ Result<WeaponBody<Scalar>> weapon_body(const Weapon<Scalar>& weapon) {
   body.blade_B = in_body(body.X_HB, weapon.parts[0].capsule_H);
   body.guard_B = in_body(body.X_HB, weapon.parts[1].capsule_H);
   body.hand_B = in_body(body.X_HB, weapon.hand_H);
-  for (const Capsule<Scalar>* capsule_B :
-       {&body.blade_B, &body.guard_B, &body.hand_B}) {  // Bound: 3
-    if (!is_valid(*capsule_B)) return failure<WeaponBody<Scalar>>(Status::kInvalidArgument);
-  }
-  return success(body);
+  const bool good = is_valid(body.blade_B) && is_valid(body.guard_B) && is_valid(body.hand_B);
+  return good ? success(body) : failure<WeaponBody<Scalar>>(Status::kInvalidArgument);
 }
 
 template <class Scalar>

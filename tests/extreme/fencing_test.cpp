@@ -77,32 +77,44 @@ TYPED_TEST(Fencing, HostileFencer_IsRefusedOrFences) {
 
 TYPED_TEST(Fencing, HostileGrip_IsRefusedOrHolds) {
   using S = TypeParam;
-  const auto ready = std::make_unique<Ready<S>>();
   struct Held {
     GripSettings<S> grip;
-    S impulse = S(0.1);
-    S lag = S(0.05);
-    S inverse_mass = 2;
+    GripLoad<S> load{60, S(0.1), S(0.05), 2};
+    HandBlow<S> blow{S(0.7), S(0.5)};
   };
   test::for_each_spoiled<S>(Held{}, 5000, [&](const Held& held, bool) {
-    const bool good = validate(held.grip) == Status::kOk;
-    EXPECT_TRUE(!good || test::all_finite<S>(held.grip));
+    const GripSettings<S>& grip = held.grip;
+    const bool good = validate(grip) == Status::kOk;
+    EXPECT_TRUE(!good || test::all_finite<S>(grip));
     if (!good) return;
-    const bool asked = held.impulse >= S(0) && held.lag >= S(0) && held.inverse_mass >= S(0);
+    const bool asked = held.load.effort > S(0) && held.load.blow >= S(0) && held.load.lag >= S(0) &&
+                       held.load.inverse_inertia >= S(0) && held.blow.reach >= S(0) &&
+                       held.blow.moment >= S(0);
     if (!asked) return;  // @pre
-    const S time = regain_time(held.grip, held.impulse, held.lag, held.inverse_mass);
-    EXPECT_TRUE(time == S(0) || (time >= held.grip.min_regain && time <= held.grip.max_regain));
+    const S time = regain_time(grip, held.load);
+    EXPECT_TRUE(time >= grip.min_regain && time <= grip.max_regain);
+    const S lost = lost_time(grip, held.blow);
+    EXPECT_TRUE(lost >= S(0) && lost <= grip.max_lost);
   });
-  // Strength and times at their ends, through blows.
+}
+
+/// Efforts, times and limits at their ends, through blows.
+TYPED_TEST(Fencing, GripAtItsEnds_Fences) {
+  using S = TypeParam;
+  const auto ready = std::make_unique<Ready<S>>();
+  using Member = S GripSettings<S>::*;
   for (const S end : {std::numeric_limits<S>::denorm_min(), std::numeric_limits<S>::min(), S(1e-30),
                       S(1e30), std::numeric_limits<S>::max()}) {
-    for (int member = 0; member < 4; ++member) {
+    int number = 0;
+    for (const Member member :
+         {&GripSettings<S>::torque, &GripSettings<S>::force, &GripSettings<S>::max_regain,
+          &GripSettings<S>::recover_time, &GripSettings<S>::largest_turn, &GripSettings<S>::forte,
+          &GripSettings<S>::composure, &GripSettings<S>::settle_torque,
+          &GripSettings<S>::max_lost}) {
       GripSettings<S> grip;
-      if (member == 0) grip.strength = end;
-      if (member == 1) grip.min_regain = grip.max_regain = end;
-      if (member == 2) grip.recover_time = end;
-      if (member == 3) grip.lever = end;
-      SCOPED_TRACE(testing::Message() << "end " << end << " member " << member);
+      grip.*member = end;
+      grip.min_regain = min_of(grip.min_regain, grip.max_regain);
+      SCOPED_TRACE(testing::Message() << "end " << end << " member " << number++);
       ready->left.grip = ready->right.grip = grip;
       ASSERT_EQ(ready->configure(), Status::kOk);
       fence(ready->duel, 300);

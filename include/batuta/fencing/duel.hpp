@@ -50,7 +50,7 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
   /// nothing of the exchange before.
   /// @param left, right  a new sample of the fencer's device, or null where there is none
   /// @returns kOk | kUnavailable (the bout is over) | kInvalidArgument (not configured)
-  /// Bound: one World::step() and, with targets, 2 (kMaxContacts + 1) touch searches.
+  /// Bound: one World::step() and, with targets, 2 (kMostCorners + 1) touch searches.
   Status step(const InputSample* left, const InputSample* right);
 
   /// Bout; OpenBout in a scene without targets.
@@ -125,7 +125,7 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
   struct DuelSide {
     StickTracker<Scalar> stick;
     FencerMap<Scalar> map;  ///< no keys: that of the library
-    WeaponBody<Scalar> weapon;
+    WeaponMass<Scalar> weapon;
     KeyedPose<Scalar> hand;
     BodyId blade;
 

@@ -155,7 +155,7 @@ void Duel<SceneT>::take_place(Side side, const FencerSetup& setup,
                               [[maybe_unused]] const FencerBuild<Scalar>& build) {
   DuelSide& place = at(side);
   place.map = setup.map;
-  place.weapon = setup.weapon;
+  place.weapon = static_cast<const WeaponMass<Scalar>&>(setup.weapon);
   (void)place.stick.configure(settings_.stick);
   if constexpr (Played::kTargets) scoring_.take_place(side, build);
   Actor<SceneType> blade = setup.blade;

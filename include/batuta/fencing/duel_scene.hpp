@@ -27,6 +27,7 @@ struct DuelOptions : SceneOptions {
     capsules_per_body = kWeaponCapsules;
     max_pairs = kWeaponCapsules * kWeaponCapsules;
     max_contacts = 16;
+    max_events = 10;
   }
   /// Blades are held by a grip that a blow loosens [Kavan eq. 32]. Off: each blade is carried by a
   /// Hand, which has whatever strength it takes; Fencer::grip is not looked at.
@@ -173,17 +174,36 @@ struct Waypoint {
   Pose<Scalar> X_WB;  ///< of the blade then
 };
 
+/// Most corners of a blade's way that are kept in a step. Where more contacts are answered, its way
+/// after the last but one is known as a whole only, and touches there are not certain.
+inline constexpr int kMostCorners = 8;
+
 /// The corners of a blade's way in the step.
 template <class Scalar, int N>
 struct Corners {
   FixedList<Waypoint<Scalar>, N> corners;  ///< in the order of time
   Scalar first_blow = 0;  ///< when the first blow of the step came, s; far beyond it: none
+  bool is_cut = false;    ///< there were more than N
+
+  /// The step begins.
+  void begin() {
+    corners.clear();
+    first_blow = std::numeric_limits<Scalar>::max();
+    is_cut = false;
+  }
+  /// A contact was answered.
+  void keep(const Feedback<Scalar>& feedback, const Pose<Scalar>& X_WB) {
+    if (feedback.impulse > Scalar(0)) first_blow = min_of(first_blow, feedback.time);
+    if (corners.push({feedback.time, X_WB})) return;
+    corners[N - 1] = {feedback.time, X_WB};
+    is_cut = true;
+  }
 };
 /// Corners, in a scene whose fencers can be touched.
 template <class SceneT>
-using CornersOf =
-    batuta::detail::FeatureIf<SceneT::kTargets,
-                              Corners<typename SceneT::Scalar, SceneT::kMaxContacts>, 16>;
+using CornersOf = batuta::detail::FeatureIf<
+    SceneT::kTargets, Corners<typename SceneT::Scalar, min_of(SceneT::kMaxContacts, kMostCorners)>,
+    16>;
 
 /// Grip or hand, which remembers the corners of the blade's way where there is somebody to touch.
 template <class SceneT>
@@ -214,10 +234,7 @@ struct BladeController : CornersOf<SceneT> {
   }
   /// Where the blade is wanted at the end of the coming step of length dt. @pre finite; dt > 0
   void command(const Pose<Scalar>& X_WB, Scalar dt) {
-    if constexpr (SceneT::kTargets) {
-      this->corners.clear();
-      this->first_blow = std::numeric_limits<Scalar>::max();
-    }
+    if constexpr (SceneT::kTargets) this->begin();
     if constexpr (SceneT::kGrip) {
       carrier.command(X_WB, dt);
     } else {
@@ -232,13 +249,7 @@ struct BladeController : CornersOf<SceneT> {
   }
   /// Keeps the corner, and tells the carrier.
   void on_contact(const Body<Scalar>& body, const Feedback<Scalar>& feedback) {
-    // Never full: the world resolves at most kMaxContacts in a step.
-    if constexpr (SceneT::kTargets) {
-      this->corners.push({feedback.time, body.X_WB});
-      if (feedback.impulse > Scalar(0)) {
-        this->first_blow = min_of(this->first_blow, feedback.time);
-      }
-    }
+    if constexpr (SceneT::kTargets) this->keep(feedback, body.X_WB);
     carrier.on_contact(body, feedback);
   }
   /// What the hand has of the weapon: Grip::control(); all of it where a Hand carries it.

@@ -26,15 +26,20 @@ struct Weapon {
   Scalar restitution = 0;  ///< C of the blade, in [0, 1]
 };
 
-/// What the world needs of a weapon. B: its centre of mass and principal axes.
+/// How a weapon resists being moved. B: its centre of mass and principal axes.
 template <class Scalar>
-struct WeaponBody {
+struct WeaponMass {
   Scalar mass = 0;                              ///< kg
   Vec3<Scalar> moments = Vec3<Scalar>::Zero();  ///< principal moments of inertia, kg m^2
   Pose<Scalar> X_HB;                            ///< fixed
-  Capsule<Scalar> blade_B;                      ///< these three collide
-  Capsule<Scalar> guard_B;                      ///< the bell
-  Capsule<Scalar> hand_B;                       ///< that holds it
+};
+
+/// What the world needs of a weapon.
+template <class Scalar>
+struct WeaponBody : WeaponMass<Scalar> {
+  Capsule<Scalar> blade_B;  ///< these three collide
+  Capsule<Scalar> guard_B;  ///< the bell
+  Capsule<Scalar> hand_B;   ///< that holds it
 };
 
 /// @returns kOk | kInvalidArgument (a part's mass or shape, the hand's shape, or the restitution,

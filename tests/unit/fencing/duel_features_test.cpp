@@ -280,7 +280,7 @@ TEST(DuelFeatures, WhatIsOff_HasNoMember) {
 // What is not there cannot be out of range.
 TEST(DuelFeatures, DataOfWhatIsOff_IsNotLookedAt) {
   Fencer<float> odd = first_fencer<float>();
-  odd.grip.strength = -1;
+  odd.grip.torque = -1;
   const auto settings = duel_settings<Stiff::StatedScene>();
   EXPECT_EQ(configured<Stiff>()->configure(settings, odd, odd), Status::kOk);
   EXPECT_EQ(configured<Full>()->configure(duel_settings(), odd, odd), Status::kInvalidArgument);

@@ -102,11 +102,13 @@ TYPED_TEST(DuelRefusals, FencerOutOfRange_IsRefused) {
   EXPECT_TRUE(refused([](auto& f) { f.weapon.parts[1].mass = 0; }));
   EXPECT_TRUE(refused([](auto& f) { f.weapon.restitution = 2; }));
   EXPECT_TRUE(refused([](auto& f) { f.weapon.restitution = S(-0.1); }));
-  EXPECT_TRUE(refused([](auto& f) { f.grip.strength = 0; }));
+  EXPECT_TRUE(refused([nan](auto& f) { f.weapon.hand_H.radius = nan; }));
+  EXPECT_TRUE(refused([](auto& f) { f.grip.torque = 0; }));
   EXPECT_TRUE(refused([nan](auto& f) { f.build.bones[3].start_P.x() = nan; }));
   EXPECT_TRUE(refused([](auto& f) { f.build.bones[4].capsule_J.axis.b.setZero(); }));
   EXPECT_TRUE(refused([](auto& f) { f.build.front_leg.bend_F.setZero(); }));
   EXPECT_TRUE(refused([](auto& f) { f.build.lunge_hand_x = f.build.guard_hand_x; }));
+  EXPECT_TRUE(refused([](auto& f) { f.build.shoulder_give = S(-0.01); }));
   ASSERT_EQ(this->configure(), Status::kOk);
   EXPECT_EQ(this->duel->world().size(), 2);
 }

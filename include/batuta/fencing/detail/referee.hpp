@@ -44,7 +44,7 @@ class Referee {
   /// one is noted first, the left one of two at once. In a halt nobody looks.
   /// @param blades  of the left and the right fencer, where they are now
   /// @param now     steps that were over before this one, and its length
-  /// Bound: 2 (kMaxContacts + 1) touch searches, and one more for each part that the point enters
+  /// Bound: 2 (kMostCorners + 1) touch searches, and one more for each part that the point enters
   /// without a touch.
   void judge(const std::array<const Blade*, 2>& blades, const Settings& settings,
              const Moment<Scalar>& now, DuelReport& report);

@@ -100,10 +100,15 @@ TouchSearch<typename SceneT::Scalar> Referee<SceneT>::touch_by(Side side, const 
   bool complete = true;
   Scalar known_until = dt;
   Waypoint<Scalar> start{Scalar(0), at(side).start_WB};
-  for (int k = 0; k <= corners.size() && !first.found; ++k) {  // Bound: kMaxContacts + 1 pieces
+  for (int k = 0; k <= corners.size() && !first.found; ++k) {  // Bound: kMostCorners + 1 pieces
     const Waypoint<Scalar> end =
         k < corners.size() ? corners[k] : Waypoint<Scalar>{dt, blade.body.X_WB};
     const auto piece = detail::piece_between(start, end);
+    const bool is_whole = !blade.controller.is_cut || k + 1 < corners.size();
+    if (!is_whole && complete) {
+      complete = false;
+      known_until = start.time;
+    }
     way.point = {point_B, piece.motion};
     way.from = piece.from;
     first = touch_in(side, way, settings, report);

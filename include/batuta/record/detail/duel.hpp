@@ -51,9 +51,9 @@ void archive(Archive& ar, FencerBuild<Scalar>& build) {
 }
 
 template <class Scalar>
-void archive(Archive& ar, WeaponBody<Scalar>& weapon) {
-  auto& [mass, moments, X_HB, blade_B, guard_B, hand_B] = weapon;
-  ar(mass, moments, X_HB, blade_B, guard_B, hand_B);
+void archive(Archive& ar, WeaponMass<Scalar>& weapon) {
+  auto& [mass, moments, X_HB] = weapon;
+  ar(mass, moments, X_HB);
 }
 
 template <class Scalar>
@@ -94,8 +94,8 @@ void archive(Archive& ar, Waypoint<Scalar>& waypoint) {
 
 template <class Scalar, int N>
 void archive(Archive& ar, Corners<Scalar, N>& way) {
-  auto& [corners, first_blow] = way;
-  ar(corners, first_blow);
+  auto& [corners, first_blow, is_cut] = way;
+  ar(corners, first_blow, is_cut);
 }
 
 template <class SceneT>
