@@ -16,16 +16,16 @@ constexpr std::array<ScriptMove, 4> kGuard = {{
     {900, -0.04F, 0.00F},
 }};
 
-// A parry draws the hand back, so that it does not run into the blade that it sweeps aside.
+// Quarte and sixte in turn: nothing comes, but it may.
 constexpr std::array<ScriptMove, 8> kParry = {{
-    {500, 0.04F, -0.10F},
-    {180, -0.70F, -0.45F},
-    {260, 0.00F, -0.10F},
-    {400, 0.03F, -0.15F},
-    {180, 0.70F, -0.45F},
-    {260, 0.00F, -0.05F},
-    {350, -0.04F, -0.10F},
-    {400, 0.00F, -0.15F},
+    {500, 0.04F, 0.00F},
+    {180, -0.95F, 0.00F},
+    {260, 0.00F, 0.00F},
+    {400, 0.03F, 0.02F},
+    {180, 0.95F, 0.00F},
+    {260, 0.00F, 0.00F},
+    {350, -0.04F, 0.02F},
+    {400, 0.00F, 0.00F},
 }};
 
 constexpr std::array<ScriptMove, 9> kAttack = {{
@@ -33,10 +33,10 @@ constexpr std::array<ScriptMove, 9> kAttack = {{
     {160, 0.40F, 0.45F},
     {160, -0.10F, 0.15F},
     {350, 0.05F, 0.10F},
-    {160, -0.40F, 0.45F},
-    {160, 0.30F, 0.20F},
-    {250, 0.05F, 0.95F},
-    {300, 0.00F, 0.95F},
+    {160, 0.40F, 0.45F},
+    {160, -0.25F, 0.20F},
+    {250, -0.98F, 0.98F},
+    {300, -0.98F, 0.98F},
     {600, 0.00F, 0.05F},
 }};
 

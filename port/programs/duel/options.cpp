@@ -41,8 +41,10 @@ touch, which they end. The bout ends sooner when the recordings are at their end
 180 s. Who has more touches then wins.
 After one of two recordings has ended, its fencer stays where it is.
 
-The stick: centre is the guard, up is the lunge, left and right at the centre or below are the
-parries, down is the retreat. Up is where a mouse moves away from you.
+The stick: centre is the guard, up are the lunges, from left to right high inside, low inside, low
+outside, high outside; left and right are the parries quarte and sixte, below them septime and
+octave; half way up the middle is the beat, down is the retreat. Up is where a mouse moves away from
+you.
 
 A live device is real time: --realtime goes without saying. While it is unplugged its fencer
 stays where it is and has no force; plugged in again, it goes on.

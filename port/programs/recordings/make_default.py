@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Writes default.events, the recording that batuta-duel plays when it is told nothing else.
 
-The motion is made up, not recorded: an attacker on a two-axis stick who feints, beats and lunges, with a hand's
+The motion is made up, not recorded: an attacker on a two-axis stick who beats, feints, parries and lunges, with a hand's
 tremor and a stick's noise of a few counts. Deterministic: the same file from every run on every machine.
 
     python3 make_default.py > default.events
@@ -17,45 +17,45 @@ FLAT = 128
 
 # Seconds, x, y: to the stick position (x right, y up, -1 ... 1) within so long, starting and ending at rest.
 MOVES = [
-    (0.60, 0.00, -0.60),  # keeps away
-    (0.50, 0.04, -0.40),
-    (0.70, 0.00, 0.00),   # engages
+    (0.60, 0.00, -0.04),  # on guard
+    (0.50, 0.04, 0.00),
+    (0.70, 0.00, 0.00),
     (0.30, 0.05, 0.03),
-    (0.14, -0.75, 0.00),  # beats left
+    (0.14, 0.00, 0.50),   # beats
     (0.20, -0.05, 0.05),
     (0.50, 0.03, 0.02),
-    (0.15, 0.70, -0.10),  # beats right
+    (0.15, 0.00, 0.52),   # beats again
     (0.22, 0.02, 0.00),
     (0.40, -0.03, 0.04),
-    (0.22, -0.45, 0.45),  # feint left, cut over, feint right
+    (0.22, -0.45, 0.45),  # feint inside, cut over, feint outside
     (0.20, 0.45, 0.40),
-    (0.35, 0.00, -0.35),
+    (0.35, 0.00, 0.05),
     (0.45, 0.02, 0.00),
-    (0.13, -0.85, -0.05),  # double beat
+    (0.13, -0.85, 0.00),  # quarte, twice
     (0.12, -0.15, 0.00),
-    (0.13, -0.85, -0.05),
-    (0.30, 0.00, -0.50),
-    (0.60, -0.03, -0.55),  # breathes
-    (0.50, 0.02, -0.10),
-    (0.25, 0.40, 0.50),   # feint right, retreat
-    (0.30, 0.05, -0.60),
-    (0.50, 0.00, -0.10),
+    (0.13, -0.85, 0.00),
+    (0.30, 0.00, 0.04),
+    (0.60, -0.03, 0.00),  # breathes
+    (0.50, 0.02, 0.02),
+    (0.25, 0.40, 0.50),   # feint outside
+    (0.30, 0.05, 0.00),
+    (0.50, 0.00, -0.02),
     (0.30, 0.03, 0.00),
-    (0.12, 0.80, -0.05),  # beat right
-    (0.25, 0.00, 0.10),
-    (0.60, 0.04, -0.05),
+    (0.12, 0.85, 0.00),   # sixte
+    (0.25, 0.00, 0.05),
+    (0.60, 0.04, 0.00),
     (0.40, -0.02, 0.00),
-    (0.20, -0.35, 0.30),  # feint left
-    (0.16, 0.20, 0.25),   # disengage
-    (0.26, 0.05, 1.00),   # lunge
-    (0.50, 0.05, 1.00),
+    (0.20, 0.35, 0.30),   # feint outside
+    (0.16, -0.20, 0.15),  # disengages
+    (0.26, -0.97, 1.00),  # lunge, high inside
+    (0.50, -0.97, 1.00),
     (0.50, 0.00, 0.00),
 ]
 
 HEADER = """\
 # EVEMU 1.3
 # Synthetic recording, made for batuta by make_default.py beside it; no device and no person was recorded.
-# Two absolute axes, 250 reports a second: feints, beats and a lunge at the end.
+# Two absolute axes, 250 reports a second: beats, feints, parries and a lunge at the end.
 N: batuta synthetic stick
 I: 0003 0000 0000 0001
 P: 00 00 00 00 00 00 00 00

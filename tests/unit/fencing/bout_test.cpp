@@ -34,6 +34,11 @@ class BoutTo : public test::ConfiguredDuel<DuelT> {
     this->settings.touches = touches;
     ASSERT_EQ(this->configure(), Status::kOk);
   }
+  /// In which two lunges at once touch both: their lines do not cross.
+  void of_thrusters_to(int touches) {
+    this->settings.touches = touches;
+    ASSERT_EQ(this->configure_thrusters(), Status::kOk);
+  }
   const Bout<S>& bout() const { return duel->bout(); }
 
   InputSample sample(Vec2<float> at) const {
@@ -113,7 +118,7 @@ TYPED_TEST(BoutTo, Halt_LastsASecondInWhichNobodyScores) {
 }
 
 TYPED_TEST(BoutTo, AfterTheHalt_BothAreOnGuardAsInTheirFirstStep) {
-  this->to(3);
+  this->of_thrusters_to(3);
   this->step({0, 0}, {0, 0});
   std::vector<double> start;
   const auto seen = [this] {
@@ -172,7 +177,7 @@ TYPED_TEST(BoutTo, SilentStick_StaysOnGuard) {
 }
 
 TYPED_TEST(BoutTo, TwoAtOnce_CountForBoth_UnlessBothWouldWin) {
-  this->to(3);
+  this->of_thrusters_to(3);
   const auto both = [this] {
     this->exchange(lunge, late_lunge);
     ASSERT_EQ(this->bout().touches.size(), 2);
@@ -197,7 +202,7 @@ TYPED_TEST(BoutTo, TwoAtOnce_CountForBoth_UnlessBothWouldWin) {
 }
 
 TYPED_TEST(BoutTo, TwoAtOnce_WinForWhoIsAhead) {
-  this->to(2);
+  this->of_thrusters_to(2);
   this->exchange(lunge, guard);
   this->halt();
   this->exchange(lunge, late_lunge);
@@ -224,7 +229,8 @@ std::unique_ptr<DuelT> lunges_apart(int delay, std::int32_t window_us) {
   auto duel = std::make_unique<DuelT>();
   auto settings = duel_settings<typename DuelT::StatedScene>();
   settings.double_window_us = window_us;
-  EXPECT_EQ(duel->configure(settings, first_fencer<S>(), first_fencer<S>()), Status::kOk);
+  const Fencer<S> fencer = test::thruster(first_fencer<S>());
+  EXPECT_EQ(duel->configure(settings, fencer, fencer), Status::kOk);
   const auto at = [](int now, int k) {
     InputSample s;
     s.time = static_cast<Microseconds>(1000 * now);

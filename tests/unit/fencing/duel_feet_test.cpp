@@ -9,7 +9,13 @@ namespace {
 struct Order {
   float stick_y = 0;
   float feet_y = 0;
+  float stick_x = 0;
 };
+
+/// An attack into the high inside line, where nothing of a guard is in the way.
+Order high_inside(float y, float feet_y = 0) {
+  return {y, feet_y, -y};
+}
 
 template <class DuelT>
 class DuelFeet : public test::ConfiguredDuel<DuelT> {
@@ -21,6 +27,7 @@ class DuelFeet : public test::ConfiguredDuel<DuelT> {
     InputSample s;
     s.time = 1000 * duel->steps();
     s.sequence = duel->steps();
+    s.x = order.stick_x;
     s.y = order.stick_y;
     s.feet_y = order.feet_y;
     return s;
@@ -110,7 +117,7 @@ TYPED_TEST(DuelFeet, Distance_DecidesWhetherALungeArrives) {
     ASSERT_EQ(this->configure(), Status::kOk);
     for (int k = 0; k < 1000 && !this->duel->bout().is_over(); ++k) {
       const auto y = static_cast<float>(ramp(k));
-      this->step({y, 0}, {0, retreats && k >= 200 ? -1.0F : 0.0F});
+      this->step(high_inside(y), {0, retreats && k >= 200 ? -1.0F : 0.0F});
     }
     EXPECT_EQ(this->duel->bout().is_over(), !retreats);
   }
@@ -123,9 +130,9 @@ TYPED_TEST(DuelFeet, AdvanceAndLunge_ReachFurther) {
   EXPECT_GT(far, 2.8);
   this->run(600, {0, 1}, {});
   for (int k = 0; k < 1000 && !this->duel->bout().is_over(); ++k) {
-    this->step({static_cast<float>(ramp(k)), 0}, {});
+    this->step(high_inside(static_cast<float>(ramp(k))), {});
   }
-  EXPECT_EQ(this->duel->bout().state, BoutState::kTouched);
+  ASSERT_EQ(this->duel->bout().state, BoutState::kTouched);
   EXPECT_EQ(this->duel->bout().touches[0].by, Side::kLeft);
 }
 
@@ -139,7 +146,7 @@ TYPED_TEST(DuelFeet, AfterAHalt_BothAreWhereTheyBegan) {
   this->settings.touches = 2;
   ASSERT_EQ(this->configure(), Status::kOk);
   for (int k = 0; k < 1000 && this->duel->bout().state != BoutState::kHalt; ++k) {
-    this->step({static_cast<float>(ramp(k)), 0.5F}, {0, 0.2F});
+    this->step(high_inside(static_cast<float>(ramp(k)), 0.5F), {0, 0.2F});
   }
   ASSERT_EQ(this->duel->bout().state, BoutState::kHalt);
   EXPECT_NE(this->way(Side::kLeft), 0);

@@ -78,6 +78,11 @@ class DuelOf : public test::ConfiguredDuel<DuelT> {
 };
 TYPED_TEST_SUITE(DuelOf, test::Duels);
 
+/// How far a blade may be in the other one where it has been turned back, m: the margin of lengths
+/// of 3 m (src/world/detail/margin.md).
+template <class S>
+constexpr double kTurnedBack = std::is_same_v<S, float> ? 7e-5 : 1e-5;
+
 /// What only the paper's search has.
 template <class DuelT>
 class PaperDuelOf : public DuelOf<DuelT> {};
@@ -125,7 +130,9 @@ TYPED_TEST(DuelOf, AfterTheBout_NothingChanges) {
   EXPECT_EQ(this->duel->steps(), steps);
 }
 
+// Lines that do not cross: no blade parries the other.
 TYPED_TEST(DuelOf, LungesAtTheSameTime_AreADouble) {
+  ASSERT_EQ(this->configure_thrusters(), Status::kOk);
   this->run(lunge, late_lunge, 1000);
   ASSERT_EQ(this->bout().state, BoutState::kDouble);
   ASSERT_EQ(this->bout().touches.size(), 2);
@@ -168,16 +175,16 @@ TYPED_TEST(DuelOf, Parry_BeatsTheBladeOutOfTheHandThatExtends) {
 TYPED_TEST(DuelOf, LongPhrase_BladesStayApart) {
   this->run(sway, counter_sway, 60000);
   EXPECT_EQ(this->duel->steps(), 60000U);
-  EXPECT_GT(this->least_gap, -1e-5);
+  EXPECT_GT(this->least_gap, -kTurnedBack<typename TestFixture::ScalarT>);
   EXPECT_GT(this->duel->report().blows, 50U);
-  EXPECT_LE(this->duel->report().incomplete_steps,
-            6U);  // 1 in 10000: blades that lean bounce ever faster to rest
+  // 1 in 1000: blades that lean bounce ever faster to rest, and a step has max_contacts for that.
+  EXPECT_LE(this->duel->report().incomplete_steps, 60U);
   EXPECT_EQ(this->duel->report().budget_outs, 0U);
 }
 
 TYPED_TEST(DuelOf, SticksThrownFromRimToRim_BladesStayApart) {
   this->run(hacking, counter_sway, 20000);
-  EXPECT_GT(this->least_gap, -1e-5);
+  EXPECT_GT(this->least_gap, -kTurnedBack<typename TestFixture::ScalarT>);
   EXPECT_GT(this->duel->report().blows, 20U);
   EXPECT_EQ(this->duel->report().budget_outs, 0U);
 }

@@ -37,11 +37,12 @@ class Pairing : public ::testing::TestWithParam<int> {
   }
 };
 
+// Blades overlap lengthwise and are a hand's breadth apart across: no contact, and a beat is near.
 TEST_P(Pairing, Guards_AreEngagedWithoutTouching) {
   const auto gap = capsule_gap(blade(Side::kLeft, 0, 0), blade(Side::kRight, 0, 0));
-  EXPECT_GT(gap.gap, 0.01);
-  EXPECT_LT(gap.gap, 0.04);
-  EXPECT_GT(gap.axes.s, 0.3);  // they cross in the outer parts of the blades, not at the tips
+  EXPECT_GT(gap.gap, 0.07);
+  EXPECT_LT(gap.gap, 0.15);
+  EXPECT_GT(gap.axes.s, 0.3);  // nearest in the outer parts of the blades, not at the tips
   EXPECT_LT(gap.axes.s, 0.95);
   for (const Side side : {Side::kLeft, Side::kRight}) EXPECT_GT(gap_to_other(side, 0, 0), 0.25);
 }
@@ -84,6 +85,10 @@ TEST(Fencer, Map_IsInRangeAndPointsTheBladeForward) {
   }
 }
 
+/// How far the hands of all lunges are as far as each other, as a share of the way from guard: 2 cm
+/// of 82, and what the surface adds between keys.
+constexpr double kLungeSpread = 0.03;
+
 /// The trunk goes forward with the hand of a lunge, and of nothing before it.
 TEST(Fencer, Build_LungesWithTheMap) {
   for (const auto& fencer : {first_fencer<double>(), second_fencer<double>()}) {
@@ -92,7 +97,9 @@ TEST(Fencer, Build_LungesWithTheMap) {
       return lunge_share(fencer.build, hand.p_W.x());
     };
     EXPECT_EQ(share(0, 0), 0);
-    for (const double x : {-1.0, -0.5, 0.0, 0.5, 1.0}) EXPECT_NEAR(share(x, 1), 1, 1e-6) << x;
+    EXPECT_EQ(share(0, 1), 1);
+    for (const double x : {-1.0, -0.5, 0.5, 1.0}) EXPECT_NEAR(share(x, 1), 1, kLungeSpread) << x;
+    for (double x = -1; x <= 1; x += 0.125) EXPECT_LT(share(x, -1), 0.1) << x;
   }
 }
 

@@ -215,7 +215,7 @@ TYPED_TEST(GripOf, BlowOnTheFoible_BeatsTheHandForItsTime) {
   for (int i = 0; i < 400; ++i) {
     const bool is_beaten = this->grip.phase() == GripPhase::kBeaten;
     beaten += is_beaten ? 1 : 0;
-    if (is_beaten) EXPECT_EQ(this->grip.control(), S(0));
+    EXPECT_EQ(this->grip.control() == S(0), is_beaten);
     this->step();
   }
   EXPECT_NEAR(beaten, 300, 1);  // rounding of 300 sums

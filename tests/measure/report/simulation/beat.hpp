@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// One beat: the left fencer's stick goes out to the left and back, the right fencer keeps the
-// guard, and the blades meet once. The sticks report every 20 ms, a whole number of steps of each
+// One beat: the left fencer's stick goes up the middle and back, the right fencer keeps the guard,
+// and the blades meet once. The sticks report every 20 ms, a whole number of steps of each
 // length in play.hpp, so that the hands are told to do the same whatever the step.
 
 #include "play.hpp"
@@ -9,7 +9,7 @@
 namespace batuta::report {
 
 constexpr std::int32_t kReportUs = kLongestStepUs;  ///< from one report of a stick to the next
-/// What the left stick reports, one report after the other, as shares of the reach to the left. A
+/// What the left stick reports, one report after the other, as shares of its reach. A
 /// stick arrives at each report when the next one comes. The beat ends while both grips regain
 /// control.
 constexpr std::array<double, 5> kLeftReports = {0, 0, 0.06, 0.25, 0.06};
@@ -24,7 +24,7 @@ struct BeatPlan {
 /// @param number  0 <= number < count
 inline BeatPlan beat_plan(std::uint64_t number, std::uint64_t count) {
   const double share = (static_cast<double>(number) + 0.5) / static_cast<double>(count);
-  return {static_cast<float>(0.42 + 0.28 * share)};
+  return {static_cast<float>(1.0 + 0.2 * share)};
 }
 
 /// The k-th report of the left stick, at k kReportUs.
@@ -32,7 +32,7 @@ inline InputSample left_report(const BeatPlan& plan, int k) {
   InputSample sample;
   sample.time = static_cast<Microseconds>(k) * static_cast<Microseconds>(kReportUs);
   sample.sequence = static_cast<std::uint32_t>(k);
-  sample.x = -plan.reach * static_cast<float>(kLeftReports[static_cast<std::size_t>(k)]);
+  sample.y = plan.reach * static_cast<float>(kLeftReports[static_cast<std::size_t>(k)]);
   return sample;
 }
 
@@ -43,7 +43,7 @@ void play_beat(PlayT& duel, const BeatPlan& plan, AfterStep&& after_step) {
   for (int i = 0; i < kBeatReports * steps; ++i) {
     const InputSample left = left_report(plan, i / steps);
     InputSample right = left;
-    right.x = 0;
+    right.y = 0;
     const bool fresh = i % steps == 0;
     duel.step(fresh ? &left : nullptr, fresh ? &right : nullptr);
     after_step();

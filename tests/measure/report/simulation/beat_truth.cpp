@@ -45,20 +45,24 @@ LedBlade::LedBlade(Side side, const BeatPlan& plan) : side_(side), plan_(plan) {
   grip_ = fencer.grip;
 }
 
+Vec3<Wide> LedBlade::hand_B() const {
+  return -(weapon_.X_HB.q_WB.cast<Wide>().conjugate() * weapon_.X_HB.p_W.cast<Wide>());
+}
+
 double LedBlade::report(int k) const {
   if (side_ == Side::kRight || k < 0) return 0;
-  return static_cast<double>(left_report(plan_, k).x);
+  return static_cast<double>(left_report(plan_, k).y);
 }
 
 Vec2<double> LedBlade::stick(double t) const {
   const int k = last_report(t);
   const double share = t / kReportS - k;
-  return {report(k - 1) + share * (report(k) - report(k - 1)), 0};
+  return {0, report(k - 1) + share * (report(k) - report(k - 1))};
 }
 
 Vec2<double> LedBlade::stick_rate(double t) const {
   const int k = last_report(t);
-  return {(report(k) - report(k - 1)) / kReportS, 0};
+  return {0, (report(k) - report(k - 1)) / kReportS};
 }
 
 BladeState LedBlade::held(double t) const {
@@ -142,26 +146,41 @@ void BeatTruth::strike() {
   }
 }
 
+/// How much of a pose is the hand's, so long after the blow.
+Wide BeatTruth::weight(double effort, Wide blow, const GripSettings<double>& grip, Wide elapsed) {
+  // A blade that was in its hand lags behind nothing: the blow alone says how long.
+  const double taken = static_cast<double>(blow) / effort;
+  const double regain = std::min(std::max(taken, grip.min_regain), grip.max_regain);
+  const Wide s = std::min<Wide>(1, elapsed / static_cast<Wide>(regain));
+  return s * s * (3 - 2 * s);
+}
+
 Vec3<Wide> BeatTruth::tip(Side side, double t) const {
   const LedBlade& blade = blades_[index_of(side)];
   const BladeState hand = blade.held(t);
   if (time_ < 0 || static_cast<Wide>(t) <= time_) return blade.ends(hand)[1];
   const GripSettings<double>& grip = blade.grip();
-  // A blade that was in its hand lags behind nothing: the blow alone says how long.
-  const double regain =
-      std::min(std::max(impulse() / grip.strength, grip.min_regain), grip.max_regain);
-  const Wide elapsed = static_cast<Wide>(t) - time_;
-  const Wide s = std::min<Wide>(1, elapsed / static_cast<Wide>(regain));
-  const Wide by_hand = s * s * (3 - 2 * s);
   const BladeState& start = after_[index_of(side)];
+  const Vec3<Wide> hand_B = blade.hand_B();
+  const Vec3<Wide> arm = start.q_WB * hand_B;
+  const Vec3<Wide> push = impulse_ * normal_;
+  const Wide moment = (point_ - start.center - arm).cross(push).norm();
+  const Wide elapsed = static_cast<Wide>(t) - time_;
+  const Wide turned = weight(grip.torque, moment, grip, elapsed);
+  const Wide placed = weight(grip.force, push.norm(), grip, elapsed);
   const Vec3<Wide> turn_rate =
       blade.angular_momentum(start) / transverse_moment(blade.weapon().moments);
-  BladeState now;
-  now.center = (1 - by_hand) * (start.center + elapsed * start.v_W) + by_hand * hand.center;
+
   const Quat<Wide> to_hand = start.q_WB.conjugate() * hand.q_WB;
   const Eigen::AngleAxis<Wide> whole(to_hand.w() < 0 ? Quat<Wide>(-to_hand.coeffs()) : to_hand);
-  now.q_WB = turn((1 - by_hand) * elapsed * turn_rate) * start.q_WB *
-             Quat<Wide>(Eigen::AngleAxis<Wide>(by_hand * whole.angle(), whole.axis()));
+  const Vec3<Wide> own_turn = (1 - turned) * elapsed * turn_rate;
+  const Wide kept = std::min<Wide>(1, static_cast<Wide>(grip.largest_turn) / own_turn.norm());
+  BladeState now;
+  now.q_WB = turn(kept * own_turn) * start.q_WB *
+             Quat<Wide>(Eigen::AngleAxis<Wide>(turned * whole.angle(), whole.axis()));
+  const Vec3<Wide> free = start.center + arm + elapsed * (start.v_W + turn_rate.cross(arm));
+  const Vec3<Wide> wanted = hand.center + hand.q_WB * hand_B;
+  now.center = (1 - placed) * free + placed * wanted - now.q_WB * hand_B;
   return blade.ends(now)[1];
 }
 

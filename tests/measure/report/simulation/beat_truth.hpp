@@ -40,6 +40,8 @@ class LedBlade {
 
   const WeaponBody<double>& weapon() const { return weapon_; }
   const GripSettings<double>& grip() const { return grip_; }
+  /// Where the hand holds it.
+  Vec3<Wide> hand_B() const;
 
  private:
   double report(int k) const;
@@ -74,6 +76,7 @@ class BeatTruth {
  private:
   void strike();
   Vec3<Wide> tip(Side side, double t) const;
+  static Wide weight(double effort, Wide blow, const GripSettings<double>& grip, Wide elapsed);
 
   std::array<LedBlade, 2> blades_;
   std::array<BladeState, 2> before_;
