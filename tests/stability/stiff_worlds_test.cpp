@@ -189,7 +189,7 @@ std::uint32_t fence(const Fencer<S>& left, const Fencer<S>& right) {
     InputSample sample;
     sample.time = 1000U * k;
     sample.x = k / 120 % 2 == 0 ? -0.9F : 0.9F;
-    sample.y = -0.2F;
+    sample.y = 0.4F;  // arms half out, through each other
     EXPECT_EQ(duel->step(&sample, &sample), Status::kOk);
     const auto A = duel->blade_W(Side::kLeft);
     const auto B = duel->blade_W(Side::kRight);
@@ -217,9 +217,10 @@ TYPED_TEST(StiffWorlds, GripsAtTheEndsOfStrengthAndTime_BladesStayApart) {
   for (const double strength : {1e-9, 1.0, 1e9}) {
     for (const double time : {1e-6, 0.02, 1e3}) {
       for (const double recover : {1e-6, 0.1, 1e3}) {
-        SCOPED_TRACE(::testing::Message() << strength << " N " << time << " s " << recover);
+        SCOPED_TRACE(::testing::Message() << strength << " N, N m " << time << " s " << recover);
         auto left = first_fencer<S>();
-        left.grip.strength = static_cast<S>(strength);
+        left.grip.force = left.grip.torque = static_cast<S>(strength);
+        left.grip.composure = left.grip.settle_torque = static_cast<S>(1 / strength);
         left.grip.min_regain = static_cast<S>(time);
         left.grip.max_regain = static_cast<S>(max_of(time, 0.4));
         left.grip.recover_time = static_cast<S>(recover);

@@ -25,7 +25,7 @@ struct Script {
   std::size_t count;  ///< > 0
 };
 
-/// guard: waits in guard, breathing. parry: sweeps the blade aside on a rhythm. attack: feints,
+/// guard: waits in guard, breathing. parry: quarte and sixte on a rhythm. attack: feints,
 /// then lunges.
 std::optional<Script> script_named(std::string_view name);
 
