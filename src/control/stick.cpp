@@ -153,7 +153,8 @@ void StickTracker<Scalar>::advance(Scalar dt, StickFollow follow) {
     remaining_ = 0;
   }
   if (follow == StickFollow::kBack) {
-    position_ = {before.x(), min_of(before.y(), position_.y())};
+    const Scalar furthest = before.y() - dt * static_cast<Scalar>(settings_.max_speed);
+    position_ = {before.x(), min_of(before.y(), max_of(goal_.y(), furthest))};
     remaining_ = max_of(remaining_, shortest_way());
   }
   velocity_ = (position_ - before) / dt;

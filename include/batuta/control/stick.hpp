@@ -34,7 +34,7 @@ Status validate(const StickSettings& settings);
 /// Where the stick goes in a step.
 enum class StickFollow : std::uint8_t {
   kAll,   ///< to where the samples say
-  kBack,  ///< no further than it draws back: x stays, y does not grow
+  kBack,  ///< no further than it draws back: x stays, y goes down as fast as it may, and not up
 };
 
 /// What became of a sample.

@@ -174,6 +174,10 @@ struct Waypoint {
   Pose<Scalar> X_WB;  ///< of the blade then
 };
 
+/// When there was no blow in a step, s: beyond the longest of them.
+template <class Scalar>
+inline constexpr Scalar kNoBlow = Scalar(1);
+
 /// Most corners of a blade's way that are kept in a step. Where more contacts are answered, its way
 /// after the last but one is known as a whole only, and touches there are not certain.
 inline constexpr int kMostCorners = 8;
@@ -182,13 +186,13 @@ inline constexpr int kMostCorners = 8;
 template <class Scalar, int N>
 struct Corners {
   FixedList<Waypoint<Scalar>, N> corners;  ///< in the order of time
-  Scalar first_blow = 0;  ///< when the first blow of the step came, s; far beyond it: none
+  Scalar first_blow = kNoBlow<Scalar>;  ///< when the first blow of the step came, s
   bool is_cut = false;    ///< there were more than N
 
   /// The step begins.
   void begin() {
     corners.clear();
-    first_blow = std::numeric_limits<Scalar>::max();
+    first_blow = kNoBlow<Scalar>;
     is_cut = false;
   }
   /// A contact was answered.

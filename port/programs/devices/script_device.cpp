@@ -16,12 +16,13 @@ constexpr std::array<ScriptMove, 4> kGuard = {{
     {900, -0.04F, 0.00F},
 }};
 
-// Quarte and sixte in turn: nothing comes, but it may.
-constexpr std::array<ScriptMove, 8> kParry = {{
+// Quarte, a beat and sixte.
+constexpr std::array<ScriptMove, 9> kParry = {{
     {500, 0.04F, 0.00F},
     {180, -0.95F, 0.00F},
     {260, 0.00F, 0.00F},
-    {400, 0.03F, 0.02F},
+    {100, 0.00F, 0.50F},
+    {300, 0.03F, 0.02F},
     {180, 0.95F, 0.00F},
     {260, 0.00F, 0.00F},
     {350, -0.04F, 0.02F},
@@ -29,12 +30,12 @@ constexpr std::array<ScriptMove, 8> kParry = {{
 }};
 
 constexpr std::array<ScriptMove, 9> kAttack = {{
-    {600, 0.05F, 0.10F},
-    {160, 0.40F, 0.45F},
-    {160, -0.10F, 0.15F},
-    {350, 0.05F, 0.10F},
-    {160, 0.40F, 0.45F},
-    {160, -0.25F, 0.20F},
+    {600, 0.05F, 0.03F},
+    {160, -0.40F, 0.40F},
+    {160, -0.10F, 0.05F},
+    {350, 0.05F, 0.00F},
+    {160, -0.40F, 0.40F},
+    {160, -0.15F, 0.10F},
     {250, -0.98F, 0.98F},
     {300, -0.98F, 0.98F},
     {600, 0.00F, 0.05F},

@@ -25,8 +25,8 @@ struct Script {
   std::size_t count;  ///< > 0
 };
 
-/// guard: waits in guard, breathing. parry: quarte and sixte on a rhythm. attack: feints,
-/// then lunges.
+/// guard: waits in guard, breathing. parry: quarte, a beat and sixte on a rhythm. attack:
+/// feints, then lunges.
 std::optional<Script> script_named(std::string_view name);
 
 /// Plays a script from now = 0, for ever.

@@ -14,7 +14,7 @@ namespace {
 
 using link::Mode;
 
-/// A device whose left stick sweeps into the other blade.
+/// A device whose left stick leads the blade into the other one.
 class SweepingStick : public ::testing::Test {
  protected:
   DeviceRig rig;
@@ -25,7 +25,7 @@ class SweepingStick : public ::testing::Test {
     InputSample sample;
     sample.time = step * 1000;
     sample.sequence = step;
-    sample.x = -std::fmin(static_cast<float>(step) / 150.0F, 1.0F);
+    sample.y = 0.5F * std::fmin(static_cast<float>(step) / 150.0F, 1.0F);
     return sample;
   }
   bool is_forced() const { return rig.motor.last.x != 0 || rig.motor.last.y != 0; }
@@ -48,7 +48,6 @@ class SweepingStick : public ::testing::Test {
     message.right.time = step * 1000;
     message.right.sequence = step;
     message.right.x = 0.5F + 0.5F * std::sin(0.05F * static_cast<float>(i));
-    message.right.y = -0.3F;
     host.send(message);
     rig.run(1);
     ASSERT_EQ(rig.device->bout().steps(), step);
@@ -70,7 +69,7 @@ TEST_F(SweepingStick, ABlow_ReachesTheMotor_AsItIsTold) {
   ASSERT_EQ(told.side, link::LinkSide::kLeft);
   EXPECT_EQ(rig.motor.last.x, told.x);
   EXPECT_EQ(rig.motor.last.y, told.y);
-  EXPECT_GT(told.x, 0) << "the stick went to the left";
+  EXPECT_LT(told.y, 0) << "the stick went up";
 }
 
 TEST_F(SweepingStick,
@@ -112,7 +111,7 @@ TEST_F(SweepingStick, TheImpulse_DoesNotDependOnTheHostsPace) {
     while (step < 200) {
       order();
       for (int i = 0; i <= idle; ++i) {
-        impulse[idle == 0 ? 0 : 1] += std::fabs(rig.motor.last.x);
+        impulse[idle == 0 ? 0 : 1] += std::fabs(rig.motor.last.y);
         if (i < idle) rig.run(1);
       }
     }
@@ -135,8 +134,8 @@ TEST_F(SweepingStick, WhenTheHostComesBack_TheForceComesBackSlowly_AndTheSilence
   for (; !is_forced() && back < 49; ++back) order();
   ASSERT_TRUE(is_forced()) << "else nothing was seen";
   const Vec2<float> demanded = rig.device->bout().forces().of(Side::kLeft).demanded;
-  const float whole = demanded.x() * rig.settings.bout.force.gain().x();
-  EXPECT_EQ(rig.motor.last.x, static_cast<float>(back) / 50.0F * whole);
+  const float whole = demanded.y() * rig.settings.bout.force.gain().y();
+  EXPECT_EQ(rig.motor.last.y, static_cast<float>(back) / 50.0F * whole);
 }
 
 TEST_F(SweepingStick, WhenTheOwnStickStops_ItsForceFades_ThoughStepsGoOn) {
@@ -172,7 +171,7 @@ TEST_F(SweepingStick, UnpluggedMidBeat_TheMotorsForceGoesSmoothly_TheDuelGoesOn_
   for (int i = 1; i <= 2000; ++i) {
     order_of_the_right(i);
     const float left = std::fmax(0.0F, static_cast<float>(1010 - i) / 1000);
-    ASSERT_LE(std::fabs(rig.motor.last.x), left) << i;
+    ASSERT_LE(std::fabs(rig.motor.last.y), left) << i;
     ASSERT_LE(std::fabs(rig.motor.last.y), left) << i;
     const bool blow = rig.device->bout().forces().of(Side::kLeft).demanded.norm() > 0;
     ASSERT_TRUE(i <= 10 || i >= 1010 || is_forced() == blow) << i;

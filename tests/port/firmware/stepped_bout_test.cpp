@@ -11,13 +11,12 @@ namespace batuta::firmware {
 using namespace fencing;
 namespace {
 
-/// A stick that sweeps to and fro: blades meet.
+/// A stick that goes up the middle again and again: blades meet.
 InputSample swept(std::uint32_t step) {
   InputSample sample;
   sample.time = step * 1000;
   sample.sequence = step;
-  sample.x = -static_cast<float>(step % 200) / 200.0F;
-  sample.y = 0.1F;
+  sample.y = 0.5F * static_cast<float>(step % 200) / 200.0F;
   return sample;
 }
 
@@ -48,12 +47,12 @@ TEST(SteppedBout, AfterAHalt_NobodyFeelsThatHeIsPutOnGuard) {
   while (!bout.duel().bout().is_halt_over()) {
     ASSERT_LT(bout.steps(), 3000U);
     InputSample lunge = swept(bout.steps());
-    lunge.x = 0;
     lunge.y = std::min(1.0F, 0.01F * static_cast<float>(bout.steps()));
+    lunge.x = -lunge.y;
     ASSERT_EQ(bout.step(&lunge, nullptr), Status::kOk);
   }
   InputSample held = swept(bout.steps());
-  held.x = 0;
+  held.x = -1;
   held.y = 1;
   ASSERT_EQ(bout.step(&held, nullptr), Status::kOk);
   EXPECT_EQ(bout.duel().bout().exchange, 2U);

@@ -11,7 +11,7 @@ namespace batuta::firmware {
 using namespace fencing;
 namespace {
 
-/// A duel in which the left blade sweeps to its left into the right one: the right fencer waits.
+/// A duel in which the left blade beats the right one: the right fencer waits.
 class ABeat : public ::testing::Test {
  protected:
   std::unique_ptr<DuelType> duel = std::make_unique<DuelType>();
@@ -22,14 +22,14 @@ class ABeat : public ::testing::Test {
               Status::kOk);
   }
 
-  /// One step in which the left stick is at (x, 0) of a sweep that lasts 150 steps.
+  /// One step in which the left stick is at (0, y) of a beat that lasts 150 steps.
   void step() {
     InputSample left;
     left.time = duel->steps() * 1000;
     left.sequence = duel->steps();
-    left.x = -std::fmin(static_cast<float>(duel->steps()) / 150.0F, 1.0F);
+    left.y = 0.5F * std::fmin(static_cast<float>(duel->steps()) / 150.0F, 1.0F);
     InputSample right = left;
-    right.x = 0;
+    right.y = 0;
     ASSERT_EQ(duel->step(&left, &right), Status::kOk);
     forces.advance(*duel, {true, true});
   }
@@ -45,10 +45,10 @@ TEST_F(ABeat, PushesTheStickBackFromWhereItStruck_AndTheOtherAlong) {
   ASSERT_EQ(forces.configure({1000, {100, 1}}), Status::kOk);
   for (int i = 0; i < 150 && !has_blow(); ++i) step();
   ASSERT_TRUE(has_blow());
-  // The left stick moves to -x and meets something: it is pushed to +x. The right fencer faces the
-  // other way: what comes from the left fencer's right comes from his own left, and pushes him to
-  // his own right.
-  EXPECT_GT(forces.of(Side::kLeft).share.x(), 0);
+  // The left stick moves to +y and meets something: it is pushed to -y. It leads the hand to the
+  // left. The right fencer faces the other way: what comes from the left fencer's right comes from
+  // his own left, and pushes him to his own right.
+  EXPECT_LT(forces.of(Side::kLeft).share.y(), 0);
   EXPECT_GT(forces.of(Side::kRight).share.x(), 0);
 }
 
@@ -69,9 +69,9 @@ TEST_F(ABeat, HeldAgainstTheOtherBlade_TheBladePullsNoHarderThanItsGrip) {
   float hardest = 0;
   for (int i = 0; i < 450; ++i) {
     step();
-    hardest = std::fmin(hardest, forces.of(Side::kLeft).demanded.x());
+    hardest = std::fmin(hardest, forces.of(Side::kLeft).demanded.y());
   }
-  EXPECT_GT(hardest, -8 - 2 * 0.8F);  // N and N m; less than 1 m and 2 rad for each unit
+  EXPECT_GT(hardest, -60 - 2 * 6.0F);  // N and N m; less than 1 m and 2 rad for each unit
   EXPECT_LT(hardest, -0.5F) << "else nothing was caught";
 }
 
@@ -93,7 +93,7 @@ TEST_F(ABeat, TheRampScalesEachSideByItself) {
   for (int i = 1; i <= 150; ++i) {
     InputSample left;
     left.time = duel->steps() * 1000;
-    left.x = -static_cast<float>(i) / 150.0F;
+    left.y = 0.5F * static_cast<float>(i) / 150.0F;
     ASSERT_EQ(duel->step(&left, nullptr), Status::kOk);
     forces.advance(*duel, {true, false});
     full.advance(*duel, {true, false});

@@ -30,7 +30,8 @@ TEST(DuelRunner, TheDefaultBout_EndsWithATouchByTheLeft) {
   EXPECT_STREQ(result_of(*bout.runner), "left");
   EXPECT_GE(bout.runner->tally().beats, 5U);
   EXPECT_EQ(bout.runner->tally().devices[0].refused, 0U);
-  EXPECT_GT(bout.runner->tally().smallest_gap, -1e-6F) << "blades do not go through each other";
+  // In each other by no more than a blade's way back may leave them (src/world/detail/margin.md).
+  EXPECT_GT(bout.runner->tally().smallest_gap, -7e-5F) << "blades do not go through each other";
   EXPECT_FALSE(bout.runner->step()) << "it is over";
 }
 

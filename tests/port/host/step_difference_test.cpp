@@ -27,7 +27,7 @@ class AToldStep : public ::testing::Test {
     while (bout->duel().world().events().empty() && bout->steps() < 300) {
       InputSample left;
       left.time = bout->steps() * 1000;
-      left.x = -std::fmin(static_cast<float>(bout->steps()) / 150.0F, 1.0F);
+      left.y = 0.5F * std::fmin(static_cast<float>(bout->steps()) / 150.0F, 1.0F);
       ASSERT_EQ(bout->step(&left, nullptr), Status::kOk);
     }
     ASSERT_FALSE(bout->duel().world().events().empty());

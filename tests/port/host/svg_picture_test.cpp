@@ -10,6 +10,7 @@
 
 #include "bouts.hpp"
 #include "heap_trap.hpp"
+#include "programs/devices/replay_device.hpp"
 #include "programs/duel/svg_canvas.hpp"
 
 namespace batuta::host {
@@ -69,8 +70,25 @@ TEST(SvgPicture, ABoutThatIsBrokenOff_SaysSo) {
   }
 }
 
+/// A stick that goes up the middle and back, five times a second.
+Recording beats_for(double duration) {
+  Recording recording;
+  recording.duration = duration;
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(duration * 10); ++i) {
+    InputSample sample;
+    sample.time = i * 100000;
+    sample.sequence = i;
+    sample.y = i % 2 == 0 ? 0.0F : 0.5F;
+    recording.samples.push_back(sample);
+  }
+  return recording;
+}
+
 TEST(SvgPicture, ALongBout_StaysSmall_AndSaysWhatItLeavesOut) {
-  BoutRig bout("script:guard", "script:parry", 180);
+  BoutRig bout("script:guard", "script:guard", 180);
+  bout.left = std::make_unique<ReplayDevice>(beats_for(180), "beating");
+  bout.runner = std::make_unique<DuelRunner>(*bout.left, *bout.right, 180);
+  ASSERT_EQ(bout.runner->start(), Status::kOk);
   const std::string svg = picture_of(bout);
   ASSERT_GT(bout.runner->tally().beats, static_cast<std::uint32_t>(SvgPicture::kMaxBeats));
   EXPECT_LT(svg.size(), 400'000U);

@@ -260,6 +260,53 @@ TYPED_TEST(StickOf, FromTheCentre_TheStickGoesAsFastAsItMay) {
   EXPECT_EQ(this->stick.position().y(), TypeParam(-0.5F));
 }
 
+// Whatever comes: x stays, y does not grow, and nothing is faster than it may be.
+TYPED_TEST(StickOf, FollowedOnlyBack_GoesBackOrStays) {
+  std::mt19937 random(11);
+  const auto unit = [&random] { return static_cast<float>(random() % 4001U) / 1000.0F - 2.0F; };
+  int moved = 0;
+  for (unsigned k = 1; k <= 20000; ++k) {
+    if (k % 7 == 0) (void)this->stick.accept(sample(1000 * k, unit(), unit(), k));
+    const bool back = k / 50 % 2 == 1;
+    const Vec2<TypeParam> before = this->stick.position();
+    this->stick.advance(TypeParam(1e-3), back ? StickFollow::kBack : StickFollow::kAll);
+    const Vec2<TypeParam> way = this->stick.position() - before;
+    ASSERT_LE(way.cwiseAbs().maxCoeff(), TypeParam(0.016 * (1 + 1e-4)));
+    ASSERT_LE((way / TypeParam(1e-3) - this->stick.velocity()).norm(), TypeParam(1e-3));
+    if (!back) continue;
+    ASSERT_EQ(way.x(), TypeParam(0));
+    ASSERT_LE(way.y(), TypeParam(0));
+    moved += way.y() < TypeParam(0) ? 1 : 0;
+  }
+  EXPECT_GT(moved, 100);
+}
+
+// A goal that was kept from it is reached afterwards, as fast as a stick may be and no faster.
+TYPED_TEST(StickOf, AfterItWasFollowedOnlyBack_GoesToItsGoalNoFasterThanItMay) {
+  (void)this->stick.accept(sample(1000, 1, 0.5F, 1));
+  for (int i = 0; i < 100; ++i) this->stick.advance(TypeParam(1e-3), StickFollow::kBack);
+  EXPECT_EQ(this->stick.position(), (Vec2<TypeParam>(0, 0)));
+  for (int i = 1; i <= 62; ++i) {
+    this->run(1);
+    ASSERT_NEAR(this->x(), 0.016 * i, 1e-5);
+    ASSERT_NEAR(static_cast<double>(this->stick.position().y()), 0.008 * i, 1e-5);
+  }
+  this->run(1);
+  EXPECT_EQ(this->stick.position(), (Vec2<TypeParam>(1, TypeParam(0.5))));
+}
+
+// What draws back is followed at once, as fast as it may: 16 /s.
+TYPED_TEST(StickOf, DrawnBack_IsFollowedBack) {
+  (void)this->stick.accept(sample(1000, 0, 0, 1));
+  this->run(50);
+  (void)this->stick.accept(sample(11000, 0, -0.1F, 2));  // 10 ms later
+  for (int i = 1; i <= 10; ++i) {
+    this->stick.advance(TypeParam(1e-3), StickFollow::kBack);
+    ASSERT_EQ(this->x(), 0.0);
+    ASSERT_NEAR(static_cast<double>(this->stick.position().y()), std::max(-0.1, -0.016 * i), 1e-6);
+  }
+}
+
 TEST(StickSettings, OutOfRange_IsRefusedAndChangesNothing) {
   StickTracker<float> stick;
   const auto refused = [&stick](auto change) {

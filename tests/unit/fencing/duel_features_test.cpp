@@ -243,7 +243,7 @@ TEST(DuelFeatures, OtherScenes_KeepTheirCapacities) {
 }
 
 TEST(DuelFeatures, WhatIsOff_TakesNoRoom) {
-  using Way = Corners<float, Full::SceneType::kMaxContacts>;
+  using Way = Corners<float, kMostCorners>;
   constexpr std::size_t kTargetsOf =
       2 * (sizeof(Target<float>) + sizeof(FencerBuild<float>) + sizeof(Way)) + sizeof(Bout<float>) +
       sizeof(TouchSettings<DuelScene<>>);

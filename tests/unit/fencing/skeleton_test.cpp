@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <string>
 
@@ -127,6 +128,54 @@ TEST_P(Body, Lunge_GoesTowardsTheOpponentAndDown) {
             part(guard, BodyPart::kPelvis).axis.a.z() - 0.2);
 }
 
+// The shoulder of the weapon comes along straight towards the hand by what is missing to 0.98 of
+// the arm, but no further than it gives; nothing else of the body knows of it.
+TEST_P(Body, Shoulder_ComesAlongBeforeTheArmIsStraight) {
+  FencerBuild<double> stiff = fencer.build;
+  stiff.shoulder_give = 0;
+  const auto length = [&stiff](BodyPart p) {
+    return stiff.bones[static_cast<std::size_t>(p)].capsule_J.axis.direction().norm();
+  };
+  const double arm = length(BodyPart::kWeaponUpperArm) + length(BodyPart::kWeaponForearm);
+  const double give = fencer.build.shoulder_give;
+  ASSERT_NEAR(give, GetParam() == 0 ? 0.14 : 0.14 * 1.04, 1e-7);
+  std::array<int, 3> seen{};
+  for (double x = 0.2; x < 1.6; x += 0.02) {
+    const Pose<double> X_WH{to_world(X_WF, V(x, 0.3 - 0.4 * x, 1.1 + 0.2 * x)), X_WF.q_WB};
+    const auto still = pose_body(stiff, X_WF, X_WH);
+    const auto moved = pose_body(fencer.build, X_WF, X_WH);
+    const V root = part(still, BodyPart::kWeaponUpperArm).axis.a;
+    const double missing = (X_WH.p_W - root).norm() - 0.98 * arm;
+    const double way = std::min(std::max(missing, 0.0), give);
+    const V expected = root + way * (X_WH.p_W - root).normalized();
+    EXPECT_LE((part(moved, BodyPart::kWeaponUpperArm).axis.a - expected).norm(), 1e-7) << x;
+    ++seen[missing <= 0 ? 0U : missing < give ? 1U : 2U];
+    for (const BodyPart p : {BodyPart::kPelvis, BodyPart::kTorso, BodyPart::kHead,
+                             BodyPart::kOtherForearm, BodyPart::kFrontShin, BodyPart::kRearShin}) {
+      EXPECT_EQ(part(moved, p).axis.b, part(still, p).axis.b) << name_of(p);
+    }
+  }
+  EXPECT_GT(*std::min_element(seen.begin(), seen.end()), 3) << "bent, coming along, straight";
+}
+
+// Without give the arm begins where the torso has its shoulder, wherever the hand is.
+TEST_P(Body, ShoulderThatGivesNothing_IsOnTheTorso) {
+  FencerBuild<double> stiff = fencer.build;
+  stiff.shoulder_give = 0;
+  const V start_P = stiff.bones[static_cast<std::size_t>(BodyPart::kWeaponUpperArm)].start_P;
+  for (const double x : {0.1, 0.42, 0.9, 1.24, 3.0}) {
+    const Pose<double> X_WH{to_world(X_WF, V(x, -0.1, 1.2)), X_WF.q_WB};
+    const auto shape = pose_body(stiff, X_WF, X_WH);
+    const Segment<double>& spine = part(shape, BodyPart::kTorso).axis;  // from 0.04 to 0.34, z in J
+    const V up = spine.direction().normalized();
+    const V left = X_WF.q_WB * V::UnitY();
+    const double size = spine.direction().norm() / 0.30;
+    const V base = spine.a - 0.04 * size * up;
+    const V shoulder = base + start_P.x() * left.cross(up) + start_P.y() * left + start_P.z() * up;
+    EXPECT_LE((part(shape, BodyPart::kWeaponUpperArm).axis.a - shoulder).norm(), 1e-6) << x;
+  }
+}
+
 // No jumps: a small movement of the stick moves every joint a little.
 TEST_P(Body, SmallMovements_AreSmallEverywhere) {
   const double h = 1e-4;
@@ -203,6 +252,17 @@ TEST(FencerBuild, OutOfRange_IsRefused) {
   EXPECT_TRUE(refused([](Build& b) { b.lunge_lean = kNan; }));
   EXPECT_TRUE(refused([](Build& b) { b.lunge_shift_F.z() = kNan; }));
   EXPECT_TRUE(refused([](Build& b) { b.stride_F.x() = 1e30F; }));
+}
+
+TEST(FencerBuild, ShoulderGiveOutOfRange_IsRefused) {
+  FencerBuild<float> build = first_fencer<float>().build;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (const float bad : {-1e-6F, nan, 1e30F, std::numeric_limits<float>::infinity()}) {
+    build.shoulder_give = bad;
+    EXPECT_EQ(validate(build), Status::kInvalidArgument) << bad;
+  }
+  build.shoulder_give = 0;
+  EXPECT_EQ(validate(build), Status::kOk);
 }
 
 }  // namespace

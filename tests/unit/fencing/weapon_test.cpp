@@ -72,6 +72,48 @@ TEST(WeaponBody, Blade_IsTheSameCapsuleInBothFrames) {
   EXPECT_EQ(back.radius, weapon.parts[0].capsule_H.radius);
 }
 
+// Against the capsules as they are given, each moved by X_HB.
+TEST(WeaponBody, GuardAndHand_AreTheSameCapsulesInBothFrames) {
+  auto weapon = first_fencer<double>().weapon;
+  weapon.parts[1].capsule_H = {{{0.06, 0.01, -0.02}, {0.08, -0.03, 0.01}}, 0.05};  // off the axis
+  weapon.hand_H = {{{-0.04, 0.02, 0.01}, {0.03, 0, -0.02}}, 0.035};
+  const auto body = weapon_body(weapon).value;
+  EXPECT_GT(body.X_HB.q_WB.angularDistance(Quat<double>::Identity()), 1e-3) << "B is turned";
+  for (const auto& [capsule_B, capsule_H] :
+       {std::pair{body.guard_B, weapon.parts[1].capsule_H}, {body.hand_B, weapon.hand_H}}) {
+    const Mat3<double> R = body.X_HB.q_WB.toRotationMatrix();
+    EXPECT_LE((body.X_HB.p_W + R * capsule_B.axis.a - capsule_H.axis.a).norm(), 1e-15);
+    EXPECT_LE((body.X_HB.p_W + R * capsule_B.axis.b - capsule_H.axis.b).norm(), 1e-15);
+    EXPECT_EQ(capsule_B.radius, capsule_H.radius);
+  }
+}
+
+// The hand is the arm's: it has a shape and no mass.
+TEST(WeaponBody, Hand_WeighsNothing) {
+  auto weapon = first_fencer<double>().weapon;
+  const auto before = weapon_body(weapon).value;
+  weapon.hand_H.radius *= 2;
+  const auto after = weapon_body(weapon).value;
+  EXPECT_EQ(after.mass, before.mass);
+  EXPECT_EQ(after.moments, before.moments);
+  EXPECT_EQ(after.X_HB.p_W, before.X_HB.p_W);
+}
+
+TEST(WeaponBody, BadHand_IsRefused) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto refused = [](auto change) {
+    auto weapon = first_fencer<double>().weapon;
+    change(weapon.hand_H);
+    return weapon_body(weapon).status == Status::kInvalidArgument;
+  };
+  EXPECT_TRUE(refused([](auto& hand_H) { hand_H.radius = -0.01; }));
+  EXPECT_TRUE(refused([nan](auto& hand_H) { hand_H.radius = nan; }));
+  EXPECT_TRUE(refused([nan](auto& hand_H) { hand_H.axis.a.y() = nan; }));
+  EXPECT_TRUE(
+      refused([](auto& hand_H) { hand_H.axis.b.z() = std::numeric_limits<double>::infinity(); }));
+  EXPECT_FALSE(refused([](auto& hand_H) { hand_H.radius = 0; }));
+}
+
 TEST(WeaponBody, PointMassPart_Counts) {
   auto weapon = first_fencer<float>().weapon;
   weapon.parts[3].capsule_H.radius = 0;

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: MIT
+// What a touch is: an entry of the point, from outside, along the blade, by a hand that has its
+// weapon in its power (src/fencing/touch.md). Hands go where keys of their own lead them, so that
+// speeds and places are known.
+#include <algorithm>
+#include <cmath>
+
+#include "configured_duel.hpp"
+
+namespace batuta {
+using namespace fencing;
+namespace {
+
+using Keys = std::array<MapKey<float>, 4>;
+using V = std::array<float, 3>;
+
+/// A hand that goes from `back` to `front` with y, a blade that points straight forward.
+Keys way_of(const V& back, const V& front) {
+  const MapKey<float> first{back, {0, 0, 0}, 0};
+  const MapKey<float> last{front, {0, 0, 0}, 0};
+  return {first, first, last, last};
+}
+
+// The trunk of who stands is upright at x = 2.25 in F of the other, with a radius of 0.13; a blade
+// reaches 1 m from its hand, and its end is round by 4.5 mm.
+constexpr double kTrunkX = 2.25;
+constexpr double kFront = kTrunkX - 0.13 - 1 - 0.0045;  ///< of a hand whose point is at its front
+constexpr float kMiddle = 0.42F;  ///< where a hand that goes straight forward starts, m
+constexpr float kReach = 1.2F;    ///< and how far, m
+
+/// The left hand goes as a test has it; the right one is aside, its blade points away from the left
+/// one while its stick is at the centre, and crosses the middle from y = 0.7 on.
+class TouchRule : public test::ConfiguredDuel<Duel<>> {
+ protected:
+  Keys left_keys = way_of({kMiddle - kReach, 0, 1.15F}, {kMiddle + kReach, 0, 1.15F});
+  Keys right_keys = way_of({0.3F, -0.45F, 1.15F}, {0.3F, -0.45F, 1.15F});
+  Fencer<float> left = first_fencer<float>();
+  Vec2<float> at = Vec2<float>::Zero();        ///< where the left stick is
+  Vec2<float> other_at = Vec2<float>::Zero();  ///< and the right one
+  float other_feet = 0;
+
+  void SetUp() override {
+    for (std::size_t i = 0; i < 4; ++i) right_keys[i].turn_F = {0, 0, i < 2 ? -0.8F : 0.8F};
+    settings.target = mask_of(BodyPart::kTorso);
+  }
+  void begin() {
+    Fencer<float> right = first_fencer<float>();
+    left.map = {left_keys.data(), 2, 2};
+    right.map = {right_keys.data(), 2, 2};
+    ASSERT_EQ(duel->configure(settings, left, right), Status::kOk);
+    at = other_at = Vec2<float>::Zero();
+  }
+  void step() {
+    InputSample l;
+    l.time = 1000 * duel->steps();
+    l.sequence = duel->steps();
+    InputSample r = l;
+    l.x = at.x();
+    l.y = at.y();
+    r.x = other_at.x();
+    r.y = other_at.y();
+    r.feet_y = other_feet;
+    if (duel->bout().is_over()) return;
+    ASSERT_EQ(duel->step(&l, &r), Status::kOk);
+  }
+  void wait(int steps) {
+    for (int k = 0; k < steps; ++k) step();
+  }
+  /// The stick to y at `rate` per second, and one step more: a stick is one sample late.
+  void go(Vec2<float>& stick, float y, float rate) {
+    const int steps = static_cast<int>(std::ceil(1000 * std::abs(y - stick.y()) / rate));
+    const float start = stick.y();
+    for (int k = 1; k <= steps; ++k) {
+      stick.y() = start + (y - start) * static_cast<float>(k) / static_cast<float>(steps);
+      step();
+    }
+    step();
+  }
+  /// The hand straight forward or back to x in F, at `speed`, m/s.
+  void thrust(double x, float speed) {
+    go(at, (static_cast<float>(x) - kMiddle) / kReach, speed / kReach);
+  }
+  int touches() const { return duel->bout().touches.size(); }
+  const Touch<float>& touch() const { return duel->bout().touches[0]; }
+};
+
+TEST_F(TouchRule, Thrust_TouchesWithThePoint) {
+  begin();
+  thrust(kFront + 0.1, 3);
+  ASSERT_EQ(touches(), 1);
+  EXPECT_EQ(touch().by, Side::kLeft);
+  EXPECT_EQ(touch().part, BodyPart::kTorso);
+  EXPECT_NEAR(touch().place, 1, 1e-5) << "the round end comes first";
+  EXPECT_NEAR(touch().contact.point_W.x(), 2.25 / 2 - 0.13, 2e-3);
+}
+
+// The speed along the blade is that of the hand, which goes straight forward.
+TEST_F(TouchRule, ThrustSlowerThanTheLeastSpeed_IsNone) {
+  for (const bool fast : {false, true}) {
+    begin();
+    thrust(kFront + 0.1, fast ? 1.02F : 0.98F);
+    EXPECT_EQ(touches(), fast ? 1 : 0);
+    EXPECT_GT(duel->report().touch_searches, 0U) << "it was there";
+  }
+  settings.least_speed = 0.9F;
+  begin();
+  thrust(kFront + 0.1, 0.98F);
+  EXPECT_EQ(touches(), 1);
+}
+
+// The point is swept sideways onto the trunk: no speed along the blade. With the least speed at 0
+// the same cut counts.
+TEST_F(TouchRule, Cut_IsNone) {
+  left_keys = way_of({1.2F, -1.0F, 1.15F}, {1.21F, 1.0F, 1.15F});
+  for (const bool counts : {false, true}) {
+    if (counts) settings.least_speed = 0;
+    begin();
+    at.y() = -0.6F;  // beside him
+    wait(200);
+    ASSERT_EQ(touches(), 0);
+    const auto before = duel->report().touch_searches;
+    go(at, -0.05F, 4);
+    EXPECT_EQ(touches(), counts ? 1 : 0);
+    EXPECT_GT(duel->report().touch_searches, before);
+  }
+}
+
+// Where a cut meets the trunk is known: so far from the hand, less the 0.1 m in front of it, of a
+// blade of 0.9 m; or where the point begins, if that is behind the trunk's middle. A point longer
+// than the blade is all of it.
+TEST_F(TouchRule, Place_IsThatOnTheWholeBlade) {
+  left_keys = way_of({1.5F, -1.0F, 1.15F}, {1.51F, 1.0F, 1.15F});
+  settings.least_speed = 0;
+  const double middle = (kTrunkX - 1.5 - 0.1) / 0.9;
+  for (const float length : {0.2F, 0.24F, 0.3F, 0.6F, 0.9F, 50.0F}) {
+    settings.point_length = length;
+    begin();
+    at.y() = -0.6F;
+    wait(200);
+    go(at, -0.05F, 4);
+    ASSERT_EQ(touches(), 1) << length;
+    const double start = 1 - static_cast<double>(length) / 0.9;
+    EXPECT_NEAR(touch().place, std::max(middle, start), 0.01) << length;
+  }
+  settings.point_length = 0.02F;
+  begin();
+  at.y() = -0.6F;
+  wait(200);
+  go(at, -0.05F, 4);
+  EXPECT_EQ(touches(), 0) << "what the rest of a blade meets is none";
+}
+
+/// The point lies still before the trunk. The other's blade taps it, goes away, and he walks onto
+/// the point, faster than the least speed.
+TEST_F(TouchRule, HandThatIsBeaten_DoesNotScore) {
+  for (const bool beaten : {false, true}) {
+    left = first_fencer<float>();
+    left.grip.composure = beaten ? 1e-6F : 100.0F;  // any blow beats the hand, or none
+    left.grip.forte = 0.01F;
+    left.grip.settle_torque = 1e-3F;
+    left.grip.max_lost = 5;
+    begin();
+    thrust(kFront - 0.25, 0.5F);
+    go(other_at, 0.9F, 1);
+    go(other_at, 0, 4);
+    wait(600);
+    EXPECT_GT(duel->report().blows, 0U);
+    ASSERT_EQ(touches(), 0);
+    EXPECT_EQ(duel->grip(Side::kLeft).phase(), beaten ? GripPhase::kBeaten : GripPhase::kHeld);
+    const float tip = duel->blade_W(Side::kLeft).axis.b.x();
+    other_feet = 1;
+    wait(300);
+    other_feet = 0;
+    EXPECT_EQ(touches(), beaten ? 0 : 1);
+    EXPECT_GT(tip, duel->X_WF(Side::kRight).p_W.x() - 0.13F) << "he has walked onto it";
+  }
+}
+
+// The part in which the point lies stays closed until it has been 4 mm away.
+TEST_F(TouchRule, EnteredWithoutATouch_IsClosedUntilThePointHasLeft) {
+  for (const double away : {0.002, 0.0035, 0.0045, 0.02}) {
+    begin();
+    thrust(kFront + 0.03, 0.5F);
+    ASSERT_EQ(touches(), 0) << "too slow";
+    thrust(kFront + 0.06, 3);
+    ASSERT_EQ(touches(), 0) << "fast, but it was inside";
+    thrust(kFront - away, 0.5F);
+    wait(100);
+    thrust(kFront + 0.1, 3);
+    EXPECT_EQ(touches(), away > 0.004 ? 1 : 0) << away;
+  }
+}
+
+// Through the edge of the trunk, slowly, and fast from within it into the arm behind it.
+TEST_F(TouchRule, OtherParts_StayOpen) {
+  left_keys = way_of({kMiddle - kReach, -0.115F, 1.36F}, {kMiddle + kReach, -0.115F, 1.36F});
+  settings.target = mask_of(BodyPart::kTorso) | mask_of(BodyPart::kOtherUpperArm);
+  settings.point_length = 0.3F;  // it is still in the trunk when it comes to the arm
+  begin();
+  thrust(kTrunkX - 1, 0.5F);
+  ASSERT_EQ(touches(), 0);
+  thrust(kTrunkX - 1 + 0.2, 3);
+  ASSERT_EQ(touches(), 1);
+  EXPECT_EQ(touch().part, BodyPart::kOtherUpperArm);
+}
+
+// At this height the trunk's front is 2.2 mm before that of the pelvis: slowly into the one, and
+// from there, before the point is 4 mm away from either, fast into the other.
+TEST_F(TouchRule, PartsBeside_StayOpen) {
+  constexpr float kHeight = 0.9315F;  // spheres of 0.13 m about heights of 1.01 and 0.85
+  const auto front = [](double of_part) {
+    const double up = of_part - 0.9315;
+    return kTrunkX - 1 - std::sqrt(0.1345 * 0.1345 - up * up);
+  };
+  ASSERT_NEAR(front(0.85) - front(1.01), 0.0022, 1e-4);
+  left_keys = way_of({kMiddle - kReach, 0, kHeight}, {kMiddle + kReach, 0, kHeight});
+  settings.target = mask_of(BodyPart::kTorso) | mask_of(BodyPart::kPelvis);
+  begin();
+  thrust(front(1.01) + 0.001, 0.5F);
+  ASSERT_EQ(touches(), 0);
+  thrust(front(0.85) + 0.05, 3);
+  ASSERT_EQ(touches(), 1);
+  EXPECT_EQ(touch().part, BodyPart::kPelvis);
+}
+
+TEST_F(TouchRule, InTheNextExchange_EveryPartIsOpen) {
+  settings.touches = 2;
+  settings.halt_us = 100000;
+  settings.target = mask_of(BodyPart::kTorso) | mask_of(BodyPart::kOtherUpperArm);
+  settings.point_length = 0.3F;
+  left_keys = way_of({kMiddle - kReach, -0.115F, 1.36F}, {kMiddle + kReach, -0.115F, 1.36F});
+  begin();
+  thrust(kTrunkX - 1, 0.5F);
+  thrust(kTrunkX - 1 + 0.2, 3);
+  wait(50);
+  ASSERT_EQ(duel->bout().state, BoutState::kHalt);
+  thrust(kMiddle, 3);
+  while (duel->bout().state == BoutState::kHalt) step();
+  thrust(kTrunkX - 1 + 0.2, 3);
+  ASSERT_EQ(touches(), 1);
+  EXPECT_EQ(touch().part, BodyPart::kTorso);
+}
+
+// Each of the rules alone, at its limit.
+TEST(TouchCounts, AtEachLimit_CountsAndBelowItDoesNot) {
+  using Scene = DuelScene<>;
+  TouchSettings<Scene> rule;
+  rule.least_speed = 2;
+  rule.least_control = 0.5F;
+  rule.largest_slip = 0.25F;
+  const fencing::detail::Command<float> hand{0.5F, 0.75F, 0.25F};
+  EXPECT_TRUE((fencing::detail::counts<Scene>(rule, hand, 0.75F, 2.0F)));
+  EXPECT_FALSE((fencing::detail::counts<Scene>(rule, hand, 0.75F, 1.999F)));
+  EXPECT_FALSE((fencing::detail::counts<Scene>(rule, hand, 0.751F, 2.0F))) << "after the blow";
+  EXPECT_FALSE((fencing::detail::counts<Scene>(rule, {0.499F, 0.75F, 0.25F}, 0.75F, 2.0F)));
+  EXPECT_FALSE((fencing::detail::counts<Scene>(rule, {0.5F, 0.75F, 0.251F}, 0.75F, 2.0F)));
+  rule.least_control = 0;
+  EXPECT_TRUE((fencing::detail::counts<Scene>(rule, hand, 0.751F, 2.0F))) << "asked for none";
+}
+
+// 0.1 s after the start of its piece the point is at (0.7, 0.5), turned by 0.2 rad about z; the
+// part has come by 0.15 m. Both meet at (0.72, 0): arms of (0.02, -0.5) and (0.15, -0.4).
+TEST(EntrySpeed, IsThatOfBothAtTheirPlaceAlongTheBlade) {
+  MovingCapsule<double> point;
+  point.capsule_B = {{{0, 0, 0}, {0.02, 0, 0}}, 0.004};
+  point.motion = {{{0.5, 0, 0}, Quat<double>::Identity()}, {{2, 5, 0}, {0, 0, 2}}, 0.2};
+  MovingCapsule<double> part;
+  part.motion = {{{0.72, 0.4, 0}, Quat<double>::Identity()}, {{-1, 0, 0}, {0, 0, 3}}, 0.5};
+  TouchSearch<double> found;
+  found.t_free = 0.15;
+  found.contact.point_W = {0.72, 0, 0};
+  const Vec3<double> of_point(2 + 2 * 0.5, 5 + 2 * 0.02, 0);  // v + w x arm
+  const Vec3<double> of_part(-1 + 3 * 0.4, 3 * 0.15, 0);
+  const Vec3<double> along(std::cos(0.2), std::sin(0.2), 0);
+  EXPECT_NEAR(fencing::detail::entry_speed(point, part, found, 0.05), along.dot(of_point - of_part),
+              1e-12);
+}
+
+TEST(PointOf, IsTheLastOfTheBlade) {
+  const Capsule<double> blade{{{1, 0, 0}, {4, 4, 0}}, 0.01};  // 5 m long
+  const Capsule<double> point = fencing::detail::point_of(blade, 1.0);
+  EXPECT_LE((point.axis.a - Vec3<double>(3.4, 3.2, 0)).norm(), 1e-12);
+  EXPECT_EQ(point.axis.b, blade.axis.b);
+  EXPECT_EQ(point.radius, blade.radius);
+  EXPECT_LE((fencing::detail::point_of(blade, 7.0).axis.a - blade.axis.a).norm(), 1e-12);
+}
+
+template <class DuelT>
+class TouchSettingsOf : public test::ConfiguredDuel<DuelT> {};
+TYPED_TEST_SUITE(TouchSettingsOf, test::CertifiedDuels);
+
+TYPED_TEST(TouchSettingsOf, OutOfRange_AreRefused) {
+  using S = typename TestFixture::ScalarT;
+  const S infinite = std::numeric_limits<S>::infinity();
+  for (const S bad : {std::numeric_limits<S>::quiet_NaN(), infinite, -infinite, S(-0.001)}) {
+    EXPECT_TRUE(this->refuses([bad](auto& s) { s.point_length = bad; })) << bad;
+    EXPECT_TRUE(this->refuses([bad](auto& s) { s.least_speed = bad; })) << bad;
+    EXPECT_TRUE(this->refuses([bad](auto& s) { s.least_control = bad; })) << bad;
+    EXPECT_TRUE(this->refuses([bad](auto& s) { s.largest_slip = bad; })) << bad;
+  }
+  EXPECT_TRUE(this->refuses([](auto& s) { s.point_length = 0; }));
+  EXPECT_TRUE(this->refuses([](auto& s) { s.least_control = S(1.001); }));
+  EXPECT_FALSE(
+      this->refuses([](auto& s) { s.least_speed = s.least_control = s.largest_slip = 0; }));
+  EXPECT_FALSE(this->refuses([](auto& s) { s.least_control = 1; }));
+}
+
+}  // namespace
+}  // namespace batuta
