@@ -98,12 +98,13 @@ inline double frictionless_gain(const Weighed& A, const Weighed& B, const BlowEr
   return 2 * kU * (share(A, e.v_A, e.w_A) + share(B, e.v_B, e.w_B));
 }
 
-/// What friction adds to that, from the velocities after the blow without it (friction.md). What it
-/// turned may be too small to be seen in the sum of both impulses.
+/// What friction adds to that, from the velocities after the blow without it (friction.md,
+/// "Energy").
 inline double rough_gain(const Weighed& A, const Weighed& B) {
   const auto share = [](const Weighed& it) {
-    const double turned = std::max(it.b.norm(), it.moments.maxCoeff() * (it.w1 - it.w).norm());
-    return it.mass * it.fastest() * it.fastest() + it.moments.maxCoeff() * it.spin() * it.spin() +
+    const double stiffest = it.moments.maxCoeff();
+    const double turned = it.b.norm() + 3 * stiffest * (it.w1 - it.w).norm();
+    return it.mass * it.fastest() * it.fastest() + stiffest * it.spin() * it.spin() +
            it.fastest() * it.J.norm() + it.spin() * turned;
   };
   return 4 * kU * (share(A) + share(B));
