@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::size_t kGuardKey = 22;  ///< of the library's map: its centre
 constexpr std::size_t kLungeKey = 40;  ///< of the same: the middle of its front
-/// Where the hand is in guard and in a full lunge, x in F, m: lunges of all lines go as far to 2 cm.
+/// Where the hand is in guard and in a full lunge, x in F, m: lunges of all lines go as far to 2
+/// cm.
 constexpr float kGuardHandX = kLibraryKeys[kGuardKey].hand_F[0];
 constexpr float kLungeHandX = kLibraryKeys[kLungeKey].hand_F[0];
 

@@ -68,7 +68,7 @@ struct Posing {
   /// Where a limb begins that has its bend up to `reach`, and then takes its root along.
   Vec3<Scalar> root_of(BodyPart first, const Vec3<Scalar>& goal_W, Scalar give,
                        Scalar reach) const {
-    const Vec3<Scalar> start = start_of(first);
+    Vec3<Scalar> start = start_of(first);
     const Vec3<Scalar> way = goal_W - start;
     const Scalar distance = way.norm();
     if (!(distance > reach)) return start;

@@ -103,6 +103,11 @@ enum class DuelRule : std::uint8_t {
   kHapticEvents  ///< events, from which a hand learns of blows
 };
 
+/// Whether so many capsules are a weapon, or the blade of one.
+constexpr bool is_weapon_of(int capsules) {
+  return capsules == 1 || capsules == kWeaponCapsules;
+}
+
 /// What a duel asks of its scene comes before what every scene is asked.
 template <class SceneT>
 constexpr DuelRule broken_duel_rule() {
@@ -113,7 +118,7 @@ constexpr DuelRule broken_duel_rule() {
     constexpr int kCapsules = SceneT::kCapsulesPerBody;
     if (SceneT::kMaxBodies != 2) return DuelRule::kTwoBlades;
     if (!SceneT::kRotation) return DuelRule::kRotation;
-    if (kCapsules != 1 && kCapsules != kWeaponCapsules) return DuelRule::kParts;
+    if (!is_weapon_of(kCapsules)) return DuelRule::kParts;
     if (SceneT::kMaxPairs != kCapsules * kCapsules) return DuelRule::kPairs;
     const bool is_deaf = SceneT::kHaptics && SceneT::kMaxEvents <= 0;
     return is_deaf ? DuelRule::kHapticEvents : DuelRule::kNone;
@@ -186,8 +191,8 @@ inline constexpr int kMostCorners = 8;
 template <class Scalar, int N>
 struct Corners {
   FixedList<Waypoint<Scalar>, N> corners;  ///< in the order of time
-  Scalar first_blow = kNoBlow<Scalar>;  ///< when the first blow of the step came, s
-  bool is_cut = false;    ///< there were more than N
+  Scalar first_blow = kNoBlow<Scalar>;     ///< when the first blow of the step came, s
+  bool is_cut = false;                     ///< there were more than N
 
   /// The step begins.
   void begin() {
