@@ -72,7 +72,7 @@ function bouts() {
     engine.start(touches);
     let halts = 0;
     for (let i = 0; !engine.over; i += 1) { // Bound: the bout
-      engine.hand(0, 0, 1, 0, 0);
+      engine.hand(0, -1, 1, 0, 0);
       engine.step();
       if (!engine.isNewHalt()) continue;
       halts += 1;

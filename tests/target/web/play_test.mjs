@@ -3,7 +3,7 @@
 
 import { check, lastHash, mode, open, replayed, savedBout, serve, until, visit } from "./browser.mjs";
 
-// A lunge against who only waits; the other way round the bout would have no end.
+// A lunge, high inside, against who only waits; the other way round the bout would have no end.
 async function guardOnTheRight(page) {
   await page.selectOption("#right", "script:guard");
   await page.selectOption("#touches", "1");
@@ -14,7 +14,7 @@ async function lungeByMouse(page) {
   const box = await page.locator("#salle").boundingBox();
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
   await page.mouse.move(x, y);
-  await page.mouse.move(x, y - box.height * 0.4, { steps: 12 });
+  await page.mouse.move(x - box.height * 0.4, y - box.height * 0.4, { steps: 12 });
 }
 
 async function lungeByTouch(page) {
@@ -23,7 +23,10 @@ async function lungeByTouch(page) {
   const session = await page.context().newCDPSession(page);
   const touch = (type, points) => session.send("Input.dispatchTouchEvent", { type, touchPoints: points });
   await touch("touchStart", [{ x, y }]);
-  for (let i = 1; i <= 10; i += 1) await touch("touchMove", [{ x, y: y - (i / 10) * box.height * 0.42 }]);
+  for (let i = 1; i <= 10; i += 1) {
+    const share = i / 10;
+    await touch("touchMove", [{ x: x - share * box.width * 0.42, y: y - share * box.height * 0.42 }]);
+  }
   await until(page, "over");
   await touch("touchEnd", []);
 }
@@ -36,17 +39,17 @@ const kPad = () => {
 
 async function lungeByPad(page) {
   // Beats the other blade aside first, so that there is something to feel.
-  await page.evaluate(() => { globalThis.pad.axes = [-1, 0.3]; });
+  await page.evaluate(() => { globalThis.pad.axes = [0, -0.5]; });
   await page.waitForTimeout(400);
-  await page.evaluate(() => { globalThis.pad.axes = [1, 0.3]; });
+  await page.evaluate(() => { globalThis.pad.axes = [0, 0]; });
   await page.waitForTimeout(400);
-  await page.evaluate(() => { globalThis.pad.axes = [0, -1]; });
+  await page.evaluate(() => { globalThis.pad.axes = [-1, -1]; });
 }
 
 async function lungeByKeys(page) {
-  await page.keyboard.down("KeyW");
+  for (const key of ["KeyA", "KeyW"]) await page.keyboard.down(key);
   await until(page, "over");
-  await page.keyboard.up("KeyW");
+  for (const key of ["KeyA", "KeyW"]) await page.keyboard.up(key);
 }
 
 async function guardByKeys(page) {
