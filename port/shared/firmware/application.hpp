@@ -5,10 +5,12 @@
 // feeds its watchdog.
 //
 // It starts in free mode, alone: the own stick fences against a fencer that stands on guard, and
-// after a bout the next one begins. A host's Hello opens a session: a new bout, paced or free. In a
-// session the device waits after the bout until the host opens another one.
+// after a bout the next one begins. Where the application names a rival, that one plays the other
+// side in free mode. A host's Hello opens a session: a new bout, paced or free. In a session the
+// device waits after the bout until the host opens another one.
 
 #include "shared/firmware/frame_reader.hpp"
+#include "shared/firmware/rival.hpp"
 #include "shared/firmware/stage_settings.hpp"
 #include "shared/firmware/stepped_bout.hpp"
 #include "shared/firmware/tick_watch.hpp"
@@ -46,21 +48,25 @@ struct ApplicationReport {
 };
 
 /// One object, placed by main. RAM: sizeof; nothing beside it. Allocates: never. From one context.
-class Application {
+/// Built for NoRival and for SeeingRival; a program links the one that it names.
+/// @tparam RivalT  who plays the other side in free mode: what it is not is absent
+template <class RivalT = NoRival>
+class ApplicationOf : private RivalT {
  public:
   /// A whole step's telemetry, with room for what is still on its way.
   static constexpr int kSendBytes = 2048;
   /// The most that is obeyed in one tick; more waits for the next one.
   static constexpr int kFramesPerTick = 4;
 
-  Application(const Board& board, const LastFault& last_fault)
+  ApplicationOf(const Board& board, const LastFault& last_fault)
       : board_(board), last_fault_(last_fault), stage_(motor_of(board_)) {}
-  Application(const Application&) = delete;
-  Application& operator=(const Application&) = delete;
+  ApplicationOf(const ApplicationOf&) = delete;
+  ApplicationOf& operator=(const ApplicationOf&) = delete;
 
   /// Puts the fencers on guard.
+  /// @param rival  with these it begins each bout, as if it had never fenced before
   /// @returns kOk | kInvalidArgument: settings out of range; tick() must not be called
-  Status start(const ApplicationSettings& settings);
+  Status start(const ApplicationSettings& settings, const typename RivalT::Settings& rival = {});
 
   /// The work of one tick. Never blocks; never makes two steps. @pre start() was kOk
   /// @param tick  number of the board's timer tick, one every step_us, modulo 2^32: numbers that
@@ -129,7 +135,7 @@ class Application {
   Status restart();
   void read_stick(Order& order);
   bool step_is_due(const Order& order) const;
-  bool make_step(const Order& order);
+  bool make_step(Order& order);
   void wait_after_bout();
   void tell_step(bool repeated);
   void send_report(bool repeated);
@@ -150,5 +156,8 @@ class Application {
   std::int32_t paused_ = 0;          ///< ticks since the bout was over
   std::uint32_t past_silences_ = 0;  ///< of the bouts before this one
 };
+
+/// Without a rival.
+using Application = ApplicationOf<>;
 
 }  // namespace batuta::firmware

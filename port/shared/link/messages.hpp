@@ -191,7 +191,7 @@ struct StepReport {
 
 enum class Refusal : std::uint8_t {
   kNoSession,  ///< Hello first: Step and StickSample
-  kWrongMode,  ///< Step while free, or StickSample while paced
+  kWrongMode,  ///< Step while free; StickSample while paced, or of a side that a rival plays
   kWrongStep,  ///< neither the next step nor the last one again
   kBoutOver,   ///< no more steps in this bout
   kNotReady,   ///< the duel could not be set up

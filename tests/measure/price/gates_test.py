@@ -158,6 +158,10 @@ class Budgets(unittest.TestCase):
         self.assertEqual(budgets.kept_of(99, 100.0), 100, "a bound that is met stays one")
         self.assertEqual(budgets.kept_of(200, 100.0), 204)
 
+    def test_opponents_have_more_room(self):
+        self.assertEqual([budgets.kept_of(200, None, budgets.room_of(figure)) for figure in
+                          ("firmware.flash", "firmware_opponent.flash", "opponent.step.99.9%")], [204, 230, 230])
+
     def test_what_nobody_measured(self):
         self.assertEqual(self.over(flash=100), {"stack"})
 
@@ -225,8 +229,20 @@ class Scenes(unittest.TestCase):
         self.assertIn("friction_impulse<float>", found)
         self.assertIn("pressure_contact<float>", found)
 
+    def test_an_opponent_and_another_search_in_a_duel_without(self):
+        if "firmware_opponent" not in MANIFEST["images"]:
+            self.skipTest("this part has neither")
+        found = "\n".join(scenes.linked_in_vain("firmware", COLLECTOR.image(MANIFEST["images"]["firmware_opponent"])))
+        for name in ("fencing::Opponent::step", "SeeingRival::play", "DelayedObservation::look"):
+            self.assertIn(name, found)
+        found = "\n".join(scenes.linked_in_vain("duel", COLLECTOR.image(MANIFEST["images"]["duel_stepping"])))
+        self.assertIn("search_stepping<float>", found)
+        found = "\n".join(scenes.linked_in_vain("duel_stepping", COLLECTOR.image(MANIFEST["images"]["duel"])))
+        self.assertIn("search_advancement<float>", found)
+
     def test_every_rule_is_of_a_scene(self):
-        known = {name for feature in scenes.FEATURES for name in feature[1:3]} | set(budgets.SCENES)
+        known = {name for feature in scenes.FEATURES for name in feature[1:3]}
+        known |= {*budgets.SCENES, *budgets.IMAGES, *budgets.CHOICES}
         self.assertLessEqual(set(scenes.NEVER), known)
 
     def test_a_feature_that_costs_less_than_nothing(self):

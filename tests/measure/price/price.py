@@ -51,7 +51,8 @@ class Collector:
     def take_image(self, name, path):
         image = self.image(path)
         worst = self.worst_case(image)
-        self.findings += [f"{name}: {text}" for text in forbidden.texts(image, worst.graph)]
+        self.findings += [f"{name}: {text}" for text in
+                          (*forbidden.texts(image, worst.graph), *scenes.linked_in_vain(name, image))]
         self.rooms[name] = rooms.by_room(image, self.names)
         self.biggest[name] = rooms.biggest(image, self.names, 20)
         self.figures[f"{name}.flash"], self.figures[f"{name}.ram"] = self.rooms[name]["total"]
@@ -72,17 +73,22 @@ class Collector:
     def take_bench(self, queries):
         samples = instructions.run(self.manifest, queries)
         self.figures.update(instructions.figures(samples, instructions.families(self.manifest["shared"])))
-        self._compare_stacks(samples)
+        self._compare_stacks(self.manifest["bench"], samples.stacks(), "")
+        for name, bench in self.manifest["choices"].items():
+            samples = instructions.run_choice(self.manifest, name, queries)
+            self.figures.update(instructions.step_figures(name, samples))
+            of_bouts = {instructions.BOUT: samples.stacks()[instructions.BOUT]}
+            self._compare_stacks(bench, of_bouts, f".{name}")
 
-    def _compare_stacks(self, samples):
-        """Painted against computed, for every function of the bench that the samples name."""
-        worst = self.worst_case(self.image(self.manifest["bench"]))
-        for root, measured in samples.stacks().items():
+    def _compare_stacks(self, bench, painted, end):
+        """Painted against computed, for these functions of a bench."""
+        worst = self.worst_case(self.image(bench))
+        for root, measured in painted.items():
             computed = worst.of(root).bytes
-            self.figures[f"painted_stack.{root}"] = measured
-            self.figures[f"computed_stack.{root}"] = computed
+            self.figures[f"painted_stack.{root}{end}"] = measured
+            self.figures[f"computed_stack.{root}{end}"] = computed
             if not computed // 2 <= measured <= computed:
-                self.findings.append(f"bench: {root}: {measured} B of stack used, {computed} B computed")
+                self.findings.append(f"bench: {root}{end}: {measured} B of stack used, {computed} B computed")
 
     def write(self, folder):
         found = {"cpu": self.manifest["cpu"], "part": self.manifest["part"], "board": self.manifest["board"],

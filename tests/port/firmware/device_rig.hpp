@@ -41,17 +41,21 @@ class RigMotor final : public ForceDevice {
   }
 };
 
-struct DeviceRig {
+/// @tparam RivalT  as ApplicationOf
+template <class RivalT = firmware::NoRival>
+struct DeviceRigOf {
   Cable cable;
   HandClock clock;
   std::uint32_t ticks = 0;  ///< of the timer
   RigStick stick;
   RigMotor motor;
   firmware::ApplicationSettings settings;
-  std::unique_ptr<firmware::Application> device = std::make_unique<firmware::Application>(
-      firmware::Board{clock, cable.device, &stick, &motor}, firmware::LastFault{});
+  typename RivalT::Settings rival;
+  std::unique_ptr<firmware::ApplicationOf<RivalT>> device =
+      std::make_unique<firmware::ApplicationOf<RivalT>>(
+          firmware::Board{clock, cable.device, &stick, &motor}, firmware::LastFault{});
 
-  void start() { ASSERT_EQ(device->start(settings), Status::kOk); }
+  void start() { ASSERT_EQ(device->start(settings, rival), Status::kOk); }
   /// So many milliseconds, each with its tick.
   void run(int milliseconds) {
     for (int i = 0; i < milliseconds; ++i) {
@@ -60,6 +64,8 @@ struct DeviceRig {
     }
   }
 };
+
+using DeviceRig = DeviceRigOf<>;
 
 /// The host's end, as plain as it can be: whole frames out, whole frames in.
 class PlainHost {

@@ -8,7 +8,7 @@
 #include "platforms/mps2/board.hpp"
 #include "platforms/mps2/force.hpp"
 #include "platforms/mps2/uart.hpp"
-#include "shared/firmware/application.hpp"
+#include "shared/firmware/stated_rival.hpp"
 
 namespace {
 
@@ -35,7 +35,7 @@ struct Fencing {
   cortex_m::SysTickClock clock;
   mps2::Uart uart;
   mps2::Force force;
-  firmware::Application application{{clock, uart, nullptr, &force}, last_fault()};
+  firmware::StatedApplication application{{clock, uart, nullptr, &force}, last_fault()};
 };
 
 Fencing bout;
@@ -46,7 +46,8 @@ int main() {
   if (!rounds_each_operation<float>()) give_up(kArithmetic);
   cortex_m::start_systick(cortex_m::millisecond(mps2::kBoard.clock_hz));
   if (!bout.uart.start(kBitsPerSecond)) give_up(kUartRate);
-  if (bout.application.start({}) != Status::kOk) give_up(kApplicationSettings);
+  if (bout.application.start({}, firmware::kStatedRival) != Status::kOk)
+    give_up(kApplicationSettings);
   std::uint32_t tick = cortex_m::period_count();
   while (true) {
     tick = cortex_m::next_period(tick);

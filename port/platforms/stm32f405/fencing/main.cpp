@@ -13,7 +13,7 @@
 #include "platforms/stm32f405/drivers/watchdog.hpp"
 #include "platforms/stm32f405/interrupts.hpp"
 #include "platforms/stm32f405/memory_map.hpp"
-#include "shared/firmware/application.hpp"
+#include "shared/firmware/stated_rival.hpp"
 
 namespace batuta::stm32f405 {
 namespace {
@@ -36,7 +36,7 @@ UsartStream stream(usart1());
 AdcStick stick({adc1(), adc_common(), dma2(), tim3()});
 BridgeForce force(tim8());
 Watchdog watchdog(iwdg());
-firmware::Application application({clock, stream, &stick, &force}, last_fault());
+firmware::StatedApplication application({clock, stream, &stick, &force}, last_fault());
 
 void require(bool condition, std::uint32_t reason) {
   if (condition) return;
@@ -103,7 +103,7 @@ int main() {
   using namespace batuta::stm32f405;
   require(rounds_each_operation<float>(), kArithmetic);
   start_devices();
-  require(application.start({}) == Status::kOk, kApplicationSettings);
+  require(application.start({}, firmware::kStatedRival) == Status::kOk, kApplicationSettings);
   watchdog.start();
   std::uint32_t tick = cortex_m::period_count();
   for (;;) {  // for ever: the watchdog sees to it that it goes on

@@ -1,53 +1,20 @@
 // SPDX-License-Identifier: MIT
+// Bouts that are searched as PRICE_SEARCH says.
+
 #include "batuta/fencing/duel.hpp"
 #include "measure.hpp"
+#include "sticks.hpp"
 #include "ticks.hpp"
 
 namespace batuta::price {
 using namespace fencing;
 namespace {
 
-Duel<> duel;
-
-/// Samples in the order of their steps, one record ahead.
-class Sticks {
- public:
-  explicit Sticks(digest::Input& input) : input_(input) { advance(); }
-
-  /// Those of a step. Bound: the records of the chunk.
-  void take(std::uint32_t step, const InputSample* (&taken)[2]) {
-    taken[0] = taken[1] = nullptr;
-    while (any_ && step_ <= step) {
-      samples_[side_] = ahead_;
-      taken[side_] = &samples_[side_];
-      advance();
-    }
-  }
-
- private:
-  void advance() {
-    digest::Record record;
-    any_ = input_.next(record);
-    if (!any_) return;
-    step_ = record.word();
-    side_ = record.word() & 1U;
-    ahead_.time = record.word();
-    ahead_.x = record.number();
-    ahead_.y = record.number();
-    ahead_.buttons = record.word();
-    ahead_.sequence = record.word();
-  }
-
-  digest::Input& input_;
-  InputSample samples_[2];
-  InputSample ahead_;
-  std::uint32_t step_ = 0;
-  std::uint32_t side_ = 0;
-  bool any_ = false;
-};
+using Scene = DuelScene<two_fencers, PRICE_SEARCH<float>>;
+Duel<Scene> duel;
 
 void begin(std::uint32_t step, SampleFile& out) {
-  const auto settings = duel_settings();
+  const auto settings = duel_settings<Scene>();
   const auto left = first_fencer<float>();
   const auto right = second_fencer<float>();
   Status status = Status::kOk;

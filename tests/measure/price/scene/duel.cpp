@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The fencing duel with its two fencers, driven by two samples a step, and nothing around it.
+// The fencing duel with its two fencers, which searches as PRICE_SEARCH says, driven by two samples
+// a step, and nothing around it.
 
 #include "batuta/fencing/duel.hpp"
 
 namespace {
 
-batuta::fencing::Duel<> duel;
+using Scene = batuta::fencing::DuelScene<batuta::fencing::two_fencers, batuta::PRICE_SEARCH<float>>;
+batuta::fencing::Duel<Scene> duel;
 batuta::InputSample samples[2];
 float volatile impulse;
 
@@ -14,7 +16,7 @@ float volatile impulse;
 int main() {
   using namespace batuta;
   using namespace batuta::fencing;
-  const auto settings = duel_settings();
+  const auto settings = duel_settings<Scene>();
   if (duel.configure(settings, first_fencer<float>(), second_fencer<float>()) != Status::kOk) {
     return 1;
   }

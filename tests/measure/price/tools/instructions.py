@@ -22,7 +22,14 @@ MOST_TICKS = 1 << 23
 ALL, WITH_FPU, WITHOUT_FPU = (1, 1_000_000), (1, 4000), (16, 1200)
 
 MAKE_PAIR, SEARCH, SEGMENT, IMPULSE, STEP, CONFIGURE, STACK = range(3, 10)
-ROOTS = {1: "price_search", 2: "price_segments", 3: "price_impulses", 4: "price_bout"}
+# What a bout costs with another choice (emulated.cmake, "choices"), or a part of it: of the first so many steps of each
+# recording; SHIFT as above, less where a step is longer.
+Choice = collections.namedtuple("Choice", "steps shift")
+CHOICES = {"duel_stepping": Choice(400, 4), "opponent": Choice(4000, SHIFT)}
+BOUTS_ONLY = 1_000_000_000  # of the queries the first
+
+BOUT = "price_bout"
+ROOTS = {1: "price_search", 2: "price_segments", 3: "price_impulses", 4: BOUT}
 OUTCOMES = ("free", "contact", "touching", "budget", "invalid")
 
 Sample = collections.namedtuple("Sample", "kind index ticks a b c")
@@ -91,10 +98,18 @@ def effort(manifest):
 
 def run(manifest, queries):
     """Runs the bench in the emulator."""
-    every, steps = effort(manifest)
+    return run_bench(manifest, manifest["bench"], queries, *effort(manifest), SHIFT)
+
+
+def run_choice(manifest, name, queries):
+    choice = CHOICES[name]
+    return run_bench(manifest, manifest["choices"][name], queries, BOUTS_ONLY, *choice)
+
+
+def run_bench(manifest, bench, queries, every, steps, shift):
     out = queries.with_name("samples.bin")
-    command = manifest["emulator"] + [manifest["bench"], str(queries), str(out), str(every), str(steps)]
-    environment = dict(os.environ, BATUTA_QEMU_OPTIONS=f"-icount shift={SHIFT}")
+    command = manifest["emulator"] + [bench, str(queries), str(out), str(every), str(steps)]
+    environment = dict(os.environ, BATUTA_QEMU_OPTIONS=f"-icount shift={shift}")
     subprocess.run(command, check=True, env=environment, timeout=7200)
     return Samples(out.read_bytes())
 
@@ -180,13 +195,17 @@ def search_figures(samples, family_of):
     return figures
 
 
+def step_figures(name, samples):
+    return spread(f"{name}.step", samples.counts(STEP))
+
+
 def figures(samples, family_of):
     """name -> instructions, but for sizes and counts that say so."""
     found = spread("segment_segment", samples.counts(SEGMENT))
     found.update(spread("make_moving_pair", samples.counts(MAKE_PAIR)))
     found.update(search_figures(samples, family_of))
     found.update(spread("impulse", [samples.count(row.ticks) for _, row in samples.of(IMPULSE) if row.a]))
-    found.update(spread("duel.step", samples.counts(STEP)))
+    found.update(step_figures("duel", samples))
     found["duel.rate_at_133_MHz"] = 133_000_000 // found["duel.step.99.9%"]  # Hz, if an instruction took one cycle
     found["duel.steps"] = len(samples.of(STEP))
     found["duel.configure"] = max(samples.counts(CONFIGURE))

@@ -72,7 +72,12 @@ TURNING = r"Quaternion|\bpose_at<|\bfree_flight<|\bsin_cos|\barc_|\bcapsule_path
 RESPONSE = r"_impulse<|\bseparate<|\bresolve_contact<"
 EXTRAS = r"\bfriction_impulse<|\bpressure_contact<|\bcoarse_swept|Grip|Duel|Fencer"
 OTHER_SEARCHES = r"\bsearch_(translation|stepping|spheres)<"
+SEEING = r"Opponent|SeeingRival|DelayedObservation|\bobservation_of<|\bfencer_seen<"
 NEVER = {
+    "duel": [SEEING, OTHER_SEARCHES],
+    "duel_stepping": [SEEING, r"\bsearch_(translation|advancement|spheres)<"],
+    "firmware": [SEEING, OTHER_SEARCHES],
+    "firmware_opponent": [OTHER_SEARCHES],
     "StraightSpheres": [TURNING, EXTRAS, r"\bcollision_impulse<|\bseparate<|\bresolve_contact<", r"ContactEvent",
                         r"\bsearch_(advancement|translation|stepping)<", r"\bclosest_points<"],
     "DetectionOnly": [RESPONSE, EXTRAS, OTHER_SEARCHES],

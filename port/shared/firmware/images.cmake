@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: MIT
+# The images of a board's main: the fencing firmware, and the same with an opponent in place of the other side's stick.
+set(BATUTA_OPPONENT "club" CACHE STRING "Skill of the opponent in batuta-fencing-opponent: novice, club or master")
+set_property(CACHE BATUTA_OPPONENT PROPERTY STRINGS novice club master)
+set(BATUTA_OPPONENT_SEED "1" CACHE STRING "Its seed, 0 ... 4294967295: another one, another fencer")
+set(skills novice kNovice club kClub master kMaster)
+list(FIND skills "${BATUTA_OPPONENT}" at)
+if(at LESS 0 OR BATUTA_OPPONENT MATCHES "^k")
+  message(FATAL_ERROR "BATUTA_OPPONENT=${BATUTA_OPPONENT}: novice, club or master")
+endif()
+if(NOT BATUTA_OPPONENT_SEED MATCHES "^[0-9]+$" OR BATUTA_OPPONENT_SEED GREATER 4294967295)
+  message(FATAL_ERROR "BATUTA_OPPONENT_SEED=${BATUTA_OPPONENT_SEED}: a number, 0 ... 4294967295")
+endif()
+math(EXPR at "${at} + 1")
+list(GET skills ${at} batuta_rival_skill)
+
+# batuta_fencing_images(<main> <library of the port>)
+function(batuta_fencing_images main port)
+  foreach(image batuta-fencing batuta-fencing-opponent)
+    add_executable(${image} ${main})
+    target_link_libraries(${image} PRIVATE batuta_firmware ${port} batuta_core_flags)
+    set_target_properties(${image} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+  endforeach()
+  target_compile_definitions(batuta-fencing-opponent PRIVATE
+    BATUTA_RIVAL_SKILL=${batuta_rival_skill} BATUTA_RIVAL_SEED=${BATUTA_OPPONENT_SEED}U)
+endfunction()
