@@ -60,8 +60,8 @@ struct Case {
   Side own_side;
 };
 
-/// @returns touches of the bout, 0 where the board fell behind
-int expect_same_bout(const Case& who) {
+/// @returns exchanges of the bout, 0 where the board played another one
+std::uint32_t expect_same_bout(const Case& who) {
   constexpr std::uint32_t kMostSteps = 60000;
   const bool is_left = who.own_side == Side::kLeft;
   HostBout seen(is_left ? who.own : who.rival, is_left ? who.rival : who.own);
@@ -86,7 +86,7 @@ int expect_same_bout(const Case& who) {
     if (!alike) return 0;
   }
   EXPECT_TRUE(played.is_over());
-  return played.duel().bout().touches.size();
+  return played.duel().bout().exchange;
 }
 
 TEST(SeeingRival, PlaysStepForStepWhatTheHostsDevicePlays) {
@@ -94,7 +94,7 @@ TEST(SeeingRival, PlaysStepForStepWhatTheHostsDevicePlays) {
       {{"club", Skill::kClub, 5}, {"master", Skill::kMaster, 7}, Side::kLeft},
       {{"novice", Skill::kNovice, 3}, {"club", Skill::kClub, 0xFFFFFFFFU}, Side::kLeft},
       {{"master", Skill::kMaster, 1}, {"novice", Skill::kNovice, 2}, Side::kRight}};
-  for (const Case& who : cases) EXPECT_GE(expect_same_bout(who), 2) << who.rival.name;
+  for (const Case& who : cases) EXPECT_GE(expect_same_bout(who), 2U) << who.rival.name;
 }
 
 /// The samples of a board's own bout against a stick that stays away, until it is over.

@@ -10,11 +10,11 @@ namespace batuta::price {
 using namespace fencing;
 namespace {
 
-using Scene = DuelScene<two_fencers, PRICE_SEARCH<float>>;
-Duel<Scene> duel;
+using PricedScene = DuelScene<two_fencers, PRICE_SEARCH<float>>;
+Duel<PricedScene> duel;
 
 void begin(std::uint32_t step, SampleFile& out) {
-  const auto settings = duel_settings<Scene>();
+  const auto settings = duel_settings<PricedScene>();
   const auto left = first_fencer<float>();
   const auto right = second_fencer<float>();
   Status status = Status::kOk;

@@ -6,8 +6,9 @@
 
 namespace {
 
-using Scene = batuta::fencing::DuelScene<batuta::fencing::two_fencers, batuta::PRICE_SEARCH<float>>;
-batuta::fencing::Duel<Scene> duel;
+using PricedScene =
+    batuta::fencing::DuelScene<batuta::fencing::two_fencers, batuta::PRICE_SEARCH<float>>;
+batuta::fencing::Duel<PricedScene> duel;
 batuta::InputSample samples[2];
 float volatile impulse;
 
@@ -16,7 +17,7 @@ float volatile impulse;
 int main() {
   using namespace batuta;
   using namespace batuta::fencing;
-  const auto settings = duel_settings<Scene>();
+  const auto settings = duel_settings<PricedScene>();
   if (duel.configure(settings, first_fencer<float>(), second_fencer<float>()) != Status::kOk) {
     return 1;
   }
