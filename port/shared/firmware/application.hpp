@@ -63,10 +63,17 @@ class ApplicationOf : private RivalT {
   ApplicationOf(const ApplicationOf&) = delete;
   ApplicationOf& operator=(const ApplicationOf&) = delete;
 
-  /// Puts the fencers on guard.
-  /// @param rival  with these it begins each bout, as if it had never fenced before
+  /// Puts the fencers on guard; the rival, if there is one, is the one of the last start().
   /// @returns kOk | kInvalidArgument: settings out of range; tick() must not be called
-  Status start(const ApplicationSettings& settings, const typename RivalT::Settings& rival = {});
+  Status start(const ApplicationSettings& settings);
+  /// The same. @param rival  who it is, in each bout as if it had never fenced before
+  Status start(const ApplicationSettings& settings,
+               [[maybe_unused]] const typename RivalT::Settings& rival) {
+    if constexpr (RivalT::kPlays) {
+      if (this->configure(rival) != Status::kOk) return Status::kInvalidArgument;
+    }
+    return start(settings);
+  }
 
   /// The work of one tick. Never blocks; never makes two steps. @pre start() was kOk
   /// @param tick  number of the board's timer tick, one every step_us, modulo 2^32: numbers that

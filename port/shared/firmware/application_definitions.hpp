@@ -24,12 +24,8 @@ inline std::uint16_t saturated(std::uint32_t count) {
 }  // namespace detail
 
 template <class RivalT>
-Status ApplicationOf<RivalT>::start(const ApplicationSettings& settings,
-                                    [[maybe_unused]] const typename RivalT::Settings& rival) {
+Status ApplicationOf<RivalT>::start(const ApplicationSettings& settings) {
   if (settings.pause <= 0) return Status::kInvalidArgument;
-  if constexpr (RivalT::kPlays) {
-    if (this->configure(rival) != Status::kOk) return Status::kInvalidArgument;
-  }
   settings_ = settings;
   report_ = {};
   session_ = 0;
@@ -149,10 +145,12 @@ bool ApplicationOf<RivalT>::take(const link::Step& step, Order& order) {
 template <class RivalT>
 void ApplicationOf<RivalT>::take(const link::StickSample& sample, Order& order) {
   if (session_ == 0) return refuse(Refusal::kNoSession, MessageType::kStickSample, 0);
+  if (mode_ != Mode::kFree) return refuse(Refusal::kWrongMode, MessageType::kStickSample, 0);
   const Side side = sample.side == link::LinkSide::kLeft ? Side::kLeft : Side::kRight;
-  const bool is_taken = RivalT::kPlays && side == other(settings_.own_side);
-  if (mode_ != Mode::kFree || is_taken) {
-    return refuse(Refusal::kWrongMode, MessageType::kStickSample, 0);
+  if constexpr (RivalT::kPlays) {
+    if (side != settings_.own_side) {
+      return refuse(Refusal::kWrongMode, MessageType::kStickSample, 0);
+    }
   }
   order.keep(side, sample.sample);
 }

@@ -160,7 +160,7 @@ class Budgets(unittest.TestCase):
 
     def test_opponents_have_more_room(self):
         self.assertEqual([budgets.kept_of(200, None, budgets.room_of(figure)) for figure in
-                          ("firmware.flash", "firmware_opponent.flash", "opponent.step.99.9%")], [204, 230, 230])
+                          ("firmware.flash", "opponent.flash", "opponent.step.99.9%")], [204, 230, 230])
 
     def test_what_nobody_measured(self):
         self.assertEqual(self.over(flash=100), {"stack"})
@@ -193,6 +193,13 @@ class Instructions(unittest.TestCase):
     def test_deepest_stack_of_a_root(self):
         samples = self.samples(*((instructions.STACK, 1, depth, 0, 0, 0) for depth in (40, 80, 60)))
         self.assertEqual(samples.stacks(), {"price_search": 80})
+
+    def test_the_first_steps_of_each_recording(self):
+        row = [(instructions.STEP, i, 60 + 320 * (i + 1), 0, 0, 0) for i in range(3)]
+        end = (instructions.STACK, 4, 40, 0, 0, 0)
+        samples = self.samples(*row, end, *row, end)
+        self.assertEqual(instructions.step_figures("a", samples, 2)["a.step.max"], 200)
+        self.assertEqual(instructions.step_figures("a", samples)["a.step.max"], 300)
 
     def test_quantiles(self):
         self.assertEqual([instructions.quantile(range(1, 1001), share) for share in (0.5, 0.999, 1)], [500, 999, 1000])
@@ -298,6 +305,13 @@ class ReadmeTable(unittest.TestCase):
         self.assertEqual(read["cortex-m3"], columns["cortex-m3"])
         self.assertEqual(read["cortex-m7"], [""] * len(readme_table.ROWS))
         self.assertIn("| 250 / 450 | 150 / 300 |", text)
+
+    def test_choices_of_a_duel(self):
+        figures = {"duel.flash": 7, "duel_stepping.step.median": 1000, "opponent.ram": 3000, "opponent.step.max": 30}
+        text = readme_table.choice_table(figures)
+        self.assertIn("| full duel, certified search | 7 |  |  |  |", text)
+        self.assertIn("stepping and bisection |  |  |  | 1,000 / - / - |", text)
+        self.assertIn("| of that the opponent |  | 3,000 |  | - / - / 30 |", text)
 
     def test_a_cell(self):
         self.assertEqual(readme_table.cell(["a", "b"], {"a": 1234, "b": 5}.get), "1,234 / 5")

@@ -62,6 +62,13 @@ class Collector:
         worst.compare("batuta_fault", worst.of("batuta_fault").bytes, "batuta_fault_stack_size")
         self.findings += [f"{name}: {text}" for text in worst.findings.values()]
 
+    def take_differences(self):
+        """What an opponent takes beyond the firmware without."""
+        if "firmware_opponent.flash" in self.figures:
+            for kind in ("flash", "ram"):
+                more = self.figures[f"firmware_opponent.{kind}"] - self.figures[f"firmware.{kind}"]
+                self.figures[f"opponent.{kind}"] = more
+
     def take_sizes(self):
         sizes = {symbol.name[len(SIZE_PREFIX):]: symbol.size for symbol in self.image(self.manifest["sizes"]).symbols
                  if symbol.name.startswith(SIZE_PREFIX)}
@@ -152,6 +159,7 @@ def collect(options, manifest, folder):
             collector.take_image(name, path)
         else:
             print(f"{name}: not built")
+    collector.take_differences()
     is_complete = True
     if "bench" in manifest:
         collector.take_sizes()

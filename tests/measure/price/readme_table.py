@@ -58,6 +58,16 @@ SCENE_ROWS = [
     *scene_rows("instructions of a step, median / max", ["step.median", "step.max"]),
     *list(scene_rows("flash, % of the same scene by hand", ["flash_of_by_hand"]))[:len(budgets.BY_HAND)],
 ]
+# Of a duel with other choices: label, image, figures of a step.
+CHOICE_HEADS = ["on a Cortex-M4F", "flash, B", "RAM, B", "worst-case stack, B", "instructions of a step, median / 99.9 % / max"]
+CHOICES = [
+    ("full duel, certified search", "duel", "duel.compared"),
+    ("the same by the paper's stepping and bisection", "duel_stepping", "duel_stepping"),
+    ("fencing firmware", "firmware", None),
+    ("the same with an opponent in place of a stick", "firmware_opponent", None),
+    ("of that the opponent", "opponent", "opponent"),
+]
+SIZES = "flash", "ram", "stack"
 TABLES = {"price": ROWS, "scenes": SCENE_ROWS}
 
 
@@ -120,6 +130,13 @@ def feature_table(figures):
                             for feature, costs in scenes.prices(figures)])
 
 
+def choice_table(figures):
+    spreads = "median", "99.9%", "max"
+    lines = [[label, *(cell([f"{image}.{size}"], figures.get) for size in SIZES),
+              cell([f"{step}.step.{word}" for word in spreads], figures.get) if step else ""] for label, image, step in CHOICES]
+    return markdown(CHOICE_HEADS, lines)
+
+
 def filled(text, mark, content_of):
     """The text with a block written anew. @param content_of  of the block as it is, what it is to be"""
     block = re.search(rf"(<!-- begin {mark} -->\n)(.*?)(<!-- end -->)", text, re.S)
@@ -138,6 +155,8 @@ def renewed(text, prices):
         # Where features were not measured, the table stays as it is.
         if price["cpu"] == budgets.BOUND_CPU and any(scenes.prices(price["figures"])):
             text = filled(text, "features", lambda _, p=price: feature_table(p["figures"]))
+        if "duel_stepping.flash" in price["figures"]:
+            text = filled(text, "choices", lambda _, p=price: choice_table(p["figures"]))
     return text
 
 

@@ -217,9 +217,16 @@ def free(arguments):
     require(run.link()["mode"] == "free", "not in free mode", run)
     require(run.summary()["left_samples_used"] > 0, "no sample was used", run)
     require(run.link()["steps_compared"] >= run.summary()["steps"] > 0, "not all compared", run)
+    return run
 
 
-SCENARIOS = (mouse, pad, trackpoint, damaged, cut, wrong_bit, free)
+def opponent(arguments):
+    """The firmware whose right side an opponent plays: the host knows nothing of it, and follows its samples."""
+    run = free(arguments)
+    require(run.summary()["right_samples_used"] == run.summary()["steps"], "the opponent did not play every step", run)
+
+
+SCENARIOS = (mouse, pad, trackpoint, damaged, cut, wrong_bit, free, opponent)
 
 
 def main():

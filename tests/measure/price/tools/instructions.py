@@ -25,7 +25,8 @@ MAKE_PAIR, SEARCH, SEGMENT, IMPULSE, STEP, CONFIGURE, STACK = range(3, 10)
 # What a bout costs with another choice (emulated.cmake, "choices"), or a part of it: of the first so many steps of each
 # recording; SHIFT as above, less where a step is longer.
 Choice = collections.namedtuple("Choice", "steps shift")
-CHOICES = {"duel_stepping": Choice(400, 4), "opponent": Choice(4000, SHIFT)}
+CHOICES = {"duel_stepping": Choice(4000, 4), "opponent": Choice(4000, SHIFT)}
+COMPARED_STEPS = CHOICES["duel_stepping"].steps
 BOUTS_ONLY = 1_000_000_000  # of the queries the first
 
 BOUT = "price_bout"
@@ -195,8 +196,10 @@ def search_figures(samples, family_of):
     return figures
 
 
-def step_figures(name, samples):
-    return spread(f"{name}.step", samples.counts(STEP))
+def step_figures(name, samples, steps=None):
+    """@param steps  of each recording the first so many, or all"""
+    rows = [row for _, row in samples.of(STEP) if steps is None or row.index < steps]
+    return spread(f"{name}.step", [samples.count(row.ticks) for row in rows])
 
 
 def figures(samples, family_of):
@@ -206,6 +209,7 @@ def figures(samples, family_of):
     found.update(search_figures(samples, family_of))
     found.update(spread("impulse", [samples.count(row.ticks) for _, row in samples.of(IMPULSE) if row.a]))
     found.update(step_figures("duel", samples))
+    found.update(step_figures("duel.compared", samples, COMPARED_STEPS))
     found["duel.rate_at_133_MHz"] = 133_000_000 // found["duel.step.99.9%"]  # Hz, if an instruction took one cycle
     found["duel.steps"] = len(samples.of(STEP))
     found["duel.configure"] = max(samples.counts(CONFIGURE))
