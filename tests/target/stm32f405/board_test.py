@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Boots an image for the board in QEMU and talks to it over its first serial line.
-usage: board_test.py MACHINE IMAGE Alone|Session|Noise|Restarts"""
+usage: board_test.py MACHINE IMAGE Alone|Opponent|Session|Noise|Restarts"""
 
 import os
 import pathlib
@@ -122,9 +122,16 @@ def step_number(payload):
 
 def test_alone(board):
     """Without a host the board fences by itself: whole frames, step after step, a tick and a millisecond each."""
-    reports = []
+    fence_alone(board)
+
+
+def fence_alone(board):
+    """@returns the samples that it told"""
+    reports, used = [], []
     for number, frame in enumerate(board.frames()):
         expect(frame is not None, f"frame {number} is damaged")
+        if frame[0] == STICK_USED:
+            used.append(frame[1])
         if frame[0] == STEP_REPORT:
             reports.append(REPORT.unpack_from(frame[1]))
         if len(reports) == ALONE_STEPS:
@@ -135,6 +142,15 @@ def test_alone(board):
     last = reports[-1]
     expect(last[SKIPPED] == 0, f"{last[SKIPPED]} ticks went by unused")
     expect(last[OVERRUNS] == 0, f"{last[OVERRUNS]} steps took longer than a tick")
+    return used
+
+
+def test_opponent(board):
+    """The same with an opponent on the right side: it plays every step, within its tick, and its stick moves."""
+    used = fence_alone(board)
+    steps = [step_number(payload) for payload in used if payload[4] == 1]
+    expect(len(steps) >= ALONE_STEPS and steps == list(range(steps[0], steps[0] + len(steps))), "it missed a step")
+    expect(len({payload[9:25] for payload in used}) > 1, "its stick stands still")
 
 
 def check_welcome(board, session):
@@ -202,13 +218,13 @@ def test_restarts(board):
     expect(board.process.poll() is None, "the emulator has ended")
 
 
-TESTS = {"Alone": test_alone, "Session": test_session, "Noise": test_noise, "Restarts": test_restarts}
+TESTS = {"Alone": test_alone, "Opponent": test_opponent, "Session": test_session, "Noise": test_noise, "Restarts": test_restarts}
 
 
 def main(words):
     if len(words) != 3 or words[2] not in TESTS:
         fail(__doc__)
-    options = BY_INSTRUCTIONS if words[2] == "Alone" else []
+    options = BY_INSTRUCTIONS if words[2] in ("Alone", "Opponent") else []
     with Board(words[0], words[1], options) as board:
         TESTS[words[2]](board)
 
