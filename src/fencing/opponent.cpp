@@ -53,7 +53,7 @@ Line line_of(int index) {
 struct Style {
   std::int32_t hesitation_us;  ///< between a decision and the hand, beyond the eye's delay
   std::int32_t lunge_us;       ///< its lunge, and
-  std::int32_t extension_us;   ///< the extension before it
+  std::int32_t extension_us;   ///< the extension before it; 0: none
   float scatter;               ///< of a stick's place, along each axis
   float alarm_reach;           ///< m before its trunk at which a coming guard is an attack
   float measure;               ///< m between the trunks that it keeps
@@ -63,8 +63,8 @@ struct Style {
   float counters;              ///< of these, by an attack of its own
   float reads;                 ///< sees the line of an attack
   float ripostes;              ///< after a parry
-  float attacks;               ///< of the looks within range
-  float pursues;               ///< of the looks at a rival who draws back
+  float attacks;               ///< begins an attack, of the looks within range
+  float pursues;               ///< the same, while the rival's attack is just over
   float stops;                 ///< of the looks at a rival who walks in
   float beats;                 ///< of its attacks, begun by a beat
   float feints;                ///< of its attacks, begun by an extension in another line
@@ -72,12 +72,12 @@ struct Style {
 };
 
 constexpr std::array<Style, 3> kStyles = {{
-    {90000, 250000, 150000, 0.12F, 0.62F, 2.75F, 2.85F, 0.55F, 0.3F, 0.15F, 0.45F, 0.4F, 0.02F,
-     0.02F, 0.02F, 0.10F, 0.0F, 0.0F},
-    {30000, 200000, 120000, 0.06F, 0.60F, 2.90F, 3.00F, 0.80F, 0.3F, 0.15F, 0.75F, 0.8F, 0.02F,
-     0.08F, 0.06F, 0.25F, 0.2F, 0.5F},
-    {0, 150000, 90000, 0.03F, 0.59F, 3.00F, 3.10F, 0.97F, 0.35F, 0.10F, 0.95F, 0.95F, 0.02F, 0.20F,
-     0.20F, 0.25F, 0.3F, 1.0F},
+    {90000, 250000, 150000, 0.12F, 0.62F, 2.7F, 2.9F, 0.35F, 0.3F, 0.15F, 0.45F, 0.5F, 0.008F,
+     0.01F, 0.0F, 0.2F, 0.0F, 0.0F},
+    {22000, 160000, 110000, 0.05F, 0.57F, 3.1F, 3.2F, 0.97F, 0.15F, 0.08F, 0.75F, 0.9F, 0.02F, 0.1F,
+     0.04F, 0.21F, 0.1F, 0.5F},
+    {0, 145000, 0, 0.02F, 0.58F, 2.95F, 3.1F, 0.97F, 0.25F, 0.04F, 0.95F, 0.95F, 0.004F, 0.9F,
+     0.05F, 0.0F, 0.3F, 1.0F},
 }};
 
 const Style& style_of(Skill skill) {
@@ -93,7 +93,6 @@ constexpr int kOpenLooks = 30;          ///< after an attack in which it is open
 constexpr float kFollow = 0.4F;         ///< m more of range then
 constexpr float kDrawn = 0.25F;         ///< of the stick, forward: more, and the arm is out
 constexpr float kEagerness = 2.0F;      ///< order to the feet for each m that the measure is off
-constexpr float kFeetSpeed = 1.5F;      ///< m/s that they bring it nearer
 constexpr float kDangerAhead = 1.15F;   ///< m: a point further off is not answered
 constexpr float kWalksIn = 0.6F;        ///< m/s: above, somebody walks in
 constexpr float kForesight = 0.2F;      ///< s for which such a walk is thought on
@@ -204,25 +203,26 @@ bool Opponent::is_free() const {
 void Opponent::decide() {
   const detail::Situation now = situation_of(eye_);
   const Style& style = style_of(skill_);
-  const bool attacked = now.reach > style.alarm_reach && now.thrust > 0 && now.ahead < kDangerAhead;
   const bool comes = now.reach > style.alarm_reach && now.thrust > 0;
-  if (threatened_ && !comes) remember(came_);
-  if (threatened_ && !comes) opening_ = kOpenLooks;
-  if (opening_ > 0) --opening_;
-  threatened_ = comes;
-  came_ = now.line;
+  look_on(now, comes);
   if (!is_free()) return;
-  if (attacked) {
+  if (comes && now.ahead < kDangerAhead) {
     defend(now);
   } else {
     choose(now, move_ >= moves_.size());
   }
 }
 
-/// An attack is at its end: now its line is plain.
-void Opponent::remember(int line) {
-  std::uint16_t& habit = habits_[static_cast<std::size_t>(line)];
-  if (habit < UINT16_MAX) ++habit;
+/// At the end of an attack its line is plain, and whoever made it is open.
+void Opponent::look_on(const detail::Situation& now, bool comes) {
+  if (opening_ > 0) --opening_;
+  if (threatened_ && !comes) {
+    std::uint16_t& habit = habits_[static_cast<std::size_t>(came_)];
+    if (habit < UINT16_MAX) ++habit;
+    opening_ = kOpenLooks;
+  }
+  threatened_ = comes;
+  came_ = now.line;
 }
 
 void Opponent::defend(const detail::Situation& now) {
@@ -326,7 +326,7 @@ void Opponent::attack(const detail::Situation& now, int index, Intent intent) {
   const bool is_urgent = opening_ > 0 || now.pace > kWalksIn;
   begin(intent);
   if (intent == Intent::kBeat) then(kBeatTime, {at(0, 0.5F), feet});
-  if (intent == Intent::kAttack && !is_urgent) {
+  if (intent == Intent::kAttack && style.extension_us > 0 && !is_urgent) {
     const int shown = chance(style.feints) ? guessed_line() : index;
     then(style.extension_us, near({line_of(shown).extension, feet}));
   }

@@ -80,6 +80,7 @@ class Opponent {
   void stand_down();
   bool is_free() const;
   void decide();
+  void look_on(const detail::Situation& now, bool comes);
   void defend(const detail::Situation& now);
   void choose(const detail::Situation& now, bool over);
   void attack(const detail::Situation& now, int index, Intent intent);
@@ -93,7 +94,6 @@ class Opponent {
   int line_to_close(int seen);
   int usual_line() const;
   void parry(int line);
-  void remember(int line);
   StickPlace near(StickPlace place);
   float drawn();
   bool chance(float probability) { return drawn() < probability; }
