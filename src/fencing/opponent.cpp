@@ -10,8 +10,11 @@ namespace batuta::fencing {
 /// What two late looks come to.
 struct detail::Situation {
   float distance = 0;  ///< between the trunks, m
-  float closing = 0;   ///< speed of the rival's guard towards oneself, as seen, m/s
-  float ahead = 0;     ///< from one's trunk to the rival's point, m
+  float soon = 0;      ///< the distance kForesight later, if both go on
+  float pace = 0;      ///< of it, the rival's
+  float reach = 0;     ///< of the rival's arm: guard before trunk, m
+  float thrust = 0;    ///< its speed, m/s
+  float ahead = 0;     ///< from one's own trunk to the rival's point, m
   int line = 0;        ///< in which the rival's blade comes, or would come
 };
 
@@ -19,52 +22,62 @@ namespace {
 
 using Vec2f = Vec2<float>;
 
-/// A line: where the stick lunges into it, how it extends there before, and what closes it.
+/// A line: where the stick lunges into it, how it extends there before, what closes it, and the
+/// line of the riposte from there.
 struct Line {
   Vec2f lunge;
   Vec2f extension;
   Vec2f parry;
+  int riposte;
 };
 
 Vec2f at(float x, float y) {
   return {x, y};
 }
 
-/// High inside, low inside, low outside, high outside, as the rival's keys have them.
+/// High inside, low inside, low outside, high outside, as the library's map has them (map.md).
 Line line_of(int index) {
   switch (index) {
     case 0:
-      return {at(-1, 1), at(-0.5F, 0.5F), at(-1, 0)};
+      return {at(-1, 1), at(-0.5F, 0.5F), at(-1, 0), 1};
     case 1:
-      return {at(-0.5F, 1), at(-0.25F, 0.5F), at(-1, -1)};
+      return {at(-0.5F, 1), at(-0.25F, 0.5F), at(-1, -1), 1};
     case 2:
-      return {at(0.5F, 1), at(0.25F, 0.5F), at(1, -1)};
+      return {at(0.5F, 1), at(0.25F, 0.5F), at(1, -1), 0};
     default:
-      return {at(1, 1), at(0.5F, 0.5F), at(1, 0)};
+      return {at(1, 1), at(0.5F, 0.5F), at(1, 0), 1};
   }
 }
 
 /// What sets the skills apart: probabilities are of one decision.
 struct Style {
   std::int32_t hesitation_us;  ///< between a decision and the hand, beyond the eye's delay
+  std::int32_t lunge_us;       ///< its lunge, and
+  std::int32_t extension_us;   ///< the extension before it; 0: none
   float scatter;               ///< of a stick's place, along each axis
-  float alarm_speed;           ///< m/s at which a coming hand is taken for an attack
-  float alarm_distance;        ///< m to the point within which it matters
+  float alarm_reach;           ///< m before its trunk at which a coming guard is an attack
   float measure;               ///< m between the trunks that it keeps
+  float range;                 ///< m between the trunks within which it attacks
   float defends;               ///< answers an attack at all
   float retreats;              ///< of these, by a step back
   float counters;              ///< of these, by an attack of its own
   float reads;                 ///< sees the line of an attack
   float ripostes;              ///< after a parry
-  float attacks;               ///< of the looks in measure
+  float attacks;               ///< begins an attack, of the looks within range
+  float pursues;               ///< the same, while the rival's attack is just over
+  float stops;                 ///< of the looks at a rival who walks in
   float beats;                 ///< of its attacks, begun by a beat
+  float feints;                ///< of its attacks, begun by an extension in another line
   float learns;                ///< goes by the rival's habits where it cannot read a line
 };
 
 constexpr std::array<Style, 3> kStyles = {{
-    {90000, 0.12F, 1.6F, 0.7F, 2.30F, 0.55F, 0.4F, 0.10F, 0.45F, 0.4F, 0.03F, 0.10F, 0.0F},
-    {30000, 0.06F, 1.1F, 0.9F, 2.40F, 0.80F, 0.3F, 0.15F, 0.75F, 0.7F, 0.03F, 0.25F, 0.5F},
-    {0, 0.03F, 0.8F, 1.1F, 2.50F, 0.95F, 0.3F, 0.15F, 0.95F, 0.9F, 0.03F, 0.35F, 1.0F},
+    {90000, 250000, 150000, 0.12F, 0.62F, 2.7F, 2.9F, 0.35F, 0.3F, 0.15F, 0.45F, 0.5F, 0.008F,
+     0.01F, 0.0F, 0.2F, 0.0F, 0.0F},
+    {22000, 160000, 110000, 0.05F, 0.57F, 3.1F, 3.2F, 0.97F, 0.15F, 0.08F, 0.75F, 0.9F, 0.02F, 0.1F,
+     0.04F, 0.21F, 0.1F, 0.5F},
+    {0, 145000, 0, 0.02F, 0.58F, 2.95F, 3.1F, 0.97F, 0.25F, 0.04F, 0.95F, 0.95F, 0.004F, 0.9F,
+     0.05F, 0.0F, 0.3F, 1.0F},
 }};
 
 const Style& style_of(Skill skill) {
@@ -72,24 +85,34 @@ const Style& style_of(Skill skill) {
 }
 
 constexpr float kSecondsPerLook = 1e-6F * static_cast<float>(DelayedObservation::kLookUs);
-constexpr float kReachSlack = 0.10F;  ///< m around the measure in which no step is made
+constexpr float kMeasureSlack = 0.08F;  ///< m around the measure in which no step is made
+constexpr float kLungeRange = 2.30F;    ///< m between trunks that a lunge bridges without the feet
+constexpr float kStepLunge = 2.65F;     ///< m that it bridges when they go along
+constexpr float kRiposteRange = 2.9F;   ///< m that a riposte bridges: who has attacked is near
+constexpr int kOpenLooks = 30;          ///< after an attack in which it is open
+constexpr float kFollow = 0.4F;         ///< m more of range then
+constexpr float kDrawn = 0.25F;         ///< of the stick, forward: more, and the arm is out
+constexpr float kEagerness = 2.0F;      ///< order to the feet for each m that the measure is off
+constexpr float kDangerAhead = 1.15F;   ///< m: a point further off is not answered
+constexpr float kWalksIn = 0.6F;        ///< m/s: above, somebody walks in
+constexpr float kForesight = 0.2F;      ///< s for which such a walk is thought on
 
 // Times of the moves, us.
-constexpr std::int32_t kStepTime = 150000;
-constexpr std::int32_t kWaitTime = 90000;
+constexpr std::int32_t kStepTime = 60000;
+constexpr std::int32_t kWaitTime = 60000;
 constexpr std::int32_t kParryTime = 100000;
-constexpr std::int32_t kHoldTime = 150000;
+constexpr std::int32_t kHoldTime = 80000;
 constexpr std::int32_t kBeatTime = 90000;
-constexpr std::int32_t kExtensionTime = 120000;
-constexpr std::int32_t kLungeTime = 250000;
 constexpr std::int32_t kRecoveryTime = 250000;
 
-/// The line in which a blade lies, seen from one's own trunk: the rival's inside is where one's own
-/// right is.
+/// The line in which a blade lies, seen from one's own trunk: bounds between what the library's map
+/// brings there (map.md).
 int line_seen(const Observation& sight) {
-  const Vec3<float> offset = sight.rival.point_V - sight.own.torso_V;
-  const bool inside = offset.y() < 0;
-  const bool high = offset.z() > 0;
+  constexpr float kOutside = -0.10F;  // m to the viewer's left
+  constexpr float kLow = -0.01F;      // m above the trunk's middle
+  const Vec3<float> offset = sight.rival.guard_V - sight.own.torso_V;
+  const bool inside = offset.y() > kOutside;
+  const bool high = offset.z() > kLow;
   if (inside) return high ? 0 : 1;
   return high ? 3 : 2;
 }
@@ -99,11 +122,24 @@ int across(int line) {
   return static_cast<int>(Opponent::kLines) - 1 - line;
 }
 
+float distance_of(const Observation& sight) {
+  return sight.rival.torso_V.x() - sight.own.torso_V.x();
+}
+
+float reach_of(const Observation& sight) {
+  return sight.rival.torso_V.x() - sight.rival.guard_V.x();
+}
+
 detail::Situation situation_of(const DelayedObservation& eye) {
   const Observation& now = eye.seen();
+  const Observation& before = eye.before();
   detail::Situation situation;
-  situation.distance = now.rival.torso_V.x() - now.own.torso_V.x();
-  situation.closing = (eye.before().rival.guard_V.x() - now.rival.guard_V.x()) / kSecondsPerLook;
+  situation.distance = distance_of(now);
+  const float nearing = (distance_of(before) - situation.distance) / kSecondsPerLook;
+  situation.soon = situation.distance - kForesight * nearing;
+  situation.pace = (before.rival.torso_V.x() - now.rival.torso_V.x()) / kSecondsPerLook;
+  situation.reach = reach_of(now);
+  situation.thrust = (situation.reach - reach_of(before)) / kSecondsPerLook;
   situation.ahead = now.rival.point_V.x() - now.own.torso_V.x();
   situation.line = line_seen(now);
   return situation;
@@ -157,45 +193,70 @@ void Opponent::stand_down() {
   then(kRecoveryTime, {at(0, 0), 0});
 }
 
+/// Nothing is under way that has to be gone through with: who recovers from an attack can defend.
+bool Opponent::is_free() const {
+  if (move_ >= moves_.size() || intent_ == Intent::kWait || intent_ == Intent::kStep) return true;
+  const bool attacks = intent_ != Intent::kParry && intent_ != Intent::kRetreat;
+  return attacks && move_ == moves_.size() - 1;
+}
+
 void Opponent::decide() {
   const detail::Situation now = situation_of(eye_);
   const Style& style = style_of(skill_);
-  const bool attacked = now.closing > style.alarm_speed && now.ahead < style.alarm_distance;
-  const bool over = move_ >= moves_.size();
-  // Who defends or attacks goes through with it; who waits or walks looks on.
-  if (attacked && (over || intent_ == Intent::kWait || intent_ == Intent::kStep)) {
+  const bool comes = now.reach > style.alarm_reach && now.thrust > 0;
+  look_on(now, comes);
+  if (!is_free()) return;
+  if (comes && now.ahead < kDangerAhead) {
     defend(now);
-  } else if (over) {
-    choose(now);
+  } else {
+    choose(now, move_ >= moves_.size());
   }
+}
+
+/// At the end of an attack its line is plain, and whoever made it is open.
+void Opponent::look_on(const detail::Situation& now, bool comes) {
+  if (opening_ > 0) --opening_;
+  if (threatened_ && !comes) {
+    std::uint16_t& habit = habits_[static_cast<std::size_t>(came_)];
+    if (habit < UINT16_MAX) ++habit;
+    opening_ = kOpenLooks;
+  }
+  threatened_ = comes;
+  came_ = now.line;
 }
 
 void Opponent::defend(const detail::Situation& now) {
   const Style& style = style_of(skill_);
-  std::uint16_t& habit = habits_[static_cast<std::size_t>(now.line)];
-  if (habit < UINT16_MAX) ++habit;
   if (!chance(style.defends)) return;
   const float way = drawn();
   if (way < style.retreats) {
     begin(Intent::kRetreat);
     then(kParryTime, {at(0, -1), -1});
     then(kHoldTime, {at(0, -1), -1});
-    then(kRecoveryTime, {at(0, 0), 0});
-  } else if (way < style.retreats + style.counters) {
-    attack(across(now.line), Intent::kCounter);
+    then(kParryTime, {at(0, 0), 0});
+  } else if (way < style.retreats + style.counters && place_.blade.y() < kDrawn) {
+    attack(now, across(now.line), Intent::kCounter);
   } else {
-    const Vec2f parry = line_of(line_to_close(now.line)).parry;
-    begin(Intent::kParry);
-    then(kParryTime, near({parry, 0}));
-    then(kHoldTime, {parry, 0});
+    parry(line_to_close(now.line));
   }
+}
+
+void Opponent::parry(int line) {
+  const Vec2f place = line_of(line).parry;
+  begin(Intent::kParry);
+  then(kParryTime, near({place, 0}));
+  then(kHoldTime, {place, 0});
 }
 
 /// The line that a defender believes in.
 int Opponent::line_to_close(int seen) {
   const Style& style = style_of(skill_);
   if (chance(style.reads)) return seen;
-  if (!chance(style.learns)) return guessed_line();
+  return chance(style.learns) ? usual_line() : guessed_line();
+}
+
+/// In which most attacks came.
+int Opponent::usual_line() const {
   std::size_t most = 0;
   for (std::size_t i = 1; i < kLines; ++i) {  // Bound: kLines
     if (habits_[i] > habits_[most]) most = i;
@@ -207,36 +268,75 @@ int Opponent::guessed_line() {
   return static_cast<int>(drawn() * static_cast<float>(kLines));
 }
 
-void Opponent::choose(const detail::Situation& now) {
+void Opponent::choose(const detail::Situation& now, bool over) {
   const Style& style = style_of(skill_);
-  if (intent_ == Intent::kParry && chance(style.ripostes)) {
-    attack(now.line, Intent::kRiposte);
-  } else if (now.distance > style.measure + kReachSlack) {
+  const bool is_open = opening_ > 0;
+  const bool in_range = now.distance < style.range + (is_open ? kFollow : 0.0F);
+  const bool walks_in = now.pace > kWalksIn && now.soon < kStepLunge;
+  if (place_.blade.y() > kDrawn) {  // an arm that is out cannot thrust
+    if (over) keep_measure(now);
+  } else if (over && intent_ == Intent::kParry && now.distance < kRiposteRange &&
+             chance(style.ripostes)) {
+    attack(now, line_of(line_to_close(now.line)).riposte, Intent::kRiposte);
+  } else if (walks_in && chance(style.stops)) {
+    attack(now, line_to_attack(), Intent::kCounter);
+  } else if (presses_ || (in_range && chance(is_open ? style.pursues : style.attacks))) {
+    press(now);
+  } else if (over) {
+    keep_measure(now);
+  }
+}
+
+/// Attacks where it is near enough; else it walks in, and looks on: what comes there is answered.
+void Opponent::press(const detail::Situation& now) {
+  const bool may_beat = chance(style_of(skill_).beats);
+  if (now.soon < kStepLunge) {
+    attack(now, line_to_attack(), may_beat ? Intent::kBeat : Intent::kAttack);
+  } else if (move_ >= moves_.size() || !presses_) {
     begin(Intent::kStep);
     then(kStepTime, near({at(0, 0), 1}));
-  } else if (now.distance < style.measure - kReachSlack) {
+    presses_ = true;
+  }
+}
+
+/// With the feet, if it is off by more than the slack.
+void Opponent::keep_measure(const detail::Situation& now) {
+  const float off = now.soon - style_of(skill_).measure;
+  if (off > kMeasureSlack || off < -kMeasureSlack) {
     begin(Intent::kStep);
-    then(kStepTime, near({at(0, 0), -1}));
-  } else if (chance(style.attacks)) {
-    const int line = chance(style.reads) ? across(now.line) : guessed_line();
-    attack(line, chance(style.beats) ? Intent::kBeat : Intent::kAttack);
+    then(kStepTime, near({at(0, 0), off > 0 ? std::min(kEagerness * off, 1.0F) : -1.0F}));
   } else {
     begin(Intent::kWait);
     then(kWaitTime, near({at(0, 0), 0}));
   }
 }
 
-void Opponent::attack(int index, Intent intent) {
+/// High outside, the arm would run onto the point of who stays on guard: who knows, goes elsewhere.
+int Opponent::line_to_attack() {
+  const int line = guessed_line();
+  return line == 3 && chance(style_of(skill_).reads) ? guessed_line() : line;
+}
+
+void Opponent::attack(const detail::Situation& now, int index, Intent intent) {
+  const Style& style = style_of(skill_);
   const Line line = line_of(index);
+  // The feet bring it into reach, and no further: who runs on runs onto the other's point.
+  const float feet = now.distance > kLungeRange ? 1.0F : 0.0F;
+  // No time for an extension where the rival is open, or walks in.
+  const bool is_urgent = opening_ > 0 || now.pace > kWalksIn;
   begin(intent);
-  if (intent == Intent::kBeat) then(kBeatTime, {at(0, 0.5F), 1});
-  if (intent == Intent::kAttack) then(kExtensionTime, near({line.extension, 1}));
-  then(kLungeTime, near({line.lunge, 1}));
+  if (intent == Intent::kBeat) then(kBeatTime, {at(0, 0.5F), feet});
+  if (intent == Intent::kAttack && style.extension_us > 0 && !is_urgent) {
+    const int shown = chance(style.feints) ? guessed_line() : index;
+    then(style.extension_us, near({line_of(shown).extension, feet}));
+  }
+  then(style.lunge_us, near({line.lunge, feet}));
   then(kRecoveryTime, {at(0, 0), -1});
 }
 
 void Opponent::begin(Intent intent) {
   intent_ = intent;
+  presses_ = false;
   moves_.clear();
   move_ = 0;
   spent_us_ = 0;

@@ -54,6 +54,9 @@ class Opponent {
   static constexpr int kMaxMoves = 6;
   /// The fastest that the blade's stick goes, 1/s.
   static constexpr float kHandSpeed = 12;
+  /// Between the fencers of its bouts on guard, m, each 2 m from the middle: who stands within a
+  /// lunge has no time to see one.
+  static constexpr float kOnGuard = 4;
 
   /// Forgets what it saw, and waits on guard.
   /// @param seed  any number: another one, other decisions
@@ -75,15 +78,22 @@ class Opponent {
 
  private:
   void stand_down();
+  bool is_free() const;
   void decide();
+  void look_on(const detail::Situation& now, bool comes);
   void defend(const detail::Situation& now);
-  void choose(const detail::Situation& now);
-  void attack(int index, Intent intent);
+  void choose(const detail::Situation& now, bool over);
+  void attack(const detail::Situation& now, int index, Intent intent);
+  void press(const detail::Situation& now);
+  void keep_measure(const detail::Situation& now);
   int guessed_line();
+  int line_to_attack();
   void begin(Intent intent);
   void then(std::int32_t duration_us, const StickPlace& to);
   void advance(std::int32_t step_us);
   int line_to_close(int seen);
+  int usual_line() const;
+  void parry(int line);
   StickPlace near(StickPlace place);
   float drawn();
   bool chance(float probability) { return drawn() < probability; }
@@ -91,8 +101,12 @@ class Opponent {
   Skill skill_ = Skill::kNovice;
   std::uint32_t draw_ = 1;  ///< never 0
   DelayedObservation eye_;
+  bool threatened_ = false;  ///< at the last look
+  int opening_ = 0;          ///< looks for which an attack of the rival's is just over
+  int came_ = 0;             ///< the line of that
   std::array<std::uint16_t, kLines> habits_{};  ///< attacks seen, by line
   Intent intent_ = Intent::kWait;
+  bool presses_ = false;                   ///< walks in to attack
   FixedList<StickMove, kMaxMoves> moves_;  ///< of the action, in their order
   int move_ = 0;                           ///< the one under way; moves_.size(): none
   std::int32_t spent_us_ = 0;              ///< of that move

@@ -258,6 +258,8 @@ int web_start(int touches, int record) {
   firmware::BoutSettings settings;
   settings.step_us = kStepUs;
   settings.touches = touches;
+  if (live.sticks[0].fencer || live.sticks[1].fencer)
+    settings.distance = fencing::Opponent::kOnGuard;
   const Status status = live.bout->start(settings);
   if (status != Status::kOk) return static_cast<int>(status);
   is_past = false;

@@ -38,6 +38,7 @@ Status DuelRunner::start() {
   firmware::BoutSettings settings;
   settings.step_us = kStep_us;
   settings.touches = rules_.touches;
+  settings.distance = rules_.distance;
   return bout_->start(settings);
 }
 

@@ -54,6 +54,7 @@ struct Tally {
 struct BoutRules {
   int touches = 1;  ///< to which it goes
   SearchKind search = SearchKind::kAdvancement;
+  float distance = fencing::Salle<float>().distance;  ///< of the fencers on guard, m
 };
 
 class DuelRunner {

@@ -165,9 +165,17 @@ BoutEnd end_in_sight(const Outputs& outputs) {
                                                                   : BoutEnd::kOver;
 }
 
-BoutRules rules_of(const Options& options) {
+/// A firmware's fencers stand where the library puts them.
+float distance_of(const Options& options, DeviceSetup& setup) {
+  if (options.distance > 0) return static_cast<float>(options.distance);
+  const bool sees = setup.source(Side::kLeft).sees() || setup.source(Side::kRight).sees();
+  return sees && setup.partner() == nullptr ? fencing::Opponent::kOnGuard : BoutRules().distance;
+}
+
+BoutRules rules_of(const Options& options, DeviceSetup& setup) {
   const bool paper = options.search == name_of(SearchKind::kStepping);
-  return {options.touches, paper ? SearchKind::kStepping : SearchKind::kAdvancement};
+  return {options.touches, paper ? SearchKind::kStepping : SearchKind::kAdvancement,
+          distance_of(options, setup)};
 }
 
 BoutEnd play_bout(const Options& options, DeviceSetup& setup, Outputs& outputs) {
@@ -176,8 +184,9 @@ BoutEnd play_bout(const Options& options, DeviceSetup& setup, Outputs& outputs) 
   DevicePartner* device = setup.partner();
   if (device != nullptr && !device->open(options.touches)) return fail(device->problem());
   for (const Side side : {Side::kLeft, Side::kRight}) setup.source(side).rewind();
-  const auto runner = std::make_unique<DuelRunner>(
-      setup.source(Side::kLeft), setup.source(Side::kRight), options.seconds, rules_of(options));
+  const auto runner =
+      std::make_unique<DuelRunner>(setup.source(Side::kLeft), setup.source(Side::kRight),
+                                   options.seconds, rules_of(options, setup));
   if (runner->start() != Status::kOk) return fail("the fencers are not valid");
   const Observers observers = make_observers(options, runner->limit(), outputs);
   const bool ended = run(*runner, observers, options, outputs, device);
@@ -264,7 +273,9 @@ int play(Options options) {
   DeviceSetup setup;
   std::string error = setup.open(left, right, patience_of(options.patience));
   if (!error.empty()) return complain(kExitUsage, error);
-  if (setup.partner() != nullptr && rules_of(options).search != SearchKind::kAdvancement)
+  if (setup.partner() != nullptr && options.distance > 0)
+    return complain(kExitUsage, "--distance: the firmware has its own; it cannot be compared");
+  if (setup.partner() != nullptr && rules_of(options, setup).search != SearchKind::kAdvancement)
     return complain(kExitUsage, "--search: the firmware has advancement; it cannot be compared");
   Outputs outputs;
   error = open_window(options, {left.source->description(), right.source->description()}, outputs);

@@ -61,6 +61,9 @@ point (.) makes one step; 1, 2 and 3 are the whole speed, a quarter and a twenti
 bout again; Q, Escape or closing the window ends it. What is over stays in sight. A device that
 makes its steps by itself (serial:LINE without SOURCE) waits for nobody: R and Q work.
 
+On guard the fencers stand 2.25 m apart, where a lunge just arrives; with an opponent that sees they
+stand 4 m apart, each 2 m from the middle, and walk: --distance. A firmware has the former.
+
 With --search stepping the bout is found by the paper's own search, which may miss a touch that is
 shallower than 1 mm and takes more time. A firmware has the other one: not with serial:. A recording
 is gone through again with the search that it was made with.
@@ -98,6 +101,13 @@ std::string number_of_touches(const std::string& words) {
   return number && value >= 1 && value <= fencing::kMostTouches
              ? ""
              : words + " is not a whole number from 1 to 99";
+}
+
+/// No nearer than the feet may come, and with room behind on the strip.
+std::string metres_apart(const std::string& words) {
+  double value = 0;
+  const bool number = CLI::detail::lexical_cast(words, value);
+  return number && value >= 1.5 && value <= 10 ? "" : words + " is not a number from 1.5 to 10";
 }
 
 /// CLI::Range lets what is not a number pass.
@@ -161,6 +171,10 @@ void declare(CLI::App& app, Options& options) {
   CLI::Option* const touches =
       app.add_option("--touches", options.touches, "the bout goes to so many touches, 1 to 99");
   touches->type_name("N")->check(number_of_touches)->capture_default_str();
+  CLI::Option* const distance = app.add_option("--distance", options.distance,
+                                               "on guard the fencers stand so far apart, 1.5 to 10 "
+                                               "(4 with an opponent that sees, else 2.25)");
+  distance->type_name("METRES")->check(metres_apart);
   CLI::Option* const search = app.add_option(
       "--search", options.search, "how contacts are found: surely, or as the paper does it");
   search->check(CLI::IsMember({"advancement", "stepping"}))->capture_default_str();
@@ -176,8 +190,8 @@ void declare(CLI::App& app, Options& options) {
   patience->type_name("SECONDS")->check(seconds_of_silence)->capture_default_str();
   std::vector<CLI::Option*> others = declare_force(app, options);
   others.insert(others.end(), pictures.begin(), pictures.end());
-  others.insert(others.end(),
-                {left, right, json, realtime, seconds, touches, search, record, patience});
+  others.insert(others.end(), {left, right, json, realtime, seconds, touches, distance, search,
+                               record, patience});
   // CLI11's own excludes() would fill the help with what excludes what.
   app.final_callback([replay, others] {
     for (const CLI::Option* other : others) {

@@ -21,6 +21,7 @@ struct Options {
   std::string record;  ///< file for the whole bout; empty: none
   std::string replay;  ///< recorded bout to go through instead of one of two sources; empty: none
   int touches = 5;     ///< to which the bout goes
+  double distance = 0;  ///< of the fencers on guard, m; 0: as it suits who fences
   std::string search = "advancement";  ///< or "stepping"
   double seconds = std::numeric_limits<double>::infinity();
   bool view = false;  ///< in a window, as it happens

@@ -11,6 +11,7 @@ namespace batuta::firmware {
 struct BoutSettings {
   std::int32_t step_us = 1000;  ///< length of a step, us, as DuelSettings::step_us
   std::int32_t touches = 1;     ///< to which the bout goes, as DuelSettings::touches
+  float distance = fencing::Salle<float>().distance;  ///< on guard, m, as Salle::distance
   ForceSettings force;
 };
 
@@ -56,6 +57,7 @@ Status SteppedBoutOf<DuelT>::start(const BoutSettings& settings) {
   auto duel = fencing::duel_settings<typename DuelT::StatedScene>();
   duel.step_us = settings.step_us;
   duel.touches = settings.touches;
+  duel.salle.distance = settings.distance;
   if (validate(settings.force) != Status::kOk) return Status::kInvalidArgument;
   const Status status =
       duel_.configure(duel, fencing::first_fencer<float>(), fencing::second_fencer<float>());

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Who beats whom, by what, and that steel stays outside steel in whole bouts. The bouts of a seed
+// are the same on every machine.
+#include "bouts.hpp"
+
+#include <gtest/gtest.h>
+
+namespace bouts {
+namespace {
+
+using batuta::fencing::Intent;
+
+constexpr int kBouts = 40;
+constexpr std::uint32_t kSeed = 2026;
+
+class Pairings : public testing::Test {
+ protected:
+  /// Whatever they do, no blade goes into a guard or hand, and none touches out of control.
+  static Tally play(const std::string& first, const std::string& second) {
+    const Tally tally = play_pairing(first, second, kBouts, kSeed);
+    EXPECT_EQ(tally.bouts, kBouts);
+    EXPECT_EQ(tally.in_weapon, 0) << tally.deepest;
+    EXPECT_EQ(tally.out_of_control, 0);
+    return tally;
+  }
+};
+
+TEST_F(Pairings, Club_BeatsNovice) {
+  const Tally tally = play("club", "novice");
+  EXPECT_GE(tally.share(tally.won), 65);
+  EXPECT_LE(tally.share(tally.won), 90);
+  EXPECT_GE(tally.share(tally.ended), 95);
+}
+
+TEST_F(Pairings, Master_BeatsClub) {
+  const Tally tally = play("master", "club");
+  EXPECT_GE(tally.share(tally.won), 65);
+  EXPECT_LE(tally.share(tally.won), 90);
+  EXPECT_GE(tally.share(tally.ended), 95);
+}
+
+TEST_F(Pairings, ClubAmongClub_TouchesInAllWays) {
+  const Tally tally = play("club", "club");
+  EXPECT_GE(tally.share(tally.ended), 95);
+  for (const Intent intent : {Intent::kAttack, Intent::kRiposte, Intent::kCounter, Intent::kBeat}) {
+    EXPECT_GE(tally.kind(intent), 8) << static_cast<int>(intent);
+  }
+}
+
+/// Who sees is not beaten by who does always the same.
+TEST_F(Pairings, LoopsOverClub_SeldomWin) {
+  for (const std::string& loop : names_of_loops()) {
+    const Tally tally = play(loop, "club");
+    EXPECT_LE(tally.share(tally.won), 35) << loop;
+  }
+}
+
+TEST_F(Pairings, LoopsOverMaster_HardlyEverWin) {
+  for (const std::string& loop : names_of_loops()) {
+    const Tally tally = play(loop, "master");
+    EXPECT_LE(tally.share(tally.won), 15) << loop;
+  }
+}
+
+/// Both players stand on either side as often, and a bout counts what its log says.
+TEST(Tallies, SumUp) {
+  const Tally one = play_pairing("guard", "guard", 4, 1);
+  EXPECT_EQ(one.bouts, 4);
+  EXPECT_EQ(one.won + one.ended, 0);  // nobody does anything
+  EXPECT_EQ(one.drawn, 4);
+  EXPECT_EQ(one.seconds, 4 * kLongest);
+  Tally two = one;
+  two.add(one);
+  EXPECT_EQ(two.bouts, 8);
+}
+
+}  // namespace
+}  // namespace bouts

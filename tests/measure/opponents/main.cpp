@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// batuta-opponents BOUTS SEED [FIRST SECOND]: how the opponents that see fence each other, and
+// against loops that see nothing; a line for each pairing. Exit code 1: a blade was inside a guard
+// or hand, or touched out of control.
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "bouts.hpp"
+
+namespace {
+using namespace bouts;
+using batuta::fencing::Intent;
+
+void print(const std::string& first, const std::string& second, const Tally& tally) {
+  std::printf("| %s over %s | %.1f | %.1f | %.1f | %.1f | %.0f | %.0f | %.0f | %.0f | %.3f |\n",
+              first.c_str(), second.c_str(), tally.share(tally.won), tally.share(tally.drawn),
+              tally.share(tally.ended), tally.seconds / tally.bouts, tally.kind(Intent::kAttack),
+              tally.kind(Intent::kRiposte), tally.kind(Intent::kCounter), tally.kind(Intent::kBeat),
+              1e3 * tally.deepest);
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  const int bouts = count > 2 ? std::atoi(words[1]) : 0;
+  if (bouts <= 0 || (count != 3 && count != 5)) {
+    std::fprintf(stderr, "usage: batuta-opponents BOUTS SEED [FIRST SECOND]\n");
+    return 2;
+  }
+  const auto seed = static_cast<std::uint32_t>(std::strtoul(words[2], nullptr, 10));
+  std::vector<std::array<std::string, 2>> pairings;
+  if (count == 5) {
+    pairings = {{words[3], words[4]}};
+  } else {
+    pairings = {{"club", "novice"}, {"master", "club"}, {"club", "club"}};
+    for (const std::string& loop : names_of_loops()) {
+      pairings.push_back({loop, "club"});
+      pairings.push_back({loop, "master"});
+    }
+  }
+  std::printf(
+      "| pairing | won %% | drawn %% | ended %% | s a bout | attack %% | riposte %% | counter %% | "
+      "beat %% | deepest mm |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | "
+      "---: |\n");
+  Tally all;
+  for (const auto& [first, second] : pairings) {
+    const Tally tally = play_pairing(first, second, bouts, seed);
+    print(first, second, tally);
+    all.add(tally);
+  }
+  std::printf("\n%d bouts: %d with a blade in a guard or hand, %d touches out of control\n",
+              all.bouts, all.in_weapon, all.out_of_control);
+  return all.in_weapon + all.out_of_control > 0 ? 1 : 0;
+}
