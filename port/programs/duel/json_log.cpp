@@ -91,7 +91,8 @@ void JsonLog::on_start(const DuelRunner& runner) {
       .text("search", batuta::host::name_of(runner.rules().search))
       .number("step_seconds", 1e-6 * DuelRunner::kStep_us)
       .number("limit_seconds", runner.limit())
-      .count("touches", static_cast<unsigned>(runner.rules().touches));
+      .count("touches", static_cast<unsigned>(runner.rules().touches))
+      .number("distance", static_cast<double>(runner.rules().distance));
 }
 
 void JsonLog::on_step(const DuelRunner& runner) {

@@ -75,6 +75,8 @@ def usage(folder):
         refuses(["--seconds", number], 2)
     for number in ("0", "-1", "100", "1.5", "x", "nan", ""):
         refuses(["--touches=%s" % number], 2, "--touches")
+    for number in ("0", "1.4", "10.1", "-4", "x", "nan", "inf", ""):
+        refuses(["--distance=%s" % number], 2, "--distance")
     refuses(["--search", "bisection"], 2, "--search")
     refuses(["--left", "banana"], 2, "banana", "unknown source")
     refuses(["--right", "script:riposte"], 2, "script:riposte")
@@ -150,6 +152,13 @@ def json_lines(_):
     check(all(abs(math.hypot(*line["normal"]) - 1) < 1e-6 for line in contacts), "normals are unit")
     touch = [line for line in first if line["type"] == "touch"]
     check(len(touch) == 1 and touch[0]["by"] == summary["touch_by"] == summary["result"] == "left", touch)
+    # A lunge of who stays bridges 2.3 m; with an opponent that sees, both start further off.
+    for more, distance, score in (([], 2.25, 1), (["--distance", "1.8"], 1.8, 1), (["--distance", "2.9"], 2.9, 0)):
+        told = objects(run("--json", "--left", "script:attack", "--right", "script:guard", "--touches", "1",
+                           "--seconds", "5", *more))
+        check(abs(told[0]["distance"] - distance) < 1e-6 and told[-1]["score_left"] == score, told[-1])
+    told = objects(run("--json", "--left", "script:attack", "--right", "script:club", "--seconds", "0.1"))
+    check(told[0]["distance"] == 4, told[0])
     for search in ("advancement", "stepping"):
         told = objects(run("--json", "--left", "script:attack", "--right", "script:guard", "--touches", "3", "--search", search))
         check(told[0]["search"] == search and told[0]["touches"] == 3, told[0])
