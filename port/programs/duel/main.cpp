@@ -12,6 +12,7 @@
 #include <memory>
 #include <utility>
 
+#include "batuta/fencing/opponent.hpp"
 #include "programs/duel/beat_figure.hpp"
 #include "programs/duel/bout_log.hpp"
 #include "programs/duel/device/device_log.hpp"

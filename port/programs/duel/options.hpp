@@ -15,12 +15,12 @@ inline constexpr int kExitUsage = 2;    ///< wrong usage, or a source that canno
 struct Options {
   std::string left = "default";
   std::string right = "script:parry";
-  std::string svg;     ///< empty: no picture
-  std::string figure;  ///< of the hardest beat; empty: none
-  std::string strip;   ///< of the last touch; empty: none
-  std::string record;  ///< file for the whole bout; empty: none
-  std::string replay;  ///< recorded bout to go through instead of one of two sources; empty: none
-  int touches = 5;     ///< to which the bout goes
+  std::string svg;      ///< empty: no picture
+  std::string figure;   ///< of the hardest beat; empty: none
+  std::string strip;    ///< of the last touch; empty: none
+  std::string record;   ///< file for the whole bout; empty: none
+  std::string replay;   ///< recorded bout to go through instead of one of two sources; empty: none
+  int touches = 5;      ///< to which the bout goes
   double distance = 0;  ///< of the fencers on guard, m; 0: as it suits who fences
   std::string search = "advancement";  ///< or "stepping"
   double seconds = std::numeric_limits<double>::infinity();
