@@ -171,9 +171,9 @@ void declare(CLI::App& app, Options& options) {
   CLI::Option* const touches =
       app.add_option("--touches", options.touches, "the bout goes to so many touches, 1 to 99");
   touches->type_name("N")->check(number_of_touches)->capture_default_str();
-  CLI::Option* const distance = app.add_option("--distance", options.distance,
-                                               "on guard the fencers stand so far apart, 1.5 to 10 "
-                                               "(4 with an opponent that sees, else 2.25)");
+  CLI::Option* const distance =
+      app.add_option("--distance", options.distance,
+                     "between the fencers on guard, 1.5 to 10 (2.25; 4 if one of them sees)");
   distance->type_name("METRES")->check(metres_apart);
   CLI::Option* const search = app.add_option(
       "--search", options.search, "how contacts are found: surely, or as the paper does it");
