@@ -53,7 +53,7 @@ Line line_of(int index) {
 struct Style {
   std::int32_t hesitation_us;  ///< between a decision and the hand, beyond the eye's delay
   std::int32_t lunge_us;       ///< its lunge, and
-  std::int32_t extension_us;   ///< the extension before it; 0: none
+  std::int32_t extension_us;   ///< the extension before it
   float scatter;               ///< of a stick's place, along each axis
   float alarm_reach;           ///< m before its trunk at which a coming guard is an attack
   float measure;               ///< m between the trunks that it keeps
@@ -76,8 +76,8 @@ constexpr std::array<Style, 3> kStyles = {{
      0.01F, 0.0F, 0.2F, 0.0F, 0.0F},
     {22000, 160000, 110000, 0.05F, 0.57F, 3.1F, 3.2F, 0.97F, 0.15F, 0.08F, 0.75F, 0.9F, 0.02F, 0.1F,
      0.04F, 0.21F, 0.1F, 0.5F},
-    {0, 145000, 0, 0.02F, 0.58F, 2.95F, 3.1F, 0.97F, 0.25F, 0.04F, 0.95F, 0.95F, 0.004F, 0.9F,
-     0.05F, 0.0F, 0.3F, 1.0F},
+    {0, 145000, 90000, 0.02F, 0.58F, 2.95F, 3.1F, 0.97F, 0.25F, 0.04F, 0.95F, 0.95F, 0.004F, 0.9F,
+     0.05F, 0.0F, 0.0F, 1.0F},
 }};
 
 const Style& style_of(Skill skill) {
@@ -326,7 +326,7 @@ void Opponent::attack(const detail::Situation& now, int index, Intent intent) {
   const bool is_urgent = opening_ > 0 || now.pace > kWalksIn;
   begin(intent);
   if (intent == Intent::kBeat) then(kBeatTime, {at(0, 0.5F), feet});
-  if (intent == Intent::kAttack && style.extension_us > 0 && !is_urgent) {
+  if (intent == Intent::kAttack && !is_urgent) {
     const int shown = chance(style.feints) ? guessed_line() : index;
     then(style.extension_us, near({line_of(shown).extension, feet}));
   }
