@@ -24,6 +24,12 @@ Pose<Scalar> moved_by(const Pose<Scalar>& pose, const Offset<Scalar>& offset, Sc
           renewed<Scalar>(exp_map<Scalar>(share * offset.turn_W) * pose.q_WB)};
 }
 
+/// Its square, a turn counting as the way of what is a metre away, m^2.
+template <class Scalar>
+Scalar size_of(const Offset<Scalar>& offset) {
+  return offset.shift_W.squaredNorm() + offset.turn_W.squaredNorm();
+}
+
 /// 1 over the inertia that resists a turn about the hand: the blade's own, the larger of its three,
 /// and that of its mass at its distance. 0: nothing turns it.
 template <class Scalar>
@@ -38,6 +44,20 @@ template <class Scalar>
 Scalar weight_of(CatchWeight weight, Scalar parameter) {
   const Scalar s = clamp(parameter, Scalar(0), Scalar(1));
   return weight == CatchWeight::kLinear ? s : s * s * (Scalar(3) - Scalar(2) * s);
+}
+
+/// m/s: a blade that lags by more was hindered
+template <class Scalar>
+constexpr Scalar kHinderedSpeed = Scalar(0.02F);
+/// Where a hand has turned this far from the flight, the shortest way between them may soon be the
+/// other way round: cosine of half of 2.5 rad.
+template <class Scalar>
+constexpr Scalar kFarCosine = Scalar(0.3153F);
+
+template <class Scalar>
+bool is_far(const Quat<Scalar>& a, const Quat<Scalar>& b) {
+  const Scalar cosine = a.dot(b);
+  return cosine * cosine < kFarCosine<Scalar> * kFarCosine<Scalar>;
 }
 
 }  // namespace
@@ -72,14 +92,14 @@ Pose<Scalar> caught(const Motion<Scalar>& flight, Scalar elapsed, const Pose<Sca
                     const Catch<Scalar>& state) {
   if (state.turn >= Scalar(1) && state.place >= Scalar(1)) return hand;
   const Twist<Scalar>& twist = flight.twist;
-  const Scalar way = (Scalar(1) - state.turn) * elapsed;
-  const Scalar turned = way * twist.w_W.norm();
-  const Scalar kept = turned > state.largest_turn ? way * (state.largest_turn / turned) : way;
+  const Scalar speed = twist.w_W.norm();
+  const Scalar longest =
+      speed * elapsed > state.largest_turn ? state.largest_turn / speed : elapsed;
+  const Scalar kept = min_of((Scalar(1) - state.turn) * elapsed, longest);
   const Quat<Scalar> q = detail::composed(exp_map<Scalar>(kept * twist.w_W),
                                           interpolated(flight.X_WB.q_WB, hand.q_WB, state.turn));
-  const Vec3<Scalar> start_W = to_world(flight.X_WB, state.hand_B);
-  const Vec3<Scalar> arm_W = start_W - flight.X_WB.p_W;
-  const Vec3<Scalar> free_W = start_W + elapsed * (twist.v_W + twist.w_W.cross(arm_W));
+  const Quat<Scalar> free_q = exp_map<Scalar>(longest * twist.w_W) * flight.X_WB.q_WB;
+  const Vec3<Scalar> free_W = flight.X_WB.p_W + elapsed * twist.v_W + free_q * state.hand_B;
   const Vec3<Scalar> held_W =
       (Scalar(1) - state.place) * free_W + state.place * to_world(hand, state.hand_B);
   return {held_W - q * state.hand_B, q};
@@ -117,7 +137,8 @@ Pose<Scalar> Grip<Scalar>::hand_at(Scalar t) const {
 }
 
 template <class Scalar>
-Catch<Scalar> Grip<Scalar>::catch_at(Scalar elapsed) const {
+Catch<Scalar> Grip<Scalar>::catch_at(Scalar t) const {
+  const Scalar elapsed = max_of(t - pull_start_, Scalar(0));
   return {hand_B_, weight_of(settings_.weight, elapsed / turn_regain_),
           weight_of(settings_.weight, elapsed / place_regain_), settings_.largest_turn};
 }
@@ -126,7 +147,7 @@ template <class Scalar>
 Pose<Scalar> Grip<Scalar>::planned_at(Scalar t) const {
   if (is_held_) return hand_at(t);
   const Scalar elapsed = max_of(t - flight_start_, Scalar(0));
-  return caught(flight_, elapsed, hand_at(t), catch_at(elapsed));
+  return caught(flight_, elapsed, hand_at(t), catch_at(t));
 }
 
 template <class Scalar>
@@ -135,11 +156,34 @@ PlannedMotion<Scalar> Grip<Scalar>::plan(const Body<Scalar>& body, Scalar t,
   const Scalar horizon = max_of(step_ - t, kLeastHorizon<Scalar> * step_);
   if (!(horizon > Scalar(0))) return {still(body.X_WB, duration), false};
   const Offset<Scalar> offset = offset_of(body.X_WB, planned_at(t));
-  const Scalar kept = max_of(Scalar(1) - horizon / settings_.recover_time, Scalar(0));
+  const Scalar kept = Scalar(1) - horizon / max_of(settings_.recover_time, max_of(step_, horizon));
   const Pose<Scalar> wanted = moved_by(planned_at(t + horizon), offset, kept);
   Motion<Scalar> motion = motion_between(body.X_WB, wanted, horizon);
   motion.duration = duration;
   return {motion, false};
+}
+
+/// The blade flies from `time` on; a hand that was beaten stays so for what is left of its time.
+template <class Scalar>
+void Grip<Scalar>::let_go(const Motion<Scalar>& flight, Scalar time) {
+  lost_ = is_held_ ? Scalar(0) : max_of(lost_ - (time - flight_start_), Scalar(0));
+  flight_ = is_valid(flight) ? flight : still(flight.X_WB, settings_.max_regain);
+  flight_start_ = time;
+  pull_start_ = max_of(step_, time);
+  is_held_ = false;
+}
+
+/// How long arm and wrist take to have the blade again.
+/// @param impulse  N s  @param hand  where the hand wants B
+template <class Scalar>
+void Grip<Scalar>::set_regain(const HandBlow<Scalar>& blow, Scalar impulse,
+                              const Body<Scalar>& body, const Pose<Scalar>& hand) {
+  const Scalar turn = offset_of(body.X_WB, hand).turn_W.norm();
+  const Scalar shift = (to_world(body.X_WB, hand_B_) - to_world(hand, hand_B_)).norm();
+  turn_regain_ = regain_time<Scalar>(
+      settings_, {settings_.torque, blow.moment, turn, inverse_inertia_about(hand_B_, body)});
+  place_regain_ =
+      regain_time<Scalar>(settings_, {settings_.force, impulse, shift, body.inverse_mass});
 }
 
 template <class Scalar>
@@ -147,30 +191,52 @@ void Grip<Scalar>::on_contact(const Body<Scalar>& body, const Feedback<Scalar>& 
   if (!(feedback.impulse > Scalar(0))) return;  // a separation shows in the body's pose, and fades
   const Vec3<Scalar> lever_W = feedback.point_W - to_world(body.X_WB, hand_B_);
   const HandBlow<Scalar> blow{lever_W.norm(), lever_W.cross(feedback.impulse_W).norm()};
-  const Scalar left = is_held_ ? Scalar(0) : lost_ - (feedback.time - flight_start_);
-  lost_ = max_of(left, lost_time(settings_, blow));
+  set_regain(blow, feedback.impulse_W.norm(), body, hand_at(feedback.time));
+  let_go(free_flight(body, settings_.max_regain), feedback.time);
+  lost_ = max_of(lost_, lost_time(settings_, blow));
+}
 
-  const Pose<Scalar> hand = hand_at(feedback.time);
-  const Offset<Scalar> offset = offset_of(body.X_WB, hand);
-  const Scalar shift = (to_world(body.X_WB, hand_B_) - to_world(hand, hand_B_)).norm();
-  turn_regain_ = regain_time<Scalar>(
-      settings_,
-      {settings_.torque, blow.moment, offset.turn_W.norm(), inverse_inertia_about(hand_B_, body)});
-  place_regain_ = regain_time<Scalar>(
-      settings_, {settings_.force, feedback.impulse_W.norm(), shift, body.inverse_mass});
-  flight_ = free_flight(body, settings_.max_regain);
-  if (!is_valid(flight_)) flight_ = still(body.X_WB, settings_.max_regain);  // turns beyond telling
-  flight_start_ = feedback.time;
-  is_held_ = false;
+/// The flight begins anew where the blade is, with a share of the velocity that was planned.
+template <class Scalar>
+void Grip<Scalar>::go_on_from(const Body<Scalar>& body, Scalar share, Scalar dt) {
+  const Scalar since = max_of(dt - max_of(flight_start_, Scalar(0)), kLeastHorizon<Scalar> * dt);
+  Motion<Scalar> flight = motion_between(planned_at(dt - since), planned_at(dt), since);
+  flight.X_WB = body.X_WB;
+  flight.duration = settings_.max_regain;
+  flight.twist.v_W *= share;
+  flight.twist.w_W *= share;
+  set_regain({}, Scalar(0), body, target_);
+  let_go(flight, dt);
+}
+
+/// What the blade made of the way that was planned for the step, or since the blow in it, 0 ... 1.
+/// A turn counts as the way of what is a metre away; what lags by no more than kHinderedSpeed has
+/// made it all.
+template <class Scalar>
+Scalar Grip<Scalar>::share_made(const Pose<Scalar>& X_WB, Scalar dt) const {
+  const Pose<Scalar> end = planned_at(dt);
+  const Offset<Scalar> lack = offset_of(end, X_WB);
+  const Scalar least = kHinderedSpeed<Scalar> * dt;
+  if (!(size_of(lack) > least * least)) return Scalar(1);
+  const Offset<Scalar> way = offset_of(end, planned_at(max_of(flight_start_, Scalar(0))));
+  const Scalar whole = size_of(way);
+  const Scalar along = lack.shift_W.dot(way.shift_W) + lack.turn_W.dot(way.turn_W);
+  if (!(along > least * std::sqrt(whole))) return Scalar(1);
+  return max_of(Scalar(1) - along / whole, Scalar(0));
 }
 
 template <class Scalar>
-void Grip<Scalar>::on_step_end(const Body<Scalar>& /*body*/, Scalar dt) {
+void Grip<Scalar>::on_step_end(const Body<Scalar>& body, Scalar dt) {
+  if (!is_held_) {
+    const Scalar made = share_made(body.X_WB, dt);
+    if (made < Scalar(1) || is_far(flight_.X_WB.q_WB, target_.q_WB)) go_on_from(body, made, dt);
+  }
   hand_ = still(target_, Scalar(0));
   step_ = 0;
   if (is_held_) return;
   flight_start_ -= dt;
-  is_held_ = -flight_start_ >= max_of(lost_, max_of(turn_regain_, place_regain_));
+  pull_start_ -= dt;
+  is_held_ = -flight_start_ >= lost_ && -pull_start_ >= max_of(turn_regain_, place_regain_);
 }
 
 template <class Scalar>
@@ -183,7 +249,7 @@ template <class Scalar>
 Scalar Grip<Scalar>::control() const {
   if (is_held_) return Scalar(1);
   if (phase() == GripPhase::kBeaten) return Scalar(0);
-  return clamp(-flight_start_ / max_of(turn_regain_, place_regain_), Scalar(0), Scalar(1));
+  return clamp(-pull_start_ / max_of(turn_regain_, place_regain_), Scalar(0), Scalar(1));
 }
 
 #define BATUTA_INSTANTIATE(S)                                                    \

@@ -130,15 +130,20 @@ class Grip {
   /// Its state, for record/archive.hpp.
   template <class ArchiveT>
   void archive(ArchiveT& ar) {
-    auto& [settings, hand_B, hand, target, step, flight, flight_start, turn, place, lost, held] =
+    auto& [settings, hand_B, hand, target, step, flight, flown, pulled, turn, place, lost, held] =
         *this;
-    ar(settings, hand_B, hand, target, step, flight, flight_start, turn, place, lost, held);
+    ar(settings, hand_B, hand, target, step, flight, flown, pulled, turn, place, lost, held);
   }
 
  private:
   Pose<Scalar> hand_at(Scalar t) const;
   Pose<Scalar> planned_at(Scalar t) const;
-  Catch<Scalar> catch_at(Scalar elapsed) const;
+  Catch<Scalar> catch_at(Scalar t) const;
+  void let_go(const Motion<Scalar>& flight, Scalar time);
+  void set_regain(const HandBlow<Scalar>& blow, Scalar impulse, const Body<Scalar>& body,
+                  const Pose<Scalar>& hand);
+  void go_on_from(const Body<Scalar>& body, Scalar share, Scalar dt);
+  Scalar share_made(const Pose<Scalar>& X_WB, Scalar dt) const;
 
   GripSettings<Scalar> settings_;
   Vec3<Scalar> hand_B_ = detail::zero<Scalar>();
@@ -148,6 +153,8 @@ class Grip {
   Motion<Scalar> flight_;  ///< P, from t_a
   /// t_a on the clock of the current step, s: <= 0 after the step in which it happened
   Scalar flight_start_ = 0;
+  /// On the same clock, s: from when the hand pulls, the end of the step in which it happened
+  Scalar pull_start_ = 0;
   Scalar turn_regain_ = 0;   ///< t_b - t_a of the wrist, s
   Scalar place_regain_ = 0;  ///< t_b - t_a of the arm, s
   Scalar lost_ = 0;          ///< from t_a until a beaten hand finds its line, s

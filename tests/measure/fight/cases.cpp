@@ -68,7 +68,7 @@ bool is_riposte(Situation situation) {
 }  // namespace
 
 Choices choices() {
-  return {{Line::kLowInside, Line::kLowInside, Line::kHighInside, Line::kLowInside},
+  return {{Line::kHighOutside, Line::kLowOutside, Line::kLowInside, Line::kHighInside},
           {0, 0.5},
           {0.25, 0}};
 }
