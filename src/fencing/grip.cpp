@@ -69,7 +69,9 @@ Status validate(const GripSettings<Scalar>& settings) {
       settings.recover_time,  settings.largest_turn, settings.forte,      settings.composure,
       settings.settle_torque, settings.max_lost};
   bool good = settings.weight == CatchWeight::kSmooth || settings.weight == CatchWeight::kLinear;
-  for (const Scalar value : positive) good = good && is_positive(value);  // Bound: 10
+  for (const Scalar value : positive) {  // Bound: 10
+    good = good && is_positive(value) && value <= kLargestGrip<Scalar>;
+  }
   return good && settings.max_regain >= settings.min_regain ? Status::kOk
                                                             : Status::kInvalidArgument;
 }

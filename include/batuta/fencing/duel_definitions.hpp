@@ -26,12 +26,15 @@ inline constexpr std::int32_t kLongestHaltUs = 10000000;
 /// @returns kOk | kInvalidArgument: out of range
 template <class SceneT>
 Status validate(const TouchSettings<SceneT>& settings) {
-  const bool good =
-      settings.touches >= 1 && settings.touches <= kMostTouches && settings.halt_us >= 0 &&
-      settings.halt_us <= kLongestHaltUs && settings.double_window_us >= 0 &&
-      settings.double_window_us <= kLongestWindowUs && is_positive(settings.point_length) &&
-      is_finite(settings.least_speed) && settings.least_speed >= 0 && settings.least_control >= 0 &&
-      settings.least_control <= 1 && is_finite(settings.largest_slip) && settings.largest_slip >= 0;
+  using Scalar = typename SceneT::Scalar;
+  const bool good = settings.touches >= 1 && settings.touches <= kMostTouches &&
+                    settings.halt_us >= 0 && settings.halt_us <= kLongestHaltUs &&
+                    settings.double_window_us >= 0 &&
+                    settings.double_window_us <= kLongestWindowUs && settings.point_length > 0 &&
+                    settings.point_length <= kLargestReach<Scalar> && settings.least_speed >= 0 &&
+                    settings.least_speed <= kLargestReach<Scalar> && settings.least_control >= 0 &&
+                    settings.least_control <= 1 && settings.largest_slip >= 0 &&
+                    settings.largest_slip <= kLargestReach<Scalar>;
   return good ? validate(settings.touch) : Status::kInvalidArgument;
 }
 
@@ -56,6 +59,11 @@ Status validate(const DuelSettings<SceneT>& settings) {
               settings.step_us <= detail::kLongestStepUs && settings.salle.distance > Scalar(0) &&
               settings.salle.distance <= kLargestReach<Scalar> &&
               validate(settings.stick) == Status::kOk && validate(settings.world) == Status::kOk;
+  if constexpr (batuta::detail::kKnowsRest<Played>) {
+    good = good && settings.world.rest_speed <= kLargestReach<Scalar> &&
+           settings.world.separation <= kLargestReach<Scalar> &&
+           settings.world.min_separation_time <= kLargestReach<Scalar>;
+  }
   if constexpr (Played::kTargets) {
     good = good &&
            detail::validate(static_cast<const TouchSettings<Played>&>(settings)) == Status::kOk;

@@ -291,14 +291,15 @@ struct TouchSettings {
   std::int32_t halt_us = 1000000;
   /// A second touch within this time counts as double, us, 0 ... 10000000
   std::int32_t double_window_us = 40000;
-  /// The end of the blade that touches, m, > 0, at most the blade: what the rest meets is none.
+  /// The end of the blade that touches, m, > 0, at most kLargestReach and the blade: what the rest
+  /// meets is none.
   Scalar point_length = Scalar(0.02F);
-  /// The point goes into the body along the blade at least so fast, m/s, >= 0
+  /// The point goes into the body along the blade at least so fast, m/s, 0 ... kLargestReach
   Scalar least_speed = Scalar(1);
   /// The hand has its weapon in its power: Grip::control() is no less, 0 ... 1. In a scene without
   /// grip it always has.
   Scalar least_control = Scalar(0.8F);
-  /// The grip is no further from where the hand wants it, m, >= 0
+  /// The grip is no further from where the hand wants it, m, 0 ... kLargestReach
   Scalar largest_slip = Scalar(0.15F);
   /// Search for touches.
   typename SceneT::Search::Options touch = batuta::detail::SearchOf<SceneT>::options();

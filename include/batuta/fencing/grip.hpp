@@ -14,7 +14,11 @@ enum class CatchWeight : std::uint8_t {
   kLinear,  ///< s, as [Kavan eq. 32] has it
 };
 
-/// How firmly a hand holds, and what beats it.
+/// No option of a grip is larger, in its unit.
+template <class Scalar>
+inline constexpr Scalar kLargestGrip = Scalar(1e6F);
+
+/// How firmly a hand holds, and what beats it. Each is at most kLargestGrip.
 template <class Scalar>
 struct GripSettings {
   Scalar torque = Scalar(6);          ///< N m, > 0: with which the wrist turns a blade back
@@ -34,8 +38,8 @@ struct GripSettings {
   CatchWeight weight = CatchWeight::kSmooth;  ///< of the hand, on the way back to it
 };
 
-/// @returns kOk | kInvalidArgument: an option is not positive and finite, max_regain < min_regain,
-/// or the weight is none
+/// @returns kOk | kInvalidArgument: an option is not positive or beyond kLargestGrip, max_regain <
+/// min_regain, or the weight is none
 template <class Scalar>
 Status validate(const GripSettings<Scalar>& settings);
 

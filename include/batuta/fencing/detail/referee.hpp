@@ -26,7 +26,7 @@ class Referee {
   using Settings = DuelSettings<SceneT>;
 
   /// Nobody is touched.
-  void begin() { bout_ = {}; }
+  void begin();
 
   /// Who fences on a side. @pre valid
   void take_place(Side side, const FencerBuild<Scalar>& build);
@@ -92,6 +92,7 @@ class Referee {
   TouchSearch<Scalar> touch_in(Side side, const PointWay& way, const Settings& settings,
                                DuelReport& report);
   Scalar slip_of(Side side, const Blade& blade) const;
+  void close_all();
   void reopen(Side side, const Capsule<Scalar>& point_W);
   void note(Side by, const TouchSearch<Scalar>& search, const Settings& settings,
             std::uint32_t step);

@@ -38,6 +38,19 @@ Piece<Scalar> piece_between(const Waypoint<Scalar>& start, const Waypoint<Scalar
 }  // namespace detail
 
 template <class SceneT>
+void Referee<SceneT>::begin() {
+  bout_ = {};
+  close_all();
+}
+
+/// What the points are in when both come on guard, they have not touched; from the rest they are
+/// away, which reopen() finds in the first step.
+template <class SceneT>
+void Referee<SceneT>::close_all() {
+  for (RefereeSide& place : places_) place.closed = kAllParts;  // Bound: 2
+}
+
+template <class SceneT>
 void Referee<SceneT>::take_place(Side side, const FencerBuild<Scalar>& build) {
   at(side).build = build;
 }
@@ -53,7 +66,7 @@ void Referee<SceneT>::resume() {
   bout_.state = BoutState::kFencing;
   bout_.touches.clear();
   bout_.annulled = false;
-  for (RefereeSide& place : places_) place.closed = 0;  // Bound: 2
+  close_all();
   ++bout_.exchange;
 }
 
@@ -95,6 +108,7 @@ TouchSearch<typename SceneT::Scalar> Referee<SceneT>::touch_by(Side side, const 
   const auto& corners = blade.controller.corners;
   const Capsule<Scalar> point_B = detail::point_of(part_of(blade, 0), settings.point_length);
   PointWay way;
+  reopen(side, to_world(at(side).start_WB, point_B));
   way.hand = {at(side).control, blade.controller.first_blow, slip_of(side, blade)};
   TouchSearch<Scalar> first;
   bool complete = true;
@@ -119,7 +133,7 @@ TouchSearch<typename SceneT::Scalar> Referee<SceneT>::touch_by(Side side, const 
   reopen(side, to_world(blade.body.X_WB, point_B));
   first.complete = complete;
   first.known_until = known_until;
-  const Scalar share = detail::length_of(point_B) / detail::length_of(part_of(blade, 0));
+  const Scalar share = detail::share_of_point(part_of(blade, 0), settings.point_length);
   first.place = Scalar(1) - share * (Scalar(1) - first.place);  // of the whole blade
   return first;
 }

@@ -18,11 +18,18 @@ Scalar length_of(const Capsule<Scalar>& capsule) {
   return (capsule.axis.b - capsule.axis.a).norm();
 }
 
-/// The end of a blade that touches; all of a blade that is no longer. @pre length > 0
+/// How much of a blade is its point of this length: all of one that is no longer. @pre length > 0
+template <class Scalar>
+Scalar share_of_point(const Capsule<Scalar>& blade_B, Scalar length) {
+  const Scalar whole = length_of(blade_B);
+  return whole > length ? length / whole : Scalar(1);
+}
+
+/// The end of a blade that touches. @pre length > 0
 template <class Scalar>
 Capsule<Scalar> point_of(const Capsule<Scalar>& blade_B, Scalar length) {
   const Vec3<Scalar> way_B = blade_B.axis.b - blade_B.axis.a;
-  const Scalar share = min_of(length / length_of(blade_B), Scalar(1));
+  const Scalar share = share_of_point(blade_B, length);
   return {{blade_B.axis.b - share * way_B, blade_B.axis.b}, blade_B.radius};
 }
 
