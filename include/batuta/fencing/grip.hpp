@@ -25,7 +25,7 @@ struct GripSettings {
   Scalar force = Scalar(60);          ///< N, > 0: with which the arm keeps the hand in its place
   Scalar min_regain = Scalar(0.02F);  ///< s, > 0; shortest t_b - t_a after a blow
   Scalar max_regain = Scalar(0.4F);   ///< s, >= min_regain; longest
-  /// s, > 0: time constant in which a blade that was pushed away returns
+  /// s, > 0: time constant in which a blade that was pushed away returns; in no less than a step
   Scalar recover_time = Scalar(0.1F);
   Scalar largest_turn = Scalar(1.2F);  ///< rad, > 0: a wrist gives way no further
   /// m, > 0: a blow so near to the hand does not beat it, however hard: it falls on the forte.
@@ -81,8 +81,8 @@ struct Catch {
 };
 
 /// [Kavan eq. 32]: between the free flight P and the hand H, about the place where the hand holds
-/// the weapon. Shares of 0: P; of 1: H, to the last bit. The turn is taken back along the way on
-/// which the flight made it: it does not jump however far a blade turns.
+/// the weapon, in P as in H. Shares of 0: P; of 1: H, to the last bit. The turn is taken back along
+/// the way on which the flight made it: it does not jump however far a blade turns.
 /// @param flight  from t_a on; @param elapsed  t - t_a, s, >= 0
 /// @param hand    pose of B as the hand wants it
 template <class Scalar>
@@ -98,7 +98,8 @@ enum class GripPhase : std::uint8_t {
 
 /// The controller. Where the world kept the blade from going where the plan wants it (separation,
 /// holds), it follows the plan from where it is, and the difference fades with recover_time: it
-/// never snaps back. Allocates: never.
+/// never snaps back. A blade in flight that was kept from moving goes on with the share of its
+/// velocity that it moved with, and the hand pulls anew. Allocates: never.
 template <class Scalar>
 class Grip {
  public:

@@ -241,6 +241,34 @@ TEST_F(TouchRule, InTheNextExchange_EveryPartIsOpen) {
   EXPECT_EQ(touch().part, BodyPart::kTorso);
 }
 
+// Both stand so close that the point is in the trunk on guard: that is none, whatever it does
+// there. Once it has been outside, it touches.
+TEST_F(TouchRule, InsideOnGuard_IsClosedUntilThePointHasLeft) {
+  const float inside = static_cast<float>(kTrunkX - 1 - 0.05);
+  left_keys = way_of({inside - kReach, 0, 1.15F}, {inside + kReach, 0, 1.15F});
+  begin();
+  go(at, 0.1F / kReach, 3 / kReach);
+  wait(50);
+  EXPECT_EQ(touches(), 0);
+  go(at, -0.2F / kReach, 3 / kReach);
+  wait(50);
+  EXPECT_EQ(touches(), 0);
+  go(at, 0.1F / kReach, 3 / kReach);
+  ASSERT_EQ(touches(), 1);
+  EXPECT_EQ(touch().part, BodyPart::kTorso);
+}
+
+// A blade that is a ball is all point.
+TEST_F(TouchRule, BladeWithoutLength_HasItsPlaceAtTheTip) {
+  settings.least_speed = 0;  // along what has no direction there is no speed
+  Capsule<float>& blade = left.weapon.parts[0].capsule_H;
+  blade.axis.a = blade.axis.b;
+  begin();
+  thrust(kTrunkX - 1, 3);
+  ASSERT_EQ(touches(), 1);
+  EXPECT_EQ(touch().place, 1);
+}
+
 // Each of the rules alone, at its limit.
 TEST(TouchCounts, AtEachLimit_CountsAndBelowItDoesNot) {
   using Scene = DuelScene<>;
@@ -283,6 +311,8 @@ TEST(PointOf, IsTheLastOfTheBlade) {
   EXPECT_EQ(point.axis.b, blade.axis.b);
   EXPECT_EQ(point.radius, blade.radius);
   EXPECT_LE((fencing::detail::point_of(blade, 7.0).axis.a - blade.axis.a).norm(), 1e-12);
+  EXPECT_EQ(fencing::detail::share_of_point(blade, 1.0), 0.2);
+  EXPECT_EQ(fencing::detail::share_of_point(blade, 7.0), 1);
 }
 
 template <class DuelT>
@@ -292,11 +322,17 @@ TYPED_TEST_SUITE(TouchSettingsOf, test::CertifiedDuels);
 TYPED_TEST(TouchSettingsOf, OutOfRange_AreRefused) {
   using S = typename TestFixture::ScalarT;
   const S infinite = std::numeric_limits<S>::infinity();
-  for (const S bad : {std::numeric_limits<S>::quiet_NaN(), infinite, -infinite, S(-0.001)}) {
+  for (const S bad :
+       {std::numeric_limits<S>::quiet_NaN(), infinite, -infinite, S(-0.001), S(1001)}) {
     EXPECT_TRUE(this->refuses([bad](auto& s) { s.point_length = bad; })) << bad;
     EXPECT_TRUE(this->refuses([bad](auto& s) { s.least_speed = bad; })) << bad;
     EXPECT_TRUE(this->refuses([bad](auto& s) { s.least_control = bad; })) << bad;
     EXPECT_TRUE(this->refuses([bad](auto& s) { s.largest_slip = bad; })) << bad;
+  }
+  for (const S bad : {infinite, S(1001)}) {  // beyond kLargestReach: no archive takes it back
+    EXPECT_TRUE(this->refuses([bad](auto& s) { s.world.rest_speed = bad; }));
+    EXPECT_TRUE(this->refuses([bad](auto& s) { s.world.separation = bad; }));
+    EXPECT_TRUE(this->refuses([bad](auto& s) { s.world.min_separation_time = bad; }));
   }
   EXPECT_TRUE(this->refuses([](auto& s) { s.point_length = 0; }));
   EXPECT_TRUE(this->refuses([](auto& s) { s.least_control = S(1.001); }));
