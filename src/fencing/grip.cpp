@@ -120,7 +120,6 @@ void Grip<Scalar>::place(const Pose<Scalar>& X_WB) {
   hand_ = still(X_WB, Scalar(0));
   step_ = 0;
   turn_regain_ = place_regain_ = lost_ = 0;
-  is_held_ = true;
 }
 
 template <class Scalar>
@@ -147,7 +146,7 @@ Catch<Scalar> Grip<Scalar>::catch_at(Scalar t) const {
 
 template <class Scalar>
 Pose<Scalar> Grip<Scalar>::planned_at(Scalar t) const {
-  if (is_held_) return hand_at(t);
+  if (is_held()) return hand_at(t);
   const Scalar elapsed = max_of(t - flight_start_, Scalar(0));
   return caught(flight_, elapsed, hand_at(t), catch_at(t));
 }
@@ -168,11 +167,10 @@ PlannedMotion<Scalar> Grip<Scalar>::plan(const Body<Scalar>& body, Scalar t,
 /// The blade flies from `time` on; a hand that was beaten stays so for what is left of its time.
 template <class Scalar>
 void Grip<Scalar>::let_go(const Motion<Scalar>& flight, Scalar time) {
-  lost_ = is_held_ ? Scalar(0) : max_of(lost_ - (time - flight_start_), Scalar(0));
+  lost_ = is_held() ? Scalar(0) : max_of(lost_ - (time - flight_start_), Scalar(0));
   flight_ = is_valid(flight) ? flight : still(flight.X_WB, settings_.max_regain);
   flight_start_ = time;
   pull_start_ = max_of(step_, time);
-  is_held_ = false;
 }
 
 /// How long arm and wrist take to have the blade again.
@@ -193,8 +191,8 @@ void Grip<Scalar>::on_contact(const Body<Scalar>& body, const Feedback<Scalar>& 
   if (!(feedback.impulse > Scalar(0))) return;  // a separation shows in the body's pose, and fades
   const Vec3<Scalar> lever_W = feedback.point_W - to_world(body.X_WB, hand_B_);
   const HandBlow<Scalar> blow{lever_W.norm(), lever_W.cross(feedback.impulse_W).norm()};
-  set_regain(blow, feedback.impulse_W.norm(), body, hand_at(feedback.time));
   let_go(free_flight(body, settings_.max_regain), feedback.time);
+  set_regain(blow, feedback.impulse_W.norm(), body, hand_at(feedback.time));
   lost_ = max_of(lost_, lost_time(settings_, blow));
 }
 
@@ -207,8 +205,8 @@ void Grip<Scalar>::go_on_from(const Body<Scalar>& body, Scalar share, Scalar dt)
   flight.duration = settings_.max_regain;
   flight.twist.v_W *= share;
   flight.twist.w_W *= share;
-  set_regain({}, Scalar(0), body, target_);
   let_go(flight, dt);
+  set_regain({}, Scalar(0), body, target_);
 }
 
 /// What the blade made of the way that was planned for the step, or since the blow in it, 0 ... 1.
@@ -229,27 +227,29 @@ Scalar Grip<Scalar>::share_made(const Pose<Scalar>& X_WB, Scalar dt) const {
 
 template <class Scalar>
 void Grip<Scalar>::on_step_end(const Body<Scalar>& body, Scalar dt) {
-  if (!is_held_) {
+  if (!is_held()) {
     const Scalar made = share_made(body.X_WB, dt);
     if (made < Scalar(1) || is_far(flight_.X_WB.q_WB, target_.q_WB)) go_on_from(body, made, dt);
   }
   hand_ = still(target_, Scalar(0));
   step_ = 0;
-  if (is_held_) return;
+  if (is_held()) return;
   flight_start_ -= dt;
   pull_start_ -= dt;
-  is_held_ = -flight_start_ >= lost_ && -pull_start_ >= max_of(turn_regain_, place_regain_);
+  const bool is_back =
+      -flight_start_ >= lost_ && -pull_start_ >= max_of(turn_regain_, place_regain_);
+  if (is_back) turn_regain_ = place_regain_ = lost_ = 0;
 }
 
 template <class Scalar>
 GripPhase Grip<Scalar>::phase() const {
-  if (is_held_) return GripPhase::kHeld;
+  if (is_held()) return GripPhase::kHeld;
   return -flight_start_ < lost_ ? GripPhase::kBeaten : GripPhase::kRegaining;
 }
 
 template <class Scalar>
 Scalar Grip<Scalar>::control() const {
-  if (is_held_) return Scalar(1);
+  if (is_held()) return Scalar(1);
   if (phase() == GripPhase::kBeaten) return Scalar(0);
   return clamp(-pull_start_ / max_of(turn_regain_, place_regain_), Scalar(0), Scalar(1));
 }

@@ -135,12 +135,12 @@ class Grip {
   /// Its state, for record/archive.hpp.
   template <class ArchiveT>
   void archive(ArchiveT& ar) {
-    auto& [settings, hand_B, hand, target, step, flight, flown, pulled, turn, place, lost, held] =
-        *this;
-    ar(settings, hand_B, hand, target, step, flight, flown, pulled, turn, place, lost, held);
+    auto& [settings, hand_B, hand, target, step, flight, flown, pulled, turn, place, lost] = *this;
+    ar(settings, hand_B, hand, target, step, flight, flown, pulled, turn, place, lost);
   }
 
  private:
+  bool is_held() const { return !(turn_regain_ > Scalar(0)); }
   Pose<Scalar> hand_at(Scalar t) const;
   Pose<Scalar> planned_at(Scalar t) const;
   Catch<Scalar> catch_at(Scalar t) const;
@@ -160,10 +160,9 @@ class Grip {
   Scalar flight_start_ = 0;
   /// On the same clock, s: from when the hand pulls, the end of the step in which it happened
   Scalar pull_start_ = 0;
-  Scalar turn_regain_ = 0;   ///< t_b - t_a of the wrist, s
-  Scalar place_regain_ = 0;  ///< t_b - t_a of the arm, s
+  Scalar turn_regain_ = 0;   ///< t_b - t_p of the wrist, s; 0: the blade is held
+  Scalar place_regain_ = 0;  ///< t_b - t_p of the arm, s
   Scalar lost_ = 0;          ///< from t_a until a beaten hand finds its line, s
-  bool is_held_ = true;
 };
 
 }  // namespace batuta::fencing
