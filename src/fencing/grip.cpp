@@ -166,7 +166,7 @@ PlannedMotion<Scalar> Grip<Scalar>::plan(const Body<Scalar>& body, Scalar t,
 
 /// The blade flies from `time` on; a hand that was beaten stays so for what is left of its time.
 template <class Scalar>
-void Grip<Scalar>::let_go(const Motion<Scalar>& flight, Scalar time) {
+void Grip<Scalar>::start_flight(const Motion<Scalar>& flight, Scalar time) {
   lost_ = is_held() ? Scalar(0) : max_of(lost_ - (time - flight_start_), Scalar(0));
   flight_ = is_valid(flight) ? flight : still(flight.X_WB, settings_.max_regain);
   flight_start_ = time;
@@ -191,7 +191,7 @@ void Grip<Scalar>::on_contact(const Body<Scalar>& body, const Feedback<Scalar>& 
   if (!(feedback.impulse > Scalar(0))) return;  // a separation shows in the body's pose, and fades
   const Vec3<Scalar> lever_W = feedback.point_W - to_world(body.X_WB, hand_B_);
   const HandBlow<Scalar> blow{lever_W.norm(), lever_W.cross(feedback.impulse_W).norm()};
-  let_go(free_flight(body, settings_.max_regain), feedback.time);
+  start_flight(free_flight(body, settings_.max_regain), feedback.time);
   set_regain(blow, feedback.impulse_W.norm(), body, hand_at(feedback.time));
   lost_ = max_of(lost_, lost_time(settings_, blow));
 }
@@ -205,7 +205,7 @@ void Grip<Scalar>::go_on_from(const Body<Scalar>& body, Scalar share, Scalar dt)
   flight.duration = settings_.max_regain;
   flight.twist.v_W *= share;
   flight.twist.w_W *= share;
-  let_go(flight, dt);
+  start_flight(flight, dt);
   set_regain({}, Scalar(0), body, target_);
 }
 

@@ -144,7 +144,7 @@ class Grip {
   Pose<Scalar> hand_at(Scalar t) const;
   Pose<Scalar> planned_at(Scalar t) const;
   Catch<Scalar> catch_at(Scalar t) const;
-  void let_go(const Motion<Scalar>& flight, Scalar time);
+  void start_flight(const Motion<Scalar>& flight, Scalar time);
   void set_regain(const HandBlow<Scalar>& blow, Scalar impulse, const Body<Scalar>& body,
                   const Pose<Scalar>& hand);
   void go_on_from(const Body<Scalar>& body, Scalar share, Scalar dt);
