@@ -16,7 +16,7 @@ enum class CatchWeight : std::uint8_t {
 
 /// No option of a grip is larger, in its unit.
 template <class Scalar>
-inline constexpr Scalar kLargestGrip = Scalar(1e6F);
+inline constexpr Scalar kLargestGrip = Scalar(1e9F);
 
 /// How firmly a hand holds, and what beats it. Each is at most kLargestGrip.
 template <class Scalar>

@@ -289,11 +289,14 @@ TEST_F(PacedDevice, AnotherHelloInTheMiddle_StartsFromTheGuard) {
   EXPECT_EQ(here.rotation_WB, there.rotation_WB);
 }
 
+/// A lunge in this line passes the blade of who stands still.
+constexpr float kLine = -0.4F;
+
 TEST_F(PacedDevice, AfterTheBout_OrdersAreRefused_AndTheForceIsNone) {
   std::uint32_t step = 0;
   while (!rig.device->bout().is_over() && step < 3000) {
     link::Step lunge = order(++step);
-    lunge.left = sample_at(step, 0, std::min(1.0F, 0.01F * static_cast<float>(step)));
+    lunge.left = sample_at(step, kLine, std::min(1.0F, 0.01F * static_cast<float>(step)));
     host.send(lunge);
     rig.run(1);
   }
@@ -328,7 +331,7 @@ TEST_F(FreeDevice, HelloToTwo_ABoutOfTwoExchanges_WithItsScore) {
     lunge.step = ++step;
     lunge.has_left = true;
     const auto since = static_cast<float>(step - guard);
-    lunge.left = sample_at(step, 0, std::min(1.0F, 0.01F * since));
+    lunge.left = sample_at(step, kLine, std::min(1.0F, 0.01F * since));
     host.send(lunge);
     rig.run(1);
     const auto reports = host.received<link::StepReport>();
@@ -349,7 +352,7 @@ TEST_F(FreeDevice, HelloToTwo_ABoutOfTwoExchanges_WithItsScore) {
 
 TEST_F(FreeDevice, Alone_TheNextBoutBeginsAfterThePause) {
   for (std::uint32_t i = 0; i < 3000; ++i) {
-    rig.stick.samples.push_back(sample_at(i, 0, std::min(1.0F, 0.01F * static_cast<float>(i))));
+    rig.stick.samples.push_back(sample_at(i, kLine, std::min(1.0F, 0.01F * static_cast<float>(i))));
   }
   int ticks = 0;
   for (; !rig.device->bout().is_over() && ticks < 3000; ++ticks) rig.run(1);

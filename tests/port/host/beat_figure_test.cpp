@@ -140,7 +140,7 @@ double slack(const LoggedBout& log, Side side, double place) {
 }
 
 TEST(BeatFigure, ItsArrowsObeyTheLawsOfTheBlow) {
-  const LoggedBout log("default", "script:parry");
+  const LoggedBout log("script:parry", "script:attack");
   const Weapon<float> weapon = first_fencer<float>().weapon;
   const auto body = weapon_body(weapon);
   ASSERT_TRUE(body.ok());
@@ -182,7 +182,7 @@ TEST(BeatFigure, ItsArrowsObeyTheLawsOfTheBlow) {
 }
 
 TEST(BeatFigure, TheBladesMeetWhereTheBeatIs) {
-  const LoggedBout log("default", "script:parry");
+  const LoggedBout log("script:parry", "script:attack");
   for (const Side side : {Side::kLeft, Side::kRight}) {
     const std::size_t i = index_of(side);
     const float place = side == Side::kLeft ? log.beat.place_A : log.beat.place_B;

@@ -124,7 +124,7 @@ struct ShownBout {
 };
 
 TEST(ViewPixels, TheBladesAreWhereTheDuelHasThem) {
-  ShownBout shown;
+  ShownBout shown("default", "script:guard");
   for (int i = 0; i < 4; ++i) {
     const Screenshot shot(shown.screen);
     for (const Side side : {Side::kLeft, Side::kRight}) {
