@@ -123,9 +123,9 @@ async function twoPlayers(page) {
   await page.selectOption("#touches", "1");
   await page.evaluate(() => document.activeElement.blur());
   await until(page, "fencing");
-  await page.keyboard.down("ArrowUp");
+  for (const key of ["ArrowLeft", "ArrowUp"]) await page.keyboard.down(key);
   await until(page, "over");
-  await page.keyboard.up("ArrowUp");
+  for (const key of ["ArrowLeft", "ArrowUp"]) await page.keyboard.up(key);
   check(/^right touches/.test(await page.textContent("#big")), `the arrows are the right hand: ${await page.textContent("#big")}`);
 }
 
