@@ -104,6 +104,30 @@ Scalar crest(const Crests<Scalar>& at, Scalar sign, Scalar turn) {
   return at.size * (slope * angle + (at.steepness - cosine));
 }
 
+/// A direction along an axis: a height is a component.
+template <class Scalar>
+struct AxisDirection {
+  Eigen::Index axis;
+  Scalar of(const Vec3<Scalar>& p) const { return p[axis]; }
+};
+
+/// Any direction.
+template <class Scalar>
+struct FreeDirection {
+  Vec3<Scalar> direction;
+  Scalar of(const Vec3<Scalar>& p) const { return direction.dot(p); }
+};
+
+/// The i-th direction of a Kdop. @pre 0 <= i < K / 2
+template <class Scalar, int K>
+auto direction_of(int i) {
+  if constexpr (K == 6) {
+    return AxisDirection<Scalar>{i};
+  } else {
+    return FreeDirection<Scalar>{detail::kdop_direction<Scalar, K>(i)};
+  }
+}
+
 /// One end of the capsule along one direction.
 template <class Scalar>
 struct EndWave {
@@ -111,11 +135,11 @@ struct EndWave {
   Wave<Scalar> wave;
 };
 
-template <class Scalar>
+template <class Scalar, class Direction>
 EndWave<Scalar> end_wave(const detail::CapsuleSweep<Scalar>& sweep,
-                         const detail::EndPath<Scalar>& end, const Vec3<Scalar>& direction) {
-  return {direction.dot(end.start),
-          {direction.dot(sweep.travel_W), direction.dot(end.arm), direction.dot(end.side)}};
+                         const detail::EndPath<Scalar>& end, const Direction& height) {
+  return {height.of(end.start),
+          {height.of(sweep.travel_W), height.of(end.arm), height.of(end.side)}};
 }
 
 /// Over the start and the end of the motion, relative to the start.
@@ -217,9 +241,8 @@ Kdop<Scalar, K> unbounded() {
 
 /// Of both ends along `direction`, relative to start_W.
 /// @tparam EndExtent  ExactExtent or CoarseExtent
-template <class EndExtent, class Scalar>
-ArcExtent<Scalar> extent_of(const detail::CapsuleSweep<Scalar>& sweep,
-                            const Vec3<Scalar>& direction) {
+template <class EndExtent, class Scalar, class Direction>
+ArcExtent<Scalar> extent_of(const detail::CapsuleSweep<Scalar>& sweep, const Direction& direction) {
   return joined(EndExtent::of(sweep, end_wave(sweep, sweep.path.ends[0], direction)),
                 EndExtent::of(sweep, end_wave(sweep, sweep.path.ends[1], direction)));
 }
@@ -230,8 +253,8 @@ Kdop<Scalar, K> kdop_over(const MovingCapsule<Scalar>& moving) {
   if (!sweep.is_bounded) return unbounded<Scalar, K>();
   Kdop<Scalar, K> swept;
   for (int i = 0; i < Kdop<Scalar, K>::kDirections; ++i) {  // Bound: K / 2
-    const Vec3<Scalar> up = detail::kdop_direction<Scalar, K>(i);
-    const ArcExtent<Scalar> along = shifted(extent_of<EndExtent>(sweep, up), up.dot(sweep.start_W));
+    const auto up = direction_of<Scalar, K>(i);
+    const ArcExtent<Scalar> along = shifted(extent_of<EndExtent>(sweep, up), up.of(sweep.start_W));
     const auto k = static_cast<std::size_t>(i);
     swept.low[k] = along.low;
     swept.high[k] = along.high;
@@ -272,7 +295,8 @@ template <class Scalar>
 Scalar detail::swept_support(const detail::CapsuleSweep<Scalar>& sweep,
                              const Vec3<Scalar>& direction) {
   if (!sweep.is_bounded) return std::numeric_limits<Scalar>::max();
-  const ArcExtent<Scalar> extent = extent_of<ExactExtent>(sweep, direction);
+  const FreeDirection<Scalar> up{direction};
+  const ArcExtent<Scalar> extent = extent_of<ExactExtent>(sweep, up);
   const Scalar margin = length(direction) * (sweep.path.radius + sweep.outward);
   return direction.dot(sweep.start_W) + (extent.high + margin);
 }

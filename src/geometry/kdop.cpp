@@ -80,15 +80,26 @@ struct Extent {
   Scalar high;
 };
 
+/// Between two heights with a radius, all three times the direction's length; `terms` of both.
+template <class Scalar>
+Extent<Scalar> extent_between(Scalar at_a, Scalar at_b, Scalar radius, Scalar terms) {
+  const Scalar reach = radius + kOutwardOfSum<Scalar> * (radius + terms);
+  return {min_of(at_a, at_b) - reach, max_of(at_a, at_b) + reach};
+}
+
 /// Of a capsule with a radius larger by `margin`.
 template <class Scalar, int K>
 Extent<Scalar> extent_along(std::size_t i, const Capsule<Scalar>& capsule, Scalar margin) {
   const Segment<Scalar>& axis = capsule.axis;
-  const Scalar at_a = height<Scalar, K>(i, axis.a);
-  const Scalar at_b = height<Scalar, K>(i, axis.b);
-  const Scalar radius = (capsule.radius + margin) * direction_length<Scalar, K>(i);
-  const Scalar reach = radius + kOutwardOfSum<Scalar> * (radius + terms<Scalar, K>(i, axis));
-  return {min_of(at_a, at_b) - reach, max_of(at_a, at_b) + reach};
+  if constexpr (K == 6) {
+    const auto k = static_cast<Eigen::Index>(i);
+    return extent_between(axis.a[k], axis.b[k], capsule.radius + margin,
+                          max_of(std::abs(axis.a[k]), std::abs(axis.b[k])));
+  } else {
+    return extent_between(height<Scalar, K>(i, axis.a), height<Scalar, K>(i, axis.b),
+                          (capsule.radius + margin) * direction_length<Scalar, K>(i),
+                          terms<Scalar, K>(i, axis));
+  }
 }
 
 }  // namespace

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The only header that includes Eigen: it makes sure that library and user see the same Eigen, and
-// names the few fixed-size types in use. Scalar is float on targets; double is the oracle on the
-// host.
+// Names the few fixed-size types of Eigen in use; library and user see the same Eigen
+// (detail/eigen.hpp). Scalar is float on targets; double is the oracle on the host.
 
 #include <cfloat>
 #include <cmath>
@@ -10,18 +9,8 @@
 #include <limits>
 #include <type_traits>
 
-#include "batuta/core/assert.hpp"
+#include "batuta/core/detail/eigen.hpp"
 
-#if !defined(EIGEN_DONT_VECTORIZE) || !defined(EIGEN_NO_IO) || !defined(EIGEN_NO_MALLOC)
-#error "batuta: link batuta::config (or batuta::batuta): Eigen must be set up alike everywhere"
-#endif
-#if !defined(EIGEN_MAX_STATIC_ALIGN_BYTES) || EIGEN_MAX_STATIC_ALIGN_BYTES != 0
-#error "batuta: EIGEN_MAX_STATIC_ALIGN_BYTES must be 0: layouts are the same on host and target"
-#endif
-#ifdef eigen_assert
-#error \
-    "batuta: include batuta headers before Eigen's own, so that Eigen's checks reach batuta_trap()"
-#endif
 #if defined(__FAST_MATH__) || __FINITE_MATH_ONLY__ || defined(__ASSOCIATIVE_MATH__) || \
     defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
 #error "batuta: -ffast-math changes results and removes the checks for NaN; compile without it"
@@ -31,18 +20,6 @@
 #error \
     "batuta: arithmetic must round to the type (FLT_EVAL_METHOD 0); on 32-bit x86 use -msse2 -mfpmath=sse"
 #endif
-
-/// A failed check of Eigen calls batuta_trap(), like an invariant of the library. Nothing asks for
-/// the file's hash as a constant: at each of Eigen's checks that costs 3 % of the time that Eigen
-/// takes to compile. With optimization GCC makes it one all the same.
-#define eigen_assert(condition)                                          \
-  do {                                                                   \
-    if (BATUTA_ASSERT_LEVEL >= 2 && !(condition)) {                      \
-      batuta_trap(::batuta::file_id(__FILE__), std::uint32_t{__LINE__}); \
-    }                                                                    \
-  } while (false)
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #ifdef BATUTA_BUILDING_CORE
 // The core has no matrices whose size is known at run time only: their storage cannot be had there.

@@ -240,7 +240,7 @@ class Scenes(unittest.TestCase):
         if "firmware_opponent" not in MANIFEST["images"]:
             self.skipTest("this part has neither")
         found = "\n".join(scenes.linked_in_vain("firmware", COLLECTOR.image(MANIFEST["images"]["firmware_opponent"])))
-        for name in ("fencing::Opponent::step", "SeeingRival::play", "DelayedObservation::look"):
+        for name in ("fencing::Opponent::step", "SeeingRival::play", "fencing::DelayedObservation::"):
             self.assertIn(name, found)
         found = "\n".join(scenes.linked_in_vain("duel", COLLECTOR.image(MANIFEST["images"]["duel_stepping"])))
         self.assertIn("search_stepping<float>", found)

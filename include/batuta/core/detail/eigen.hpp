@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Eigen, set up alike in every file: by the flags of batuta::config, or here where no flag can be
+// passed. Only types.hpp includes it.
+
+#include <new>
+
+#include "batuta/core/assert.hpp"
+
+#if defined(eigen_assert) || defined(EIGEN_WORLD_VERSION)
+#error \
+    "batuta: include batuta headers before Eigen's own, so that Eigen's checks reach batuta_trap()"
+#endif
+#ifndef EIGEN_MAX_STATIC_ALIGN_BYTES
+#define EIGEN_MAX_STATIC_ALIGN_BYTES 0
+#elif EIGEN_MAX_STATIC_ALIGN_BYTES != 0
+#error "batuta: EIGEN_MAX_STATIC_ALIGN_BYTES must be 0: layouts are the same on host and target"
+#endif
+#ifndef EIGEN_DONT_VECTORIZE
+#define EIGEN_DONT_VECTORIZE
+#endif
+#ifndef EIGEN_NO_IO
+#define EIGEN_NO_IO
+#endif
+#ifndef EIGEN_NO_MALLOC
+#define EIGEN_NO_MALLOC
+#endif
+#ifndef EIGEN_MPL2_ONLY
+#define EIGEN_MPL2_ONLY
+#endif
+#ifndef EIGEN_STACK_ALLOCATION_LIMIT
+#define EIGEN_STACK_ALLOCATION_LIMIT 1024
+#endif
+
+/// A failed check of Eigen calls batuta_trap(), like an invariant of the library. Nothing asks for
+/// the file's hash as a constant: at each of Eigen's checks that costs 3 % of the time that Eigen
+/// takes to compile. With optimization GCC makes it one all the same.
+#define eigen_assert(condition)                                          \
+  do {                                                                   \
+    if (BATUTA_ASSERT_LEVEL >= 2 && !(condition)) {                      \
+      batuta_trap(::batuta::file_id(__FILE__), std::uint32_t{__LINE__}); \
+    }                                                                    \
+  } while (false)
+
+// GCC optimizing for size leaves Eigen's operators of a line each as calls, and takes 2.5 times the
+// instructions. Told to inline them all it makes less code than -O2, and faster (docs/cost.md).
+#if defined(__OPTIMIZE_SIZE__) && defined(__GNUC__) && !defined(__clang__)
+#define BATUTA_SMALL_EIGEN 1
+#define EIGEN_STRONG_INLINE inline __attribute__((always_inline))
+#include <Eigen/src/Core/util/Macros.h>
+#undef EIGEN_DEVICE_FUNC
+#define EIGEN_DEVICE_FUNC __attribute__((always_inline))
+#else
+#define BATUTA_SMALL_EIGEN 0
+#endif
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#if BATUTA_SMALL_EIGEN
+namespace Eigen {
+
+/// Eigen's own formula, in the same order, as a call: a turned vector is smaller once than at each
+/// place.
+template <>
+[[gnu::noinline]] inline Matrix<float, 3, 1> QuaternionBase<Quaternion<float>>::_transformVector(
+    const Matrix<float, 3, 1>& v) const {
+  Matrix<float, 3, 1> uv = vec().cross(v);
+  uv += uv;
+  return v + w() * uv + vec().cross(uv);
+}
+
+namespace internal {
+
+/// Eigen's own formula, in the same order, as a call.
+template <>
+struct quat_product<Architecture::Target, Quaternion<float>, Quaternion<float>, float> {
+  [[gnu::noinline]] static Quaternion<float> run(const QuaternionBase<Quaternion<float>>& a,
+                                                 const QuaternionBase<Quaternion<float>>& b) {
+    return {a.w() * b.w() - a.x() * b.x() - a.y() * b.y() - a.z() * b.z(),
+            a.w() * b.x() + a.x() * b.w() + a.y() * b.z() - a.z() * b.y(),
+            a.w() * b.y() + a.y() * b.w() + a.z() * b.x() - a.x() * b.z(),
+            a.w() * b.z() + a.z() * b.w() + a.x() * b.y() - a.y() * b.x()};
+  }
+};
+
+}  // namespace internal
+}  // namespace Eigen
+#endif
