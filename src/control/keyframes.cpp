@@ -12,9 +12,9 @@ constexpr int kTaps = 4;  ///< keys that a cubic sees along one coordinate
 /// with the stick.
 template <class Scalar>
 struct Taps {
-  std::array<int, kTaps> index{};
-  std::array<Scalar, kTaps> weight{};
-  std::array<Scalar, kTaps> rate{};
+  std::array<int, kTaps> index;
+  std::array<Scalar, kTaps> weight;
+  std::array<Scalar, kTaps> rate;
 };
 
 /// The cubic on [0, 1] by its values f0, f1 and slopes m0, m1; factored so that both ends are
@@ -63,13 +63,15 @@ Slopes<Scalar> slopes_of(int cell, int count) {
 template <class Scalar>
 std::array<Scalar, kTaps> taps_for(const Hermite<Scalar>& h, const Slopes<Scalar>& slopes,
                                    Scalar scale) {
-  std::array<Scalar, kTaps> taps{};
-  for (std::size_t k = 0; k < taps.size(); ++k) {  // Bound: kTaps
-    taps[k] = scale * (h.m0 * slopes.m0[k] + h.m1 * slopes.m1[k]);
-  }
-  taps[1] += scale * h.f0;
-  taps[2] += scale * h.f1;
-  return taps;
+  const auto sloped = [&](std::size_t k) {
+    return scale * (h.m0 * slopes.m0[k] + h.m1 * slopes.m1[k]);
+  };
+  return {sloped(0), sloped(1) + scale * h.f0, sloped(2) + scale * h.f1, sloped(3)};
+}
+
+/// The cell's two keys and their neighbours; at the rim the key there once more.
+std::array<int, kTaps> keys_around(int cell, int count) {
+  return {max_of(cell - 1, 0), cell, cell + 1, min_of(cell + 2, count - 1)};
 }
 
 template <class Scalar>
@@ -80,15 +82,10 @@ Taps<Scalar> taps_at(Scalar stick, int count) {
   const int cell = min_of(static_cast<int>(place), count - 2);
   const Scalar u = min_of(place - static_cast<Scalar>(cell), Scalar(1));
 
-  Taps<Scalar> taps;
   const Slopes<Scalar> slopes = slopes_of<Scalar>(cell, count);
-  taps.weight = taps_for(hermite_value(u), slopes, Scalar(1));
   const Scalar rate = inside == stick ? cells_per_unit : Scalar(0);
-  taps.rate = taps_for(hermite_rate(u), slopes, rate);
-  for (int k = 0; k < kTaps; ++k) {  // Bound: kTaps
-    taps.index[static_cast<std::size_t>(k)] = clamp(cell - 1 + k, 0, count - 1);
-  }
-  return taps;
+  return {keys_around(cell, count), taps_for(hermite_value(u), slopes, Scalar(1)),
+          taps_for(hermite_rate(u), slopes, rate)};
 }
 
 /// The numbers of the key in a column and a row.

@@ -275,20 +275,18 @@ detail::SweptSphere<Scalar> detail::swept_sphere(const MovingCapsule<Scalar>& mo
 
 template <class Scalar>
 detail::CapsuleSweep<Scalar> detail::capsule_sweep(const MovingCapsule<Scalar>& moving) {
-  const Scalar duration = moving.motion.duration;
-  detail::CapsuleSweep<Scalar> sweep;
-  sweep.start_W = moving.motion.X_WB.p_W;
-  sweep.path = detail::capsule_path(moving, sweep.start_W, Vec3<Scalar>::Zero().eval());
-  sweep.travel_W = sweep.path.v * duration;
-  sweep.turn = sweep.path.turn_rate * duration;
-  if (sweep.turn > Scalar(0) && sweep.turn <= detail::kMaxAngle<Scalar>)
-    sweep.at_end = detail::sin_cos(sweep.turn);
+  const Vec3<Scalar>& start_W = moving.motion.X_WB.p_W;
+  const auto path = detail::capsule_path(moving, start_W, detail::zero<Scalar>());
+  const Vec3<Scalar> travel_W = path.v * moving.motion.duration;
+  const Scalar turn = path.turn_rate * moving.motion.duration;
+  detail::SinCos<Scalar> at_end;
+  if (turn > Scalar(0) && turn <= detail::kMaxAngle<Scalar>) at_end = detail::sin_cos(turn);
   // Where a sum of lengths may overflow, 0 * infinity could make a face vanish.
-  const Scalar local = bounding_radius_of(moving) + length(sweep.travel_W);
-  const Scalar other = length(sweep.start_W) + sweep.path.radius;
-  sweep.is_bounded = local + other <= kLargestCoordinate<Scalar> && sweep.turn >= Scalar(0);
-  sweep.outward = kLocalOutward<Scalar> * local + kOriginOutward<Scalar> * other;
-  return sweep;
+  const Scalar local = path.bounding_radius + length(travel_W);
+  const Scalar other = length(start_W) + path.radius;
+  const bool is_bounded = local + other <= kLargestCoordinate<Scalar> && turn >= Scalar(0);
+  const Scalar outward = kLocalOutward<Scalar> * local + kOriginOutward<Scalar> * other;
+  return {path, start_W, travel_W, turn, at_end, outward, is_bounded};
 }
 
 template <class Scalar>

@@ -93,6 +93,16 @@ struct Posing {
   }
 };
 
+/// A bone where it is posed. Limbs begin at their joint: nothing is turned for that end.
+template <class Scalar>
+Capsule<Scalar> placed(const Pose<Scalar>& X_WJ, const Capsule<Scalar>& capsule_J) {
+  const Segment<Scalar>& axis = capsule_J.axis;
+  const bool begins_at_joint =
+      axis.a.x() == Scalar(0) && axis.a.y() == Scalar(0) && axis.a.z() == Scalar(0);
+  return {{begins_at_joint ? X_WJ.p_W : to_world(X_WJ, axis.a), to_world(X_WJ, axis.b)},
+          capsule_J.radius};
+}
+
 template <class Scalar>
 bool is_within_reach(const Vec3<Scalar>& x) {
   return is_finite(x) && x.cwiseAbs().maxCoeff() <= kLargestReach<Scalar>;
@@ -197,7 +207,7 @@ BodyShape<Scalar> pose_body(const FencerBuild<Scalar>& build, const Pose<Scalar>
 
   BodyShape<Scalar> shape;
   for (std::size_t i = 0; i < shape.size(); ++i) {  // Bound: kBodyParts
-    shape[i] = to_world(posing.X_WJ[i], build.bones[i].capsule_J);
+    shape[i] = placed(posing.X_WJ[i], build.bones[i].capsule_J);
   }
   return shape;
 }

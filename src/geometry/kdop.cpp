@@ -82,14 +82,17 @@ struct Extent {
 
 /// Between two heights with a radius, all three times the direction's length; `terms` of both.
 template <class Scalar>
-Extent<Scalar> extent_between(Scalar at_a, Scalar at_b, Scalar radius, Scalar terms) {
+[[gnu::always_inline]] inline Extent<Scalar> extent_between(Scalar at_a, Scalar at_b, Scalar radius,
+                                                            Scalar terms) {
   const Scalar reach = radius + kOutwardOfSum<Scalar> * (radius + terms);
   return {min_of(at_a, at_b) - reach, max_of(at_a, at_b) + reach};
 }
 
 /// Of a capsule with a radius larger by `margin`.
 template <class Scalar, int K>
-Extent<Scalar> extent_along(std::size_t i, const Capsule<Scalar>& capsule, Scalar margin) {
+[[gnu::always_inline]] inline Extent<Scalar> extent_along(std::size_t i,
+                                                          const Capsule<Scalar>& capsule,
+                                                          Scalar margin) {
   const Segment<Scalar>& axis = capsule.axis;
   if constexpr (K == 6) {
     const auto k = static_cast<Eigen::Index>(i);
