@@ -24,24 +24,7 @@ class AdvancementSearch {
       : pair_(pair),
         radii_(pair.A.radius + pair.B.radius),
         contact_tolerance_(contact_tolerance),
-        state_{{},
-               {},
-               pair.B.v * pair.duration,
-               TurnPowers<Scalar>(pair.A.turn_rate * pair.duration),
-               TurnPowers<Scalar>(pair.B.turn_rate * pair.duration),
-               {},
-               {}} {
-    const Scalar travel = length(state_.travel);
-    const Scalar turn_A = state_.turn_A.turn;
-    const Scalar turn_B = state_.turn_B.turn;
-    state_.bounds =
-        term_bounds<Scalar>(pair.scale, travel, {turn_A, arm(pair.A)}, {turn_B, arm(pair.B)});
-    state_.magnitudes =
-        inflated(term_bounds<Scalar>(pair.scale, travel, {turn_A, pair.A.bounding_radius},
-                                     {turn_B, pair.B.bounding_radius}),
-                 inflation);
-    stand_at(Scalar(0));
-  }
+        state_(at_start(pair, inflation)) {}
 
   bool is_at_end() const { return theta_ >= Scalar(1); }
   Scalar theta() const { return theta_; }
@@ -128,6 +111,22 @@ class AdvancementSearch {
   /// bounding radius.
   static Scalar arm(const detail::CapsulePath<Scalar>& path) {
     return path.longest_arm + detail::kInflation<Scalar> * path.bounding_radius;
+  }
+
+  static PairState<Scalar> at_start(const MovingPair<Scalar>& pair, Scalar inflation) {
+    const Vec3<Scalar> travel = pair.B.v * pair.duration;
+    const Scalar way = length(travel);
+    const TurnPowers<Scalar> A(pair.A.turn_rate * pair.duration);
+    const TurnPowers<Scalar> B(pair.B.turn_rate * pair.duration);
+    return {state_at_start(pair.A),
+            state_at_start(pair.B),
+            travel,
+            A,
+            B,
+            term_bounds<Scalar>(pair.scale, way, {A.turn, arm(pair.A)}, {B.turn, arm(pair.B)}),
+            inflated(term_bounds<Scalar>(pair.scale, way, {A.turn, pair.A.bounding_radius},
+                                         {B.turn, pair.B.bounding_radius}),
+                     inflation)};
   }
 
   static TermBounds<Scalar> inflated(const TermBounds<Scalar>& size, Scalar inflation) {

@@ -140,6 +140,14 @@ inline Vec3<Scalar> between(const std::array<Vec3<Scalar>, 2>& ends, Scalar s) {
   return ends[0] + s * (ends[1] - ends[0]);
 }
 
+/// The axis at theta = 0.
+template <class Scalar>
+AxisState<Scalar> state_at_start(const detail::CapsulePath<Scalar>& path) {
+  const detail::EndPath<Scalar>& a = path.ends[0];
+  const detail::EndPath<Scalar>& b = path.ends[1];
+  return {{a.start, b.start}, {a.arm, b.arm}, {a.side, b.side}};
+}
+
 /// The axis at theta. @param travelled  what B has moved by until then, nothing
 /// for A
 /// @param angle  that it has turned by
