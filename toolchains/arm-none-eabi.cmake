@@ -18,7 +18,7 @@ string(REPLACE "/" "/board/" board_file ${BATUTA_BOARD})
 include(${CMAKE_CURRENT_LIST_DIR}/../port/platforms/${board_file}.cmake)
 
 set(CMAKE_CXX_FLAGS_INIT "${BATUTA_CPU_FLAGS} -fno-exceptions -fno-rtti -fno-threadsafe-statics -ffunction-sections -fdata-sections")
-# -Os: with Eigen told to inline (core/types.hpp) it takes less flash and less time than -O2 (docs/cost.md). The
+# -Os: with Eigen told to inline (core/detail/eigen.hpp) it takes less flash and less time than -O2 (docs/cost.md). The
 # parameter: a call is inlined where that adds 10 instructions, not 0.
 # Not ..._INIT: CMake would append its own -O3 to that.
 set(CMAKE_CXX_FLAGS_RELEASE "-Os --param max-inline-insns-size=10 -DNDEBUG" CACHE STRING "Compiler flags of a Release build")
