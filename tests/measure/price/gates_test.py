@@ -2,14 +2,18 @@
 # SPDX-License-Identifier: MIT
 """The gates find what is planted in small images of this tree, and name it. Usage: gates_test.py BUILD_TREE"""
 
+import ctypes
+import os
 import pathlib
 import struct
+import subprocess
 import sys
+import tempfile
 import unittest
 
 import price
 import readme_table
-from tools import budgets, footprint, forbidden, instructions, scenes, stack, stack_graph
+from tools import budgets, cycles, footprint, forbidden, instructions, scenes, stack, stack_graph
 from tools.image import Section
 
 TREE = pathlib.Path(sys.argv.pop())
@@ -31,6 +35,21 @@ def stack_findings(name):
     return "\n".join(worst.findings.values())
 
 
+def assembled(line):
+    """The words of some instructions, each first half first."""
+    with tempfile.TemporaryDirectory() as folder:
+        code = pathlib.Path(folder) / "code"
+        head = ".syntax unified\n.cpu cortex-m4\n.fpu fpv4-sp-d16\n.thumb\n"
+        subprocess.run(["arm-none-eabi-as", "-o", code, "-"], input=head + line.replace(";", "\n") + "\n", text=True, check=True)
+        subprocess.run(["arm-none-eabi-objcopy", "-O", "binary", "-j", ".text", code], check=True)
+        halves = [half for half, in struct.iter_unpack("<H", code.read_bytes())]
+    words = []
+    while halves:
+        first = halves.pop(0)
+        words.append(first << 16 | halves.pop(0) if first >> 11 > 0b11100 else first)
+    return words
+
+
 class Tables:
     """An image with unwinding tables."""
 
@@ -40,6 +59,53 @@ class Tables:
 
     def contents(self, _):
         return self.words
+
+
+class Cycles(unittest.TestCase):
+    """Against the tables of the Technical Reference Manual, by hand."""
+
+    # Instructions of which the second is priced, between its neighbours.
+    PRICES = {
+        "nop; add r0, r1, r2; nop": 1, "nop; mul r0, r1, r0; nop": 1, "nop; mla r0, r1, r2, r3; nop": 2,
+        "nop; udiv r0, r1, r2; nop": 12, "nop; sdiv r8, r1, r2; nop": 12, "nop; ldr r0, [r1, #4]; nop": 2,
+        "adds r1, #4; ldr r0, [r1, #4]; nop": 3, "add.w r9, r9, #4; ldr.w r0, [r9]; nop": 3,
+        "adds r2, #4; ldr r0, [r1, r2]; nop": 3, "adds r3, #4; ldr r0, [r1, r2]; nop": 2,
+        "nop; ldr r0, =0x12345678; nop": 3, "sub sp, #8; ldr r0, [sp, #4]; nop": 3, "nop; str.w r0, [r9, #40]; nop": 2,
+        "nop; ldrd r0, r1, [r2]; nop": 3, "nop; push {r4, r5, lr}; nop": 4, "nop; pop {r4, r5, pc}; nop": 1 + 3 + 3,
+        "nop; pop.w {r4, r8, pc}; nop": 1 + 3 + 3, "nop; ldmia r1!, {r2, r3}; nop": 3, "nop; stmdb sp!, {r4-r9}; nop": 7,
+        "nop; b .; nop": 4, "nop; bl .; nop": 4, "nop; bx lr; nop": 4, "nop; beq .; nop": 1, "nop; cbz r0, .+8; nop": 1,
+        "nop; beq.w .+3000; nop": 1, "nop; tbb [pc, r0]; nop": 7, "nop; ldr pc, [r0]; nop": 5, "nop; mov pc, r0; nop": 4,
+        "nop; vadd.f32 s0, s1, s2; nop": 1, "nop; vadd.f32 s0, s1, s2; vmul.f32 s3, s0, s4": 2,
+        "nop; vsub.f32 s1, s1, s2; vstr s1, [r0]": 2, "nop; vmul.f32 s0, s1, s2; vmul.f32 s3, s4, s5": 1,
+        "nop; vdiv.f32 s0, s1, s2; nop": 14, "nop; vsqrt.f32 s0, s1; nop": 14, "nop; vdiv.f32 s5, s1, s2; vneg.f32 s6, s5": 15,
+        "nop; vmla.f32 s0, s1, s2; nop": 3, "nop; vnmls.f32 s0, s1, s2; nop": 3, "nop; vfms.f32 s0, s1, s2; nop": 3,
+        "nop; vfnma.f32 s0, s1, s2; nop": 3, "nop; vneg.f32 s0, s1; nop": 1, "nop; vcmpe.f32 s0, #0.0; vmrs APSR_nzcv, fpscr": 1,
+        "nop; vmrs APSR_nzcv, fpscr; nop": 1, "nop; vmov s0, r0; nop": 1, "nop; vmov r0, r1, s2, s3; nop": 2,
+        "nop; vldr s0, [r1]; nop": 2, "add.w r1, r2, r3; vldr s0, [r1]; nop": 3, "nop; vldr d0, [r1]; nop": 3,
+        "nop; vpush {d8-d9}; nop": 5, "nop; vldmia r0!, {s0-s2}; nop": 4, "nop; vcvt.f32.s32 s0, s0; nop": 1,
+        "nop; vcmpe.f32 s0, s1; vadd.f32 s0, s0, s1": 1, "nop; vmov.f32 s0, s1; vadd.f32 s0, s0, s1": 1,
+        "nop; mrs r0, control; nop": 4, "nop; dsb; nop": 4,
+    }
+
+    def test_prices(self):
+        with tempfile.TemporaryDirectory() as folder:
+            plugin = cycles.build(pathlib.Path(folder))
+            if plugin is None:
+                self.skipTest("no compiler for this machine")
+            price_of = ctypes.CDLL(str(plugin), mode=os.RTLD_LAZY).batuta_worst_cycles
+            for line, expected in self.PRICES.items():
+                with self.subTest(line):
+                    self.assertEqual(price_of(*assembled(line)[:3]), expected)
+
+    def test_a_neighbour_that_is_not_known_is_the_worst(self):
+        with tempfile.TemporaryDirectory() as folder:
+            plugin = cycles.build(pathlib.Path(folder))
+            if plugin is None:
+                self.skipTest("no compiler for this machine")
+            price_of = ctypes.CDLL(str(plugin), mode=os.RTLD_LAZY).batuta_worst_cycles
+            load, add = assembled("ldr r0, [r1, #4]; vadd.f32 s0, s1, s2")
+            self.assertEqual(price_of(0, load, add), 3)
+            self.assertEqual(price_of(load, add, 0), 2)
 
 
 class ForbiddenSymbols(unittest.TestCase):

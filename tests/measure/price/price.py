@@ -10,7 +10,7 @@ import json
 import pathlib
 import sys
 
-from tools import budgets, footprint, forbidden, instructions, rooms, scenes, stack, stack_graph
+from tools import budgets, cycles, footprint, forbidden, instructions, rooms, scenes, stack, stack_graph
 from tools.image import Image
 from tools.scene_collector import SceneCollector
 
@@ -81,6 +81,8 @@ class Collector:
         samples = instructions.run(self.manifest, queries)
         self.figures.update(instructions.figures(samples, instructions.families(self.manifest["shared"])))
         self._compare_stacks(self.manifest["bench"], samples.stacks(), "")
+        if self.manifest["cpu"] == budgets.BOUND_CPU:
+            self.figures.update(cycles.figures(self.manifest, queries))
         for name, bench in self.manifest["choices"].items():
             samples = instructions.run_choice(self.manifest, name, queries)
             self.figures.update(instructions.step_figures(name, samples))
@@ -186,7 +188,7 @@ def main():
     rows = budgets.compare(budgets.read(BUDGETS), part, collector.figures)
     if not is_complete:
         rows = [row for row in rows if row.value is not None]
-    counting = " Instructions are counted by QEMU's -icount: they are no cycles." if "bench" in manifest else ""
+    counting = " Instructions are counted by QEMU's -icount; cycles are a bound from above (cycles/cycles.md)." if "bench" in manifest else ""
     print(f"{part} on {manifest['board']}.{counting}")
     print_rooms(collector.rooms)
     if options.verbose:

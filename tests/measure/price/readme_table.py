@@ -38,6 +38,7 @@ ROWS = [
     ("worst search, default budget", ["search.worst"]),
     ("impulse with restitution, max", ["impulse.max"]),
     ("duel step, two armed fencers, median / 99.9 % / max", ["duel.step.median", "duel.step.99.9%", "duel.step.max"]),
+    ("the same in cycles, from above", ["duel.step.cycles.median", "duel.step.cycles.99.9%", "duel.step.cycles.max"]),
     ("steps a second at 133 MHz, were an instruction a cycle", ["duel.rate_at_133_MHz"]),
 ]
 
@@ -108,7 +109,7 @@ def read_columns(text, rows):
 
 def table(columns, limits, rows):
     bound, aim = limit_columns(limits, rows)
-    heads, body = ["float, `-O2`"], [[label for label, _ in rows]]
+    heads, body = ["float, `-Os`"], [[label for label, _ in rows]]
     for cpu in CPUS:
         heads.append(cpu)
         body.append(columns.get(cpu, [""] * len(rows)))

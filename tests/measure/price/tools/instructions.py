@@ -107,10 +107,10 @@ def run_choice(manifest, name, queries):
     return run_bench(manifest, manifest["choices"][name], queries, BOUTS_ONLY, *choice)
 
 
-def run_bench(manifest, bench, queries, every, steps, shift):
+def run_bench(manifest, bench, queries, every, steps, shift, options=""):
     out = queries.with_name("samples.bin")
     command = manifest["emulator"] + [bench, str(queries), str(out), str(every), str(steps)]
-    environment = dict(os.environ, BATUTA_QEMU_OPTIONS=f"-icount shift={shift}")
+    environment = dict(os.environ, BATUTA_QEMU_OPTIONS=f"-icount shift={shift} {options}")
     subprocess.run(command, check=True, env=environment, timeout=7200)
     return Samples(out.read_bytes())
 
