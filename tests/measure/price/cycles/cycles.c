@@ -101,7 +101,8 @@ static unsigned of_word(uint32_t w) {
   if ((w & 0xFE000000U) == 0xF8000000U)                                              /* LDR, STR */
     return kTransfer + ((w & 0x0010F000U) == 0x0010F000U ? kRefill : 0);
   if ((w & 0xFFD0F0F0U) == 0xFB90F0F0U) return kDivide;                              /* SDIV, UDIV */
-  if ((w & 0xFF000000U) == 0xFB000000U) return kMultiplyAdd;                         /* MUL, MLA, SMULL, ... */
+  if ((w & 0xFFF0F0F0U) == 0xFB00F000U) return kOne;                                 /* MUL */
+  if ((w & 0xFF000000U) == 0xFB000000U) return kMultiplyAdd;                         /* MLA, SMULL, ... */
   return kOne;
 }
 

@@ -35,7 +35,7 @@ WITH_FPU = [*each(IMAGES + SCENES, "flash", "stack"), "duel.step.99.9%"]
 KEPT = {
     BOUND_CPU: [*each(IMAGES + ("duel_stepping",) + SCENES, "flash", "ram", "stack"), *each(SCENES, "step.median", "step.max"),
                 *each(BY_HAND, "flash_of_by_hand"), "segment_segment.median", "segment_segment.max", "search.evaluation.median",
-                "search.generic.mean", "search.worst", "impulse.max", "duel.step.99.9%",
+                "search.generic.mean", "search.worst", "impulse.max", *each(("duel.step",), "median", "99.9%", "max"),
                 "duel.step.cycles.99.9%", "duel.step.cycles.max", "duel_stepping.step.99.9%",
                 *OF_OPPONENT, "opponent.step.99.9%"],
     "cortex-m7": WITH_FPU, "cortex-m33": WITH_FPU, "cortex-m55": WITH_FPU,
