@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Eigen, set up alike in every file: by the flags of batuta::config, or here where no flag can be
-// passed. Only types.hpp includes it.
+// The only header that includes Eigen, and sets it up: alike in every file, without a flag. A build
+// that passes the same macros is welcome to.
 
 #include <new>
 
@@ -61,7 +61,7 @@
 namespace Eigen {
 
 /// Eigen's own formula, in the same order, as a call: a turned vector is smaller once than at each
-/// place.
+/// place. The bits are those of Eigen's, which a file that is compiled otherwise may bring.
 template <>
 [[gnu::noinline]] inline Matrix<float, 3, 1> QuaternionBase<Quaternion<float>>::_transformVector(
     const Matrix<float, 3, 1>& v) const {
