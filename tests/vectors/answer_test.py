@@ -185,6 +185,30 @@ class Answer(unittest.TestCase):
         self.assertEqual(done.returncode, 0)
         self.assertEqual(done.stdout.splitlines()[1], "1,2,0.5,0.5,0,1,0")
 
+    def test_questions_are_not_written_over(self):
+        rows = distance_file()
+        text = "".join(",".join(row) + "\n" for row in rows)
+        queries, link = self.path("queries.csv"), self.path("link.csv")
+        with open(queries, "w", encoding="ascii") as file:
+            file.write(text)
+        os.symlink(queries, link)
+        for out in queries, link, self.path("./queries.csv"):
+            done = self.run_program("distance", "--in", queries, "--out", out)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("is read by --in", done.stderr)
+        with open(queries, encoding="ascii") as file:
+            self.assertEqual(file.read(), text)
+        self.assertEqual(sorted(os.listdir(self.folder.name)), ["link.csv", "queries.csv"])
+
+    def test_a_full_device_is_told(self):
+        if not os.path.exists("/dev/full"):
+            self.skipTest("there is none")
+        with open(self.path("in.csv"), "w", encoding="ascii") as file:
+            file.writelines(",".join(row) + "\n" for row in distance_file())
+        done = self.run_program("distance", "--in", self.path("in.csv"), "--out", "/dev/full")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("/dev/full", done.stderr)
+
     def test_wrong_usage_is_one_line(self):
         out = self.path("out.csv")
         with open(self.path("in.csv"), "w", encoding="ascii") as file:

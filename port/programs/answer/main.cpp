@@ -8,10 +8,12 @@
 
 #include "answer_file.hpp"
 #include "command_line.hpp"
+#include "programs/files/output_file.hpp"
 
 namespace {
 
 using namespace batuta::answer;
+namespace host = batuta::host;
 
 constexpr const char* kStandardStream = "-";
 
@@ -44,16 +46,26 @@ int run(const Command& command) {
   const std::string missing = kind.missing_column(queries);
   if (!missing.empty()) return fail(command.in + ": header: there is no column " + missing);
 
-  std::ofstream out_file;
-  errno = 0;
-  if (command.out != kStandardStream) out_file.open(command.out, std::ios::binary);
-  if (!out_file) return fail("cannot write " + command.out + ": " + last_system_error());
-  std::ostream& out = command.out == kStandardStream ? std::cout : out_file;
+  const bool to_file = command.out != kStandardStream;
+  if (to_file && command.in != kStandardStream) {
+    const std::string clash = host::clash_of({{"--in", command.in}}, {{"--out", command.out}});
+    if (!clash.empty()) return fail(clash);
+  }
+  host::OutputFile out_file;
+  std::string problem = to_file ? out_file.open(command.out) : "";
+  if (!problem.empty()) return fail("cannot write " + command.out + ": " + problem);
+  std::ostream& out = to_file ? out_file.stream() : std::cout;
 
   const RowAnswer answer = command.in_float ? kind.in_float : kind.in_double;
   const long invalid = answer_file(queries, kind.columns, answer, command.search, out, std::cerr);
+  errno = 0;
   out.flush();
-  if (!out) return fail("cannot write " + command.out + ": " + last_system_error());
+  if (to_file) {
+    problem = out_file.commit();
+  } else if (!out) {
+    problem = last_system_error();
+  }
+  if (!problem.empty()) return fail("cannot write " + command.out + ": " + problem);
   return invalid == 0 ? 0 : kExitInvalidLines;
 }
 

@@ -110,20 +110,31 @@ bool read_file(const std::filesystem::path& path, std::string& text) {
   return file.good() || file.eof();
 }
 
-/// "a.b.events" is described by "a.b.desc", and where several recordings share a description by
-/// "a.desc".
-std::string description_beside(std::filesystem::path path) {
+/// The first that there is.
+std::string description_beside(const std::string& path) {
   std::string text;
-  while (path.has_extension()) {  // Bound: the dots in the name
-    path.replace_extension();
-    for (const char* extension : {".desc", ".device", ".prop"}) {
-      if (read_file(path.string() + extension, text)) return text;
-    }
+  const std::vector<std::string> files = files_of_recording(path);
+  for (std::size_t i = 1; i < files.size(); ++i) {  // Bound: three for each dot in the name
+    if (read_file(files[i], text)) return text;
   }
   return {};
 }
 
 }  // namespace
+
+/// "a.b.events" is described by "a.b.desc", and where several recordings share a description by
+/// "a.desc".
+std::vector<std::string> files_of_recording(const std::string& path) {
+  std::vector<std::string> files = {path};
+  std::filesystem::path name = path;
+  while (name.has_extension()) {  // Bound: the dots in the name
+    name.replace_extension();
+    for (const char* extension : {".desc", ".device", ".prop"}) {
+      files.push_back(name.string() + extension);
+    }
+  }
+  return files;
+}
 
 LoadedRecording parse_recording(std::string_view text, const std::string& name,
                                 const std::string& description) {

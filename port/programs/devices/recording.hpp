@@ -28,6 +28,9 @@ struct LoadedRecording {
 /// or .prop).
 LoadedRecording load_recording(const std::string& path);
 
+/// The file, and those beside it that may describe its device, whether they exist or not.
+std::vector<std::string> files_of_recording(const std::string& path);
+
 /// The same from memory.
 /// @param name         for messages: "<name>:<line>: ..."
 /// @param description  used if the text holds none; may be empty

@@ -82,7 +82,10 @@ OpenedSource open_here(const std::string& words) {
     return refuse(words + ": a device and no recording; write device:" + words +
                   " or serial:" + words);
   }
-  return open_replay(load_recording(words), std::filesystem::path(words).filename().string());
+  OpenedSource opened =
+      open_replay(load_recording(words), std::filesystem::path(words).filename().string());
+  opened.files = files_of_recording(words);
+  return opened;
 }
 
 /// A device on a serial line, with its own stick or with a source in its place.

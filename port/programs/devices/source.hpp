@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "batuta/port/input.hpp"
 
@@ -52,6 +53,7 @@ inline constexpr int kDeviceBaud = 3000000;
 struct OpenedSource {
   std::unique_ptr<Source> source;  ///< null if it could not be opened
   std::string error;               ///< why not, in one line
+  std::vector<std::string> files;  ///< that were read, or looked for beside those
   std::string note;  ///< what a user should know although it was opened; one line, or empty
   /// Path of the serial line to a device that fences along; empty: none. The source is then the
   /// recording that takes the place of the device's stick, or, where `own_stick`, a ReportedStick.

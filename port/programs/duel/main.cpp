@@ -4,11 +4,8 @@
 #include <unistd.h>
 
 #include <array>
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <exception>
-#include <fstream>
 #include <memory>
 #include <utility>
 
@@ -29,6 +26,7 @@
 #include "programs/duel/touch_strip.hpp"
 #include "programs/duel/view/replay_show.hpp"
 #include "programs/duel/view/view.hpp"
+#include "programs/files/output_file.hpp"
 
 namespace batuta::host {
 using namespace fencing;
@@ -47,15 +45,15 @@ constexpr double kLongReplay = 600;  // s
 /// Where a bout is drawn, recorded and seen, if it is to be, and who feels it.
 struct Outputs {
   std::array<LiveForce*, 2> forces{};
-  std::ofstream svg;
-  std::ofstream figure;
-  std::ofstream strip;
+  OutputFile svg;
+  OutputFile figure;
+  OutputFile strip;
   FileSink record;
   std::unique_ptr<View> view;
   ViewFeed feed;  ///< of the view
 
   /// Each path, empty where nothing is drawn, and its file.
-  std::array<std::pair<const std::string*, std::ofstream*>, 3> pictures(const Options& options) {
+  std::array<std::pair<const std::string*, OutputFile*>, 3> pictures(const Options& options) {
     return {{{&options.svg, &svg}, {&options.figure, &figure}, {&options.strip, &strip}}};
   }
   ViewControls* controls() const { return view ? &view->controls() : nullptr; }
@@ -80,9 +78,11 @@ Observers make_observers(const Options& options, double limit, Outputs& outputs)
     std::FILE* const out = options.json ? nullptr : stdout;
     observers.push_back(std::make_unique<ViewObserver>(*outputs.view, outputs.feed, out));
   }
-  if (!options.svg.empty()) observers.push_back(std::make_unique<SvgPicture>(outputs.svg));
-  if (!options.figure.empty()) observers.push_back(std::make_unique<BeatFigure>(outputs.figure));
-  if (!options.strip.empty()) observers.push_back(std::make_unique<TouchStrip>(outputs.strip));
+  if (!options.svg.empty()) observers.push_back(std::make_unique<SvgPicture>(outputs.svg.stream()));
+  if (!options.figure.empty())
+    observers.push_back(std::make_unique<BeatFigure>(outputs.figure.stream()));
+  if (!options.strip.empty())
+    observers.push_back(std::make_unique<TouchStrip>(outputs.strip.stream()));
   if (!options.record.empty()) observers.push_back(std::make_unique<RunRecord>(outputs.record));
   return observers;
 }
@@ -152,8 +152,8 @@ BoutEnd fail(const std::string& what) {
 std::string open_files(const Options& options, Outputs& outputs) {
   for (const auto& [path, file] : outputs.pictures(options)) {  // Bound: 2
     if (path->empty()) continue;
-    *file = std::ofstream(*path);
-    if (!*file) return *path + ": cannot be written: " + std::strerror(errno);
+    const std::string problem = file->open(*path);
+    if (!problem.empty()) return *path + ": cannot be written: " + problem;
   }
   return options.record.empty() ? "" : outputs.record.open(options.record);
 }
@@ -229,8 +229,9 @@ std::string open_window(const Options& options, const ViewNames& names, Outputs&
 /// Whether all that was to be written is.
 int finish(const Options& options, Outputs& outputs) {
   for (const auto& [path, file] : outputs.pictures(options)) {  // Bound: 2
-    file->flush();
-    if (!path->empty() && !*file) return complain(kExitFailure, *path + ": cannot be written");
+    if (path->empty()) continue;
+    const std::string problem = file->commit();
+    if (!problem.empty()) return complain(kExitFailure, *path + ": cannot be written: " + problem);
   }
   if (!options.record.empty() && !outputs.record.close())
     return complain(kExitFailure, options.record + ": cannot be written");
@@ -265,14 +266,34 @@ void tell_of_effects(const Options& options, const std::array<LiveForce*, 2>& fo
   if (!done) complain(kExitOk, "--spring and --damper: no device here has a force to do that");
 }
 
+std::vector<NamedFile> read_by(const OpenedSource& left, const OpenedSource& right) {
+  std::vector<NamedFile> files;
+  for (const std::string& path : left.files) files.push_back({"--left", path});
+  for (const std::string& path : right.files) files.push_back({"--right", path});
+  return files;
+}
+
+std::vector<NamedFile> written_by(const Options& options) {
+  std::vector<NamedFile> files;
+  for (const NamedFile& file : {NamedFile{"--svg", options.svg},
+                                {"--figure", options.figure},
+                                {"--strip", options.strip},
+                                {"--record", options.record}}) {
+    if (!file.path.empty()) files.push_back(file);
+  }
+  return files;
+}
+
 int play(Options options) {
   watch_interrupts();
   const OpenedSource left = open(options.left);
   if (!left.source) return kExitUsage;
   const OpenedSource right = open(options.right);
   if (!right.source) return kExitUsage;
+  std::string error = clash_of(read_by(left, right), written_by(options));
+  if (!error.empty()) return complain(kExitUsage, error);
   DeviceSetup setup;
-  std::string error = setup.open(left, right, patience_of(options.patience));
+  error = setup.open(left, right, patience_of(options.patience));
   if (!error.empty()) return complain(kExitUsage, error);
   if (setup.partner() != nullptr && options.distance > 0)
     return complain(kExitUsage, "--distance: the firmware has its own; it cannot be compared");
@@ -285,7 +306,9 @@ int play(Options options) {
   tell_of_effects(options, outputs.forces);
   if (left.source->is_live() || right.source->is_live() || outputs.view) options.realtime = true;
   const int exit_code = play_bouts(options, setup, outputs);
-  return exit_code == kExitOk ? finish(options, outputs) : exit_code;
+  if (exit_code == kExitOk) return finish(options, outputs);
+  (void)outputs.record.close();  // what a bout that failed has recorded may tell why
+  return exit_code;
 }
 
 /// A recorded bout instead of one of two sources.

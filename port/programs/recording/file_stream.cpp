@@ -15,21 +15,18 @@ std::string reason(const std::string& path) {
 }  // namespace
 
 std::string FileSink::open(const std::string& path) {
-  errno = 0;
-  file_ = std::ofstream(path, std::ios::binary | std::ios::trunc);  // one that is open is closed
-  return file_ ? "" : reason(path);
+  const std::string problem = file_.open(path);
+  return problem.empty() ? "" : path + ": " + problem;
 }
 
 bool FileSink::close() {
-  if (!file_.is_open()) return false;
-  file_.close();  // fails where something could not be written, now or before
-  return file_.good();
+  return file_.commit().empty();
 }
 
 int FileSink::do_write(const std::uint8_t* bytes, int count) {
   if (!file_.is_open()) return 0;
   for (int i = 0; i < count; ++i) {  // Bound: count
-    if (!file_.put(static_cast<char>(bytes[i]))) return i;
+    if (!file_.stream().put(static_cast<char>(bytes[i]))) return i;
   }
   return count;
 }

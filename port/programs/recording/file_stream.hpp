@@ -6,10 +6,11 @@
 #include <string>
 
 #include "batuta/port/byte_stream.hpp"
+#include "programs/files/output_file.hpp"
 
 namespace batuta::host {
 
-/// Takes everything as long as the disk does.
+/// Takes everything as long as the disk does; the file takes its place when it is closed.
 class FileSink final : public ByteSink {
  public:
   /// @returns an empty text, or what is wrong
@@ -20,7 +21,7 @@ class FileSink final : public ByteSink {
  private:
   int do_write(const std::uint8_t* bytes, int count) override;
 
-  std::ofstream file_;
+  OutputFile file_;
 };
 
 class FileSource final : public ByteSource {

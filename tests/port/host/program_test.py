@@ -241,6 +241,55 @@ def replay(folder):
         refuses([option, ""], 2, option)
 
 
+def contents(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+def files(folder):
+    """Nothing that is read is written over, no output is written over another, and none is ever half there."""
+    short = write(folder, "short.events", STICK % 5)
+    described = write(folder, "short.desc", "N: a stick\nI: 0003 0001 0002 0003\nP: 00 00 00 00 00 00 00 00\n"
+                      "B: 00 0b 00 00 00 00 00 00 00\nB: 03 03 00 00 00 00 00 00 00\n"
+                      "A: 00 -100 100 0 0 0\nA: 01 -100 100 0 20 0\n")
+    soft, hard = os.path.join(folder, "soft"), os.path.join(folder, "hard")
+    os.symlink(short, soft)
+    os.link(short, hard)
+    before = contents(short), contents(described)
+    roundabout = os.path.join(folder, "..", os.path.basename(folder), "short.events")
+    for option in "--record", "--svg", "--figure", "--strip":
+        for name in short, soft, hard, roundabout, described:
+            for side in "--left", "--right":
+                refuses([side, short, option, name], 2, option, "is read by " + side)
+        refuses(["--left", soft, option, short], 2, option, "is read by --left")
+        refuses(["--left", "serial:/dev/null," + short, option, short], 2, option, "is read by --left")
+    check((contents(short), contents(described)) == before, "the recording is what it was")
+
+    out = os.path.join(folder, "out")
+    for one, other in ("--svg", "--record"), ("--figure", "--strip"), ("--svg", "--strip"):
+        refuses([one, out, other, os.path.join(folder, ".", "out")], 2, "is what --", " writes")
+    check(not os.path.exists(out), "nothing was begun")
+    check(run("--seconds", "0.1", "--svg", "/dev/null", "--record", "/dev/null").returncode == 0, "/dev/null holds both")
+
+    old = write(folder, "old.svg", "an older picture")
+    link = os.path.join(folder, "link.svg")
+    os.symlink(old, link)
+    refuses(["--svg", old, "--record", os.path.join(folder, "no", "such")], 1, "no")
+    check(contents(old) == b"an older picture", "what was not made does not replace it")
+    running = subprocess.Popen([PROGRAM, "--realtime", "--svg", old, "--record", out], stdout=subprocess.PIPE)
+    running.stdout.readline()
+    running.kill()
+    running.wait()
+    running.stdout.close()
+    check(contents(old) == b"an older picture" and not os.path.exists(out), "nor does half of one")
+    for name in os.listdir(folder):
+        if name.endswith(".part"):
+            os.remove(os.path.join(folder, name))
+    check(run("--seconds", "0.1", "--svg", link).returncode == 0, "through a link")
+    check(os.path.islink(link) and contents(old).startswith(b"<"), "the link stays, its file is new")
+    check(not any(name.endswith(".part") for name in os.listdir(folder)), os.listdir(folder))
+
+
 def real(_):
     folder = os.path.join(SHARED, "recordings")
     if not os.path.isdir(folder):
@@ -257,7 +306,7 @@ def real(_):
             check(summary["left_samples_rejected"] == 0, summary)
 
 
-GROUPS = {"Usage": usage, "Recordings": recordings, "Json": json_lines, "Picture": picture, "Replay": replay,
+GROUPS = {"Usage": usage, "Recordings": recordings, "Json": json_lines, "Picture": picture, "Replay": replay, "Files": files,
           "RealDevices": real}
 with tempfile.TemporaryDirectory() as scratch:
     GROUPS[GROUP](scratch)

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+
+#include "programs/files/output_file.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+namespace batuta::host {
+namespace {
+
+using std::filesystem::path;
+
+std::string system_words() {
+  return errno != 0 ? std::strerror(errno) : "failed";
+}
+
+/// Links followed as far as there is something.
+path resolved(const std::string& text) {
+  std::error_code error;
+  path found = std::filesystem::weakly_canonical(text, error);
+  if (error) return {text};
+  return found.is_absolute() ? found : std::filesystem::absolute(found, error);
+}
+
+/// Something that is there and is no plain file: a pipe, a terminal, /dev/full, a folder.
+bool is_special(const path& place) {
+  std::error_code error;
+  const auto status = std::filesystem::status(place, error);
+  return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+}
+
+}  // namespace
+
+std::string OutputFile::open(const std::string& path) {
+  discard();
+  const std::filesystem::path place = resolved(path);
+  place_ = place.string();
+  beside_ = is_special(place) ? "" : place_ + "." + std::to_string(getpid()) + ".part";
+  errno = 0;
+  file_ = std::ofstream(beside_.empty() ? place_ : beside_, std::ios::binary | std::ios::trunc);
+  return file_ ? "" : system_words();
+}
+
+std::string OutputFile::commit() {
+  if (!file_.is_open()) return "it is not open";
+  errno = 0;
+  file_.close();  // fails where something could not be written, now or before
+  std::string problem = file_ ? "" : system_words();
+  if (problem.empty() && !beside_.empty() && std::rename(beside_.c_str(), place_.c_str()) != 0) {
+    problem = system_words();
+  }
+  if (problem.empty()) beside_.clear();
+  discard();
+  return problem;
+}
+
+void OutputFile::discard() {
+  if (file_.is_open()) file_.close();
+  file_.clear();
+  if (!beside_.empty()) (void)std::remove(beside_.c_str());
+  beside_.clear();
+}
+
+bool are_same_file(const std::string& one, const std::string& other) {
+  std::error_code error;
+  const bool linked = std::filesystem::equivalent(one, other, error);
+  return (!error && linked) || resolved(one) == resolved(other);
+}
+
+std::string clash_of(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {  // Bound: outputs
+    const NamedFile& out = outputs[i];
+    if (is_special(out.path)) continue;
+    for (const NamedFile& in : inputs) {  // Bound: inputs
+      if (are_same_file(out.path, in.path))
+        return out.option + ": " + out.path + " is read by " + in.option + ": it would be lost";
+    }
+    for (std::size_t j = 0; j < i; ++j) {  // Bound: outputs
+      if (are_same_file(out.path, outputs[j].path))
+        return out.option + ": " + out.path + " is what " + outputs[j].option + " writes";
+    }
+  }
+  return {};
+}
+
+}  // namespace batuta::host
