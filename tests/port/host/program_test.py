@@ -249,10 +249,10 @@ def contents(path):
 def files(folder):
     """Nothing that is read is written over, no output is written over another, and none is ever half there."""
     short = write(folder, "short.events", STICK % 5)
-    described = write(folder, "short.desc", "N: a stick\nI: 0003 0001 0002 0003\nP: 00 00 00 00 00 00 00 00\n"
+    described = write(folder, "short.desc", "# EVEMU 1.3\nN: a stick\nI: 0003 0001 0002 0003\nP: 00 00 00 00 00 00 00 00\n"
                       "B: 00 0b 00 00 00 00 00 00 00\nB: 03 03 00 00 00 00 00 00 00\n"
                       "A: 00 -100 100 0 0 0\nA: 01 -100 100 0 20 0\n")
-    soft, hard = os.path.join(folder, "soft"), os.path.join(folder, "hard")
+    soft, hard = os.path.join(folder, "short.soft.events"), os.path.join(folder, "hard")
     os.symlink(short, soft)
     os.link(short, hard)
     before = contents(short), contents(described)
