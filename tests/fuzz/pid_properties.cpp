@@ -33,15 +33,21 @@ bool one_of(std::uint8_t id, const std::uint8_t* bytes, int size) {
   return read == 1;
 }
 
+bool is_report(std::uint8_t id, const std::uint8_t* bytes, int size) {
+  return one_of<SetEffect, SetEnvelope, SetCondition, SetPeriodic, SetConstant, SetRamp,
+                EffectOperation, BlockFree, DeviceControl, DeviceGain, CreateNewEffect>(id, bytes,
+                                                                                        size);
+}
+
 class Pair {
  public:
   void report(ReportType type, std::uint8_t id, const std::uint8_t* bytes, int size) {
     const Status status = all_.receive(type, id, bytes, size);
     ++reports_;
-    const bool well_formed =
-        one_of<SetEffect, SetEnvelope, SetCondition, SetPeriodic, SetConstant, SetRamp,
-               EffectOperation, BlockFree, DeviceControl, DeviceGain, CreateNewEffect>(id, bytes,
-                                                                                       size);
+    bool well_formed = is_report(id, bytes, size);
+    for (int whole = size - 1; whole > 0 && !well_formed && bytes[whole] == 0; --whole) {
+      well_formed = is_report(id, bytes, whole);  // and zeros behind it
+    }
     require(well_formed || status == Status::kInvalidArgument, "only what can be read is taken");
     if (status == Status::kOk) {
       require(good_.receive(type, id, bytes, size) == Status::kOk, "what one takes, so the other");

@@ -8,6 +8,13 @@
 namespace batuta::pid {
 namespace {
 
+/// hid-pidff of Linux 7.2 and 7.3 sends the negative saturation as a number with a sign: the whole
+/// range, 0xFFFF, arrives as 0. What lets nothing through on that side alone is taken for that.
+int saturation_below(const Condition& condition) {
+  return condition.negative_saturation == 0 ? condition.positive_saturation
+                                            : condition.negative_saturation;
+}
+
 float share_of(int level) {
   return static_cast<float>(level) / static_cast<float>(kFullLevel);
 }
@@ -22,7 +29,7 @@ float Condition::force(float metric, float knee) const {
   const float beyond = above ? beyond_high : beyond_low;
   const float step = knee < 1.0F ? clamp(beyond / knee, -1.0F, 1.0F) : beyond;
   const float coefficient = share_of(above ? positive_coefficient : negative_coefficient);
-  const float most = share_of(above ? positive_saturation : negative_saturation);
+  const float most = share_of(above ? positive_saturation : saturation_below(*this));
   return clamp(coefficient * step, -most, most);
 }
 

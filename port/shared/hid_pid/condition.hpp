@@ -13,7 +13,7 @@ struct Condition {
   std::int16_t positive_coefficient = 0;
   std::int16_t negative_coefficient = 0;
   std::uint16_t positive_saturation = 0;  ///< 0 lets no force through
-  std::uint16_t negative_saturation = 0;
+  std::uint16_t negative_saturation = 0;  ///< 0: as the positive one
   std::uint16_t dead_band = 0;
 
   /// The force that the condition comes with: to be put on the axis with the opposite sign, so that

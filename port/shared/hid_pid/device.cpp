@@ -20,6 +20,13 @@ Status status_of(Verdict verdict) {
   }
 }
 
+bool is_zero(const std::uint8_t* bytes, int count) {
+  for (int i = 0; i < count; ++i) {  // Bound: count
+    if (bytes[i] != 0) return false;
+  }
+  return true;
+}
+
 Vec2<float> share_of(const Vec2<float>& value, float full) {
   return {clamp(value.x() / full, -1.0F, 1.0F), clamp(value.y() / full, -1.0F, 1.0F)};
 }
@@ -89,9 +96,13 @@ Verdict DeviceBase::judge_feature(ReportId id, const std::uint8_t* bytes, int si
 
 template <class Report>
 Verdict DeviceBase::take(const std::uint8_t* bytes, int size) {
-  if (size != Report::kSize) return Verdict::kLength;
+  if (size < Report::kSize || !is_zero(bytes + Report::kSize, size - Report::kSize))
+    return Verdict::kLength;
   Report report;
-  return decode(bytes, size, report) ? apply(report) : Verdict::kRange;
+  if (!decode(bytes, Report::kSize, report)) return Verdict::kRange;
+  const Verdict verdict = apply(report);
+  if (size > Report::kSize && verdict == Verdict::kTaken) ++counters_.padded;
+  return verdict;
 }
 
 /// The parameters of an effect.

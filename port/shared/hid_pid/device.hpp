@@ -48,6 +48,7 @@ inline constexpr int kVerdicts = 7;
 struct Counters {
   std::array<std::uint32_t, kVerdicts> reports{};  ///< by Verdict
   std::uint32_t bad_sticks = 0;                    ///< not finite: taken for one at rest
+  std::uint32_t padded = 0;                        ///< reports taken that were longer, by zeros
 
   std::uint32_t count(Verdict verdict) const { return reports[static_cast<std::size_t>(verdict)]; }
   std::uint32_t refused() const;
@@ -64,7 +65,8 @@ class DeviceBase {
 
   /// Takes an output report, or a feature report that the host sets. A refused one is counted and
   /// changes nothing; but after a refused CreateNewEffect the answer about it says so.
-  /// @param bytes  what follows the id; `size` of them
+  /// @param bytes  what follows the id; `size` of them. Zeros behind the report are left out, and
+  ///   counted: Windows sends each report as long as the longest.
   /// @returns kOk | kInvalidArgument: unknown, of a wrong length, out of range, or not for this
   /// type
   ///   of effect | kStaleHandle: there is no effect in this block | kPoolFull: no block is free
@@ -86,8 +88,11 @@ class DeviceBase {
 
   /// What the host's DeviceControl reset does: frees all blocks, ends a pause, enables the
   /// actuators. The gain stays: hid-pidff resets before the first effect of a game, after the gain
-  /// was set. To be called when the host has gone, too: unmounted or suspended. Bound: the blocks.
+  /// was set. To be called when the host has gone, too: unmounted. Bound: the blocks.
   void reset();
+  /// Stops what plays, and keeps the blocks: for a host that sleeps. It knows its effects by their
+  /// blocks when it wakes, and is not told of a reset. Bound: the blocks.
+  void silence() { stop_all(); }
   /// For PidState only; it is the output stage that switches a motor off.
   void tell_actuator(bool powered, bool safety_switch);
 

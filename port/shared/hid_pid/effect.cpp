@@ -13,6 +13,12 @@ float share_of(int level) {
   return static_cast<float>(level) / static_cast<float>(kFullLevel);
 }
 
+/// A host has longer times than the descriptor announces: hid-pidff sends what a game asks for.
+std::uint16_t time_of(std::uint16_t ms) {
+  constexpr auto kLongest = static_cast<std::uint16_t>(kLongestTime);
+  return ms < kLongest ? ms : kLongest;
+}
+
 const Vec2<float>& metric_of(EffectType type, const Metrics& metrics) {
   if (type == EffectType::kSpring) return metrics.position;
   return type == EffectType::kInertia ? metrics.acceleration : metrics.velocity;
@@ -23,8 +29,9 @@ const Vec2<float>& metric_of(EffectType type, const Metrics& metrics) {
 // The type of the report does not count. hid-pidff before Linux 6.15 sends the type created last
 // when it changes another effect; to believe it would turn a spring into a wave.
 bool Effect::set(const SetEffect& report) {
-  duration_ms_ = report.duration_ms == kEndless ? std::uint16_t{0} : report.duration_ms;
-  delay_ms_ = report.start_delay_ms;
+  set_ = true;
+  duration_ms_ = report.duration_ms == kEndless ? std::uint16_t{0} : time_of(report.duration_ms);
+  delay_ms_ = time_of(report.start_delay_ms);
   gain_ = report.gain;
   axis_x_ = report.axis_x;
   axis_y_ = report.axis_y;
@@ -131,7 +138,7 @@ Vec2<float> Effect::condition_force(const Metrics& metrics) const {
 }
 
 Vec2<float> Effect::force(const Metrics& metrics) const {
-  if (!playback_.sounding()) return {0.0F, 0.0F};
+  if (!set_ || !playback_.sounding()) return {0.0F, 0.0F};
   const Vec2<float> whole =
       is_condition(type_) ? condition_force(metrics) : along_direction(wind());
   return whole * (static_cast<float>(gain_) / static_cast<float>(kFullGain));

@@ -25,7 +25,8 @@ struct Metrics {
 class Effect {
  public:
   Effect() = default;
-  /// As CreateNewEffect makes it: silent, without end, from the north.
+  /// As CreateNewEffect makes it: silent until a SetEffect report is taken, which says how long and
+  /// from where.
   explicit Effect(EffectType type) : type_(type), live_(true) {}
 
   bool live() const { return live_; }
@@ -68,6 +69,7 @@ class Effect {
   bool axis_x_ = false;
   bool axis_y_ = false;
   bool has_direction_ = true;
+  bool set_ = false;         ///< a SetEffect report was taken
   std::uint8_t blocks_ = 0;  ///< bit i: parameter block i has come
   std::uint16_t duration_ms_ = 0;
   std::uint16_t delay_ms_ = 0;

@@ -51,15 +51,14 @@ void exchange(Fields& fields, SetEffect& report) {
   block(fields, report.block);
   effect_type(fields, report.type);
   fields.u16(report.duration_ms);
-  fields.require(report.duration_ms <= kLongestTime || report.duration_ms == kEndless);
   fields.u16(report.trigger_repeat_ms);
   fields.u16(report.sample_period_ms);
-  number(fields, report.start_delay_ms, kLongestTime);
+  fields.u16(report.start_delay_ms);
   fields.u8(report.gain);
   fields.u8(report.trigger_button);
   fields.flags(report.axis_x, report.axis_y, report.has_direction);
   number(fields, report.direction, kFullTurn);
-  number(fields, report.direction_2, kFullTurn);
+  fields.u16(report.direction_2);
 }
 
 void exchange(Fields& fields, SetEnvelope& report) {

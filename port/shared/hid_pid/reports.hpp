@@ -42,17 +42,17 @@ struct SetEffect {
   static constexpr int kSize = 17;
   std::uint8_t block = 1;
   EffectType type = EffectType::kConstant;
-  std::uint16_t duration_ms = 0;        ///< 0 and kEndless: no end
+  std::uint16_t duration_ms = 0;        ///< 0 and kEndless: no end; at most kLongestTime counts
   std::uint16_t trigger_repeat_ms = 0;  ///< any
   std::uint16_t sample_period_ms = 0;   ///< any
-  std::uint16_t start_delay_ms = 0;
+  std::uint16_t start_delay_ms = 0;     ///< at most kLongestTime counts
   std::uint8_t gain = kFullGain;
   std::uint8_t trigger_button = 0;  ///< any
   bool axis_x = false;
   bool axis_y = false;
   bool has_direction = true;
   std::uint16_t direction = 0;    ///< 0 ... kFullTurn, clockwise from north
-  std::uint16_t direction_2 = 0;  ///< the angle of a third axis: none here, but held to its range
+  std::uint16_t direction_2 = 0;  ///< the angle of a third axis, which there is none of: any
 };
 
 struct SetEnvelope {

@@ -90,6 +90,18 @@ TEST(PidCondition, Force_IsContinuous) {
   }
 }
 
+// Linux 7.2 and 7.3 send the whole range of that side as 0.
+TEST(PidCondition, NegativeSaturationOfNothing_IsThatOfThePositiveSide) {
+  Condition c{0, 10000, 10000, 6000, 0, 0};
+  EXPECT_FLOAT_EQ(c.force(1.0F, 1.0F), 0.6F);
+  EXPECT_FLOAT_EQ(c.force(-1.0F, 1.0F), -0.6F);
+  EXPECT_FLOAT_EQ(c.force(-0.5F, 1.0F), -0.5F);
+  c.negative_saturation = 2000;
+  EXPECT_FLOAT_EQ(c.force(-1.0F, 1.0F), -0.2F) << "what is said counts";
+  c.positive_saturation = 0;
+  EXPECT_EQ(c.force(1.0F, 1.0F), 0.0F);
+}
+
 TEST(PidCondition, NoSaturation_IsNoForce) {
   const Condition c = {0, 10000, 10000, 0, 0, 0};
   EXPECT_EQ(c.force(1.0F, 1.0F), 0.0F);

@@ -84,6 +84,66 @@ TEST(PidPool, FreedBlock_IsSilentAndForgotten) {
   EXPECT_EQ(session.force(), Vec2<float>(0.0F, 0.0F)) << "of the old one";
 }
 
+// A driver is not told that its device slept: what it made before is still there after.
+TEST(PidPool, SilencedDevice_KeepsItsBlocks) {
+  Session session;
+  const std::int64_t first = playing_one(session, 0.5);
+  const std::int64_t second = playing_one(session, 0.25);
+  EXPECT_EQ(session.force().y(), 0.75F);
+  session.device.silence();
+  EXPECT_EQ(session.force().y(), 0.0F);
+  EXPECT_EQ(session.device.playing(), 0);
+  const std::int64_t third = playing_one(session, 0.125);
+  EXPECT_NE(third, first);
+  EXPECT_NE(third, second);
+  EXPECT_EQ(session.start(first), Status::kOk);
+  EXPECT_EQ(session.stop(third), Status::kOk);
+  EXPECT_EQ(session.force().y(), 0.5F) << "stopping one leaves the other";
+}
+
+TEST(PidPool, EffectThatWasNotSet_IsSilent) {
+  Session session;
+  ASSERT_EQ(session.create(EffectType::kConstant), Status::kOk);
+  ASSERT_EQ(session.send(pid_usage(0x73), {{pid_usage(0x22), 1}, {pid_usage(0x70), 5000}}),
+            Status::kOk);
+  ASSERT_EQ(session.start(1, 255), Status::kOk);
+  EXPECT_EQ(session.force(), Vec2<float>(0.0F, 0.0F));
+  EXPECT_EQ(session.set_effect(1, {{0x0A0001, 18001}}), Status::kInvalidArgument);
+  EXPECT_EQ(session.force(), Vec2<float>(0.0F, 0.0F)) << "a refused one says nothing";
+  EXPECT_EQ(session.set_effect(1, {{0x0A0001, degrees(180)}}), Status::kOk);
+  EXPECT_EQ(session.force().y(), 0.5F);
+}
+
+TEST(PidReports, ZerosBehindAReport_AreLeftOutAndCounted) {
+  Session session;
+  playing_one(session, 0.5);
+  Bytes half_as_much(18, 0);
+  half_as_much[0] = 1;
+  half_as_much[1] = 2500 % 256;
+  half_as_much[2] = 2500 / 256;
+  for (int size = SetConstant::kSize; size <= 18; ++size) {
+    EXPECT_EQ(session.device.receive(ReportType::kOutput, 0x15, half_as_much.data(), size),
+              Status::kOk);
+  }
+  EXPECT_EQ(session.device.counters().padded, 15U);
+  EXPECT_EQ(session.force().y(), 0.25F);
+  half_as_much[17] = 1;
+  EXPECT_EQ(session.device.receive(ReportType::kOutput, 0x15, half_as_much.data(), 18),
+            Status::kInvalidArgument);
+  EXPECT_EQ(session.device.counters().count(Verdict::kLength), 1U);
+}
+
+TEST(PidReports, TimesBeyondTheLongest_CountAsThat) {
+  Session session;
+  const std::int64_t block = playing_one(session, 0.5);
+  EXPECT_EQ(session.set_effect(block, {{0x0A0001, degrees(180)}, {pid_usage(0x50), 40000}}),
+            Status::kOk);
+  EXPECT_EQ(session.start(block), Status::kOk);
+  EXPECT_EQ(session.force().y(), 0.5F);
+  EXPECT_EQ(session.force({}, 32766999).y(), 0.5F);
+  EXPECT_EQ(session.force({}, 1).y(), 0.0F) << "after 32767 ms";
+}
+
 TEST(PidPool, ParametersOfAnotherType_AreRefused) {
   Session session;
   const std::int64_t spring = session.made(EffectType::kSpring);

@@ -10,7 +10,7 @@ namespace pid = batuta::pid;
 
 pid::Device<16> effects;  // at most 16 effects at the same time
 
-// The three callbacks of the HID class, and the two that tell that the host has gone.
+// The three callbacks of the HID class, and the two that tell that the host has gone or sleeps.
 uint8_t const* tud_hid_descriptor_report_cb(uint8_t) {
   return effects.report_descriptor().data();
 }
@@ -30,7 +30,7 @@ void tud_umount_cb(void) {
   effects.reset();
 }
 void tud_suspend_cb(bool) {
-  effects.reset();
+  effects.silence();  // the host wakes with its effects where they were
 }
 
 // A state that has changed, or else where the stick is.
@@ -51,9 +51,12 @@ static void tell_host(const batuta::InputSample& sample) {
 // of 1, 1: what is demanded are shares of the actuator's range.
 void tick(batuta::haptics::OutputStage& stage, const batuta::InputSample& sample,
           const batuta::Vec2<float>& velocity, batuta::Microseconds now) {
+  static batuta::Vec2<float> before(0.0F, 0.0F);
   pid::Stick stick;
   stick.position = {sample.x, sample.y};
   stick.velocity = velocity;
+  stick.acceleration = (velocity - before) * 1000.0F;  // in a millisecond
+  before = velocity;
   batuta::haptics::StageInput input;
   input.time = now;
   input.demanded = effects.force(stick, now);

@@ -119,7 +119,12 @@ TEST(PidExample, ControlRequests_ReachTheDevice) {
   const Bytes stop_by_endpoint = {0x1A, 0x01, 0x03, 0x00};
   tud_hid_set_report_cb(0, 0, HID_REPORT_TYPE_INVALID, stop_by_endpoint.data(), 4);
   EXPECT_EQ(effects.playing(), 0);
+  tud_hid_set_report_cb(0, 0x1A, HID_REPORT_TYPE_OUTPUT, start.data(), 3);
   tud_suspend_cb(false);
+  EXPECT_EQ(effects.playing(), 0);
+  tud_hid_set_report_cb(0, 0x1A, HID_REPORT_TYPE_OUTPUT, start.data(), 3);
+  EXPECT_EQ(effects.playing(), 1) << "the host wakes with its effects where they were";
+  tud_umount_cb();
   EXPECT_EQ(tud_hid_get_report_cb(0, 0x22, HID_REPORT_TYPE_FEATURE, load, 8), 4);
   EXPECT_EQ(load[0], 0) << "forgotten";
 }
