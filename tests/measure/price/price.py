@@ -188,7 +188,7 @@ def main():
     rows = budgets.compare(budgets.read(BUDGETS), part, collector.figures)
     if not is_complete:
         rows = [row for row in rows if row.value is not None]
-    counting = " Instructions are counted by QEMU's -icount; cycles are a bound from above (cycles/cycles.md)." if "bench" in manifest else ""
+    counting = " Instructions are counted by QEMU's -icount; cycles are a bound from above (docs/cycles.md)." if "bench" in manifest else ""
     print(f"{part} on {manifest['board']}.{counting}")
     print_rooms(collector.rooms)
     if options.verbose:

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * A plugin of QEMU 7.2 that prices every instruction of a Cortex-M4F at its worst: what cycles.md beside it says. At
+ * A plugin of QEMU 7.2 that prices every instruction of a Cortex-M4F at its worst: what docs/cycles.md says. At
  * each mark of the program (ticks.hpp) instructions and cycles so far go to the file `out=FILE`, two little-endian words
  * of 64 bits. Debian ships no header for plugins: what is used of the interface is declared here. */
 #include <stdbool.h>

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Cycles of a duel's step on a Cortex-M4F, from above: a plugin of QEMU prices each instruction (cycles/cycles.md)."""
+"""Cycles of a duel's step on a Cortex-M4F, from above: a plugin of QEMU prices each instruction (docs/cycles.md)."""
 
 import pathlib
 import shutil
