@@ -162,6 +162,7 @@ Verdict DeviceBase::apply(const CreateNewEffect& report) {
   for (int i = 0; i < blocks_; ++i) {  // Bound: the blocks
     if (effects_[i].live()) continue;
     effects_[i] = Effect(report.type);
+    created_ = report;
     loaded_block_ = static_cast<std::uint8_t>(i + 1);
     load_status_ = LoadStatus::kSuccess;
     return Verdict::kTaken;
@@ -183,7 +184,24 @@ int DeviceBase::answer(std::uint8_t id, std::uint8_t* bytes, int room) const {
     pool.simultaneous = static_cast<std::uint8_t>(blocks_);
     return encode(pool, bytes, room);
   }
-  return 0;
+  const bool is_creation = id == static_cast<std::uint8_t>(ReportId::kCreateNewEffect);
+  return is_creation ? encode(created_, bytes, room) : 0;
+}
+
+int DeviceBase::answer_input(std::uint8_t id, std::uint8_t* bytes, int room) const {
+  if (id == static_cast<std::uint8_t>(ReportId::kJoystick)) return encode(stick_, bytes, room);
+  const bool is_state = id == static_cast<std::uint8_t>(ReportId::kState);
+  return is_state ? encode(state_of(0), bytes, room) : 0;
+}
+
+/// With the block of this index.
+PidState DeviceBase::state_of(int index) const {
+  return {paused_,
+          enabled_,
+          false,
+          powered_,
+          effects_[index].playing(),
+          static_cast<std::uint8_t>(index + 1)};
 }
 
 bool DeviceBase::next_state(PidState& report) {
@@ -193,17 +211,10 @@ bool DeviceBase::next_state(PidState& report) {
     if (effects_[i].playing() != told) changed = i;
   }
   if (changed < 0) return false;
-  const bool plays = effects_[changed].playing();
+  report = state_of(changed);
   const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(changed);
-  told_playing_ = plays ? told_playing_ | bit : told_playing_ & ~bit;
+  told_playing_ = report.playing ? told_playing_ | bit : told_playing_ & ~bit;
   told_flags_ = true;
-  report = {paused_,
-            enabled_,
-            safety_switch_,
-            false,
-            powered_,
-            plays,
-            static_cast<std::uint8_t>(changed + 1)};
   return true;
 }
 
@@ -255,10 +266,9 @@ void DeviceBase::stop_all() {
   for (int i = 0; i < blocks_; ++i) effects_[i].stop();  // Bound: the blocks
 }
 
-void DeviceBase::tell_actuator(bool powered, bool safety_switch) {
-  if (powered_ != powered || safety_switch_ != safety_switch) told_flags_ = false;
+void DeviceBase::tell_actuator(bool powered) {
+  if (powered_ != powered) told_flags_ = false;
   powered_ = powered;
-  safety_switch_ = safety_switch;
 }
 
 Effect* DeviceBase::find(std::uint8_t block) {

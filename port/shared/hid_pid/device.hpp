@@ -72,10 +72,14 @@ class DeviceBase {
   ///   of effect | kStaleHandle: there is no effect in this block | kPoolFull: no block is free
   /// Bound: the blocks. Allocates: never.
   Status receive(ReportType type, std::uint8_t id, const std::uint8_t* bytes, int size);
-  /// Writes a feature report that the host gets, without its id: BlockLoad or Pool.
+  /// Writes a feature report that the host gets, without its id: BlockLoad, Pool, or the last
+  /// CreateNewEffect.
   /// @returns its length | 0: there is no such report, or not enough room
   /// Bound: the blocks. Allocates: never.
   int answer(std::uint8_t id, std::uint8_t* bytes, int room) const;
+  /// The same of an input report: the joystick as it was told, or the device's flags with the first
+  /// block. HID 1.11, 7.2.1: a device must answer. Bound: no loop. Allocates: never.
+  int answer_input(std::uint8_t id, std::uint8_t* bytes, int room) const;
   /// The next input report about what has changed and has not been told: call it until it has none.
   /// @returns whether `report` is one. Bound: the blocks.
   bool next_state(PidState& report);
@@ -94,7 +98,9 @@ class DeviceBase {
   /// blocks when it wakes, and is not told of a reset. Bound: the blocks.
   void silence() { stop_all(); }
   /// For PidState only; it is the output stage that switches a motor off.
-  void tell_actuator(bool powered, bool safety_switch);
+  void tell_actuator(bool powered);
+  /// Where the stick is: what a host gets that asks for the input report.
+  void tell_stick(const Joystick& report) { stick_ = report; }
 
   int blocks() const { return blocks_; }
   int playing() const;
@@ -118,6 +124,7 @@ class DeviceBase {
   Verdict apply(const CreateNewEffect& report);
 
   Effect* find(std::uint8_t block);
+  PidState state_of(int index) const;
   int free_blocks() const;
   void stop_all();
   std::uint32_t step_to(Microseconds now);
@@ -134,10 +141,11 @@ class DeviceBase {
   bool enabled_ = true;
   bool told_flags_ = true;
   bool powered_ = false;
-  bool safety_switch_ = false;
   std::uint8_t gain_ = kFullGain;
   std::uint8_t loaded_block_ = 0;
   LoadStatus load_status_ = LoadStatus::kError;
+  CreateNewEffect created_;  ///< the last one that was taken
+  Joystick stick_;
 };
 
 /// @tparam kBlocks  effects at the same time, kFewestBlocks ... kMostBlocks

@@ -43,9 +43,10 @@ constexpr void joystick(Items& d) {
 
 constexpr void state(Items& d, int blocks) {
   open(d, Usage::kStateReport, ReportId::kState);
-  d.values(Way::kInput, kFlag,
-           {Usage::kDevicePaused, Usage::kActuatorsEnabled, Usage::kSafetySwitch,
-            Usage::kActuatorOverride, Usage::kActuatorPower});
+  d.values(Way::kInput, kFlag, {Usage::kDevicePaused, Usage::kActuatorsEnabled});
+  // Not the safety switch: Linux has one key for it and for the sixteenth button.
+  d.padding(Way::kInput, 1);
+  d.values(Way::kInput, kFlag, {Usage::kActuatorOverride, Usage::kActuatorPower});
   d.padding(Way::kInput, 3);
   d.values(Way::kInput, kFlag, {Usage::kEffectPlaying});
   d.values(Way::kInput, {1, blocks, 1, blocks, 7}, {Usage::kEffectBlockIndex});

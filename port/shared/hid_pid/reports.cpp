@@ -135,8 +135,10 @@ void exchange(Fields& fields, Pool& report) {
 }
 
 void exchange(Fields& fields, PidState& report) {
-  fields.flags(report.paused, report.actuators_enabled, report.safety_switch,
-               report.actuator_override, report.actuator_power);
+  bool none = false;
+  fields.flags(report.paused, report.actuators_enabled, none, report.actuator_override,
+               report.actuator_power);
+  fields.require(!none);
   auto byte = static_cast<std::uint8_t>((report.block << 1U) | (report.playing ? 1U : 0U));
   fields.u8(byte);
   report.playing = byte % 2U != 0;

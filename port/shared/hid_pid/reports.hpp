@@ -173,7 +173,6 @@ struct PidState {
   static constexpr int kSize = 2;
   bool paused = false;
   bool actuators_enabled = true;
-  bool safety_switch = false;
   bool actuator_override = false;
   bool actuator_power = false;
   bool playing = false;    ///< that block

@@ -23,8 +23,11 @@ inline Status set_report(DeviceBase& device, std::uint8_t id, int type, const st
 /// @returns bytes written | 0: there is no such report; TinyUSB stalls the request
 inline std::uint16_t get_report(const DeviceBase& device, std::uint8_t id, int type,
                                 std::uint8_t* bytes, std::uint16_t room) {
-  if (static_cast<ReportType>(type) != ReportType::kFeature) return 0;
-  return static_cast<std::uint16_t>(device.answer(id, bytes, room));
+  const auto asked = static_cast<ReportType>(type);
+  if (asked == ReportType::kOutput) return 0;
+  return static_cast<std::uint16_t>(asked == ReportType::kInput
+                                        ? device.answer_input(id, bytes, room)
+                                        : device.answer(id, bytes, room));
 }
 
 }  // namespace batuta::pid::tinyusb

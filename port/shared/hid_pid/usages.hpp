@@ -90,7 +90,6 @@ enum class Usage : std::uint32_t {
   kDeviceContinue = 0x0F009C,
   kDevicePaused = 0x0F009F,
   kActuatorsEnabled = 0x0F00A0,
-  kSafetySwitch = 0x0F00A4,
   kActuatorOverride = 0x0F00A5,
   kActuatorPower = 0x0F00A6,
   kStartDelay = 0x0F00A7,

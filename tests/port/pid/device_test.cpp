@@ -282,15 +282,14 @@ TEST(PidState, Actuator_IsToldAsItIs) {
   Session session;
   PidState state;
   while (session.device.next_state(state)) continue;
-  session.device.tell_actuator(true, true);
+  session.device.tell_actuator(true);
   ASSERT_TRUE(session.device.next_state(state));
   EXPECT_TRUE(state.actuator_power);
-  EXPECT_TRUE(state.safety_switch);
-  session.device.tell_actuator(true, true);
+  session.device.tell_actuator(true);
   EXPECT_FALSE(session.device.next_state(state));
-  session.device.tell_actuator(true, false);
+  session.device.tell_actuator(false);
   ASSERT_TRUE(session.device.next_state(state));
-  EXPECT_FALSE(state.safety_switch);
+  EXPECT_FALSE(state.actuator_power);
 }
 
 TEST(PidForce, StickThatIsNoNumber_IsTakenForOneAtRest) {

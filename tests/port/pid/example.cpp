@@ -37,12 +37,14 @@ void tud_suspend_cb(bool) {
 static void tell_host(const batuta::InputSample& sample) {
   uint8_t bytes[8];
   pid::PidState state;
+  const pid::Joystick stick = pid::joystick_of(sample);
+  effects.tell_stick(stick);
   if (!tud_hid_ready()) return;
   if (effects.next_state(state)) {
     const int size = pid::encode(state, bytes, sizeof bytes);
     tud_hid_report(static_cast<uint8_t>(pid::PidState::kId), bytes, static_cast<uint16_t>(size));
   } else {
-    const int size = pid::encode(pid::joystick_of(sample), bytes, sizeof bytes);
+    const int size = pid::encode(stick, bytes, sizeof bytes);
     tud_hid_report(static_cast<uint8_t>(pid::Joystick::kId), bytes, static_cast<uint16_t>(size));
   }
 }

@@ -129,6 +129,20 @@ TEST(PidExample, ControlRequests_ReachTheDevice) {
   EXPECT_EQ(load[0], 0) << "forgotten";
 }
 
+// HID 1.11, section 7.2.1: GET_REPORT is mandatory.
+TEST(PidExample, HostThatAsks_GetsInputsAndTheLastCreation) {
+  Firmware firmware;
+  tick(firmware.stage, {0, 1.0F, -1.0F, 0, 0, 5, 0}, Vec2<float>(0.0F, 0.0F), 1000);
+  std::uint8_t answer[8] = {};
+  ASSERT_EQ(tud_hid_get_report_cb(0, 0x01, HID_REPORT_TYPE_INPUT, answer, 8), 6);
+  EXPECT_EQ(Bytes(answer, answer + 6), (Bytes{5, 0, 0xFF, 0x7F, 0xFF, 0x7F}));
+  ASSERT_EQ(tud_hid_get_report_cb(0, 0x02, HID_REPORT_TYPE_INPUT, answer, 8), 2);
+  EXPECT_EQ(Bytes(answer, answer + 2), (Bytes{0x02, 0x02})) << "enabled; block 1 is silent";
+  set_feature(0x21, {0x09, 0x00, 0x00});
+  ASSERT_EQ(tud_hid_get_report_cb(0, 0x21, HID_REPORT_TYPE_FEATURE, answer, 8), 3);
+  EXPECT_EQ(answer[0], 0x09);
+}
+
 TEST(PidExample, WrongTypesAndNothing_AreRefused) {
   Firmware firmware;
   const Bytes bytes = {0x21, 0x01, 0x00, 0x00};
@@ -141,7 +155,8 @@ TEST(PidExample, WrongTypesAndNothing_AreRefused) {
   EXPECT_EQ(effects.counters().refused(), before + 5);
   std::uint8_t answer[8] = {};
   EXPECT_EQ(tud_hid_get_report_cb(0, 0x22, HID_REPORT_TYPE_INPUT, answer, 8), 0);
-  EXPECT_EQ(tud_hid_get_report_cb(0, 0x21, HID_REPORT_TYPE_FEATURE, answer, 8), 0);
+  EXPECT_EQ(tud_hid_get_report_cb(0, 0x15, HID_REPORT_TYPE_OUTPUT, answer, 8), 0);
+  EXPECT_EQ(tud_hid_get_report_cb(0, 0x01, HID_REPORT_TYPE_INPUT, answer, 5), 0);
   EXPECT_EQ(tud_hid_get_report_cb(0, 0x23, HID_REPORT_TYPE_FEATURE, answer, 3), 0);
   EXPECT_EQ(tud_hid_get_report_cb(0, 0x23, HID_REPORT_TYPE_FEATURE, answer, 4), 4);
 }

@@ -88,8 +88,8 @@ TEST(PidReports, Answers_AreWrittenFieldByField) {
   EXPECT_THAT(bytes, testing::ElementsAre(0x05, 0x01, 0x23, 0x01));
   ASSERT_EQ(encode(Pool{0x0400, 16, true, false}, bytes, 4), 4);
   EXPECT_THAT(bytes, testing::ElementsAre(0x00, 0x04, 0x10, 0x01));
-  ASSERT_EQ(encode(PidState{true, false, true, false, true, true, 3}, bytes, 4), 2);
-  EXPECT_EQ(bytes[0], 0x15);  // paused, safety switch, power
+  ASSERT_EQ(encode(PidState{true, false, false, true, true, 3}, bytes, 4), 2);
+  EXPECT_EQ(bytes[0], 0x11);  // paused, power
   EXPECT_EQ(bytes[1], 0x07);  // block 3, playing
 }
 
@@ -167,12 +167,12 @@ TEST(PidReports, UsagesOfParameters_AreTheFieldsOfThatName) {
 TEST(PidReports, UsagesOfAnswers_AreTheFieldsOfThatName) {
   const auto s =
       packed<PidState>('i', {{pid_usage(0xA0), 1}, {pid_usage(0xA6), 1}, {pid_usage(0x22), 3}});
-  EXPECT_FALSE(s.paused || s.safety_switch || s.actuator_override || s.playing);
+  EXPECT_FALSE(s.paused || s.actuator_override || s.playing);
   EXPECT_TRUE(s.actuators_enabled && s.actuator_power);
   EXPECT_EQ(s.block, 3);
   const auto t =
-      packed<PidState>('i', {{pid_usage(0x9F), 1}, {pid_usage(0xA4), 1}, {pid_usage(0x94), 1}});
-  EXPECT_TRUE(t.paused && t.safety_switch && t.playing);
+      packed<PidState>('i', {{pid_usage(0x9F), 1}, {pid_usage(0xA5), 1}, {pid_usage(0x94), 1}});
+  EXPECT_TRUE(t.paused && t.actuator_override && t.playing);
   const auto j = packed<Joystick>('i', {{0x010030, -1}, {0x010031, 2}, {0x090003, 1}});
   EXPECT_EQ(j.x, -1);
   EXPECT_EQ(j.y, 2);
