@@ -14,8 +14,9 @@ if(MODE STREQUAL "installed")
   run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
   set(how -DCMAKE_PREFIX_PATH=${WORK}/prefix)
 else()
-  # As firmware does: float alone, and each room as one source, which is quick.
-  set(how -DBATUTA_SOURCE=${SOURCE} -DBATUTA_WITH_DOUBLE=OFF -DBATUTA_UNITY_ROOMS=ON)
+  # As firmware does: float alone, each room as one source, which is quick, and an Eigen of its own.
+  set(how -DBATUTA_SOURCE=${SOURCE} -DBATUTA_WITH_DOUBLE=OFF -DBATUTA_UNITY_ROOMS=ON
+      -DEIGEN_SOURCE=${EIGEN} -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON)
 endif()
 
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/project -B ${WORK}/build -G ${GENERATOR}
