@@ -20,6 +20,7 @@ class AdvancementSearch {
   /// @param contact_tolerance  in its unit
   /// @param inflation  kInflation; tests try less, to see that it is needed
   // cppcheck-suppress uninitMemberVar ; deviation: search-features
+  // NOLINTNEXTLINE(clang-analyzer-optin.cplusplus.UninitializedObject) deviation: search-features
   AdvancementSearch(const MovingPair<Scalar>& pair, Scalar contact_tolerance, Scalar inflation)
       : pair_(pair),
         radii_(pair.A.radius + pair.B.radius),

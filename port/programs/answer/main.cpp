@@ -31,6 +31,37 @@ std::string last_system_error() {
   return errno == 0 ? std::string("failed") : std::string(std::strerror(errno));
 }
 
+/// Where the answers go: a file, which is there when it is whole, or standard output.
+class Answers {
+ public:
+  /// @returns an empty text | why they cannot be written there
+  std::string open(const Command& command) {
+    to_file_ = command.out != kStandardStream;
+    if (!to_file_) return {};
+    if (command.in != kStandardStream) {
+      std::string clash = host::clash_of({{"--in", command.in}}, {{"--out", command.out}});
+      if (!clash.empty()) return clash;
+    }
+    return told(command, file_.open(command.out));
+  }
+  std::ostream& stream() { return to_file_ ? file_.stream() : std::cout; }
+  /// @returns an empty text | why not all of them are there
+  std::string commit(const Command& command) {
+    if (to_file_) return told(command, file_.commit());
+    errno = 0;
+    std::cout.flush();
+    return told(command, std::cout ? "" : last_system_error());
+  }
+
+ private:
+  static std::string told(const Command& command, const std::string& problem) {
+    return problem.empty() ? "" : "cannot write " + command.out + ": " + problem;
+  }
+
+  bool to_file_ = false;
+  host::OutputFile file_;
+};
+
 int run(const Command& command) {
   std::ifstream in_file;
   errno = 0;
@@ -46,26 +77,14 @@ int run(const Command& command) {
   const std::string missing = kind.missing_column(queries);
   if (!missing.empty()) return fail(command.in + ": header: there is no column " + missing);
 
-  const bool to_file = command.out != kStandardStream;
-  if (to_file && command.in != kStandardStream) {
-    const std::string clash = host::clash_of({{"--in", command.in}}, {{"--out", command.out}});
-    if (!clash.empty()) return fail(clash);
-  }
-  host::OutputFile out_file;
-  std::string problem = to_file ? out_file.open(command.out) : "";
-  if (!problem.empty()) return fail("cannot write " + command.out + ": " + problem);
-  std::ostream& out = to_file ? out_file.stream() : std::cout;
-
+  Answers answers;
+  std::string problem = answers.open(command);
+  if (!problem.empty()) return fail(problem);
   const RowAnswer answer = command.in_float ? kind.in_float : kind.in_double;
-  const long invalid = answer_file(queries, kind.columns, answer, command.search, out, std::cerr);
-  errno = 0;
-  out.flush();
-  if (to_file) {
-    problem = out_file.commit();
-  } else if (!out) {
-    problem = last_system_error();
-  }
-  if (!problem.empty()) return fail("cannot write " + command.out + ": " + problem);
+  const long invalid =
+      answer_file(queries, kind.columns, answer, command.search, answers.stream(), std::cerr);
+  problem = answers.commit(command);
+  if (!problem.empty()) return fail(problem);
   return invalid == 0 ? 0 : kExitInvalidLines;
 }
 
