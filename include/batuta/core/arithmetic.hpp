@@ -11,51 +11,46 @@ namespace batuta {
 
 namespace detail {
 
-/// 1, as far as the compiler knows any number: what is made of it is computed when the program
-/// runs.
-template <class Scalar>
-[[gnu::always_inline]] inline Scalar one_unknown() {
-  const volatile Scalar one = 1;
-  return one;
-}
-
 /// Whether x y + z is rounded twice, in the code around the call. Fused, it is rounded once:
 /// (1 + e)^2 = 1 + 2 e + e^2 rounds to 1 + 2 e, and a fused sum keeps the e^2.
 /// Inlined even without optimisation: it tells about the flags of the file that calls it, not about
-/// those of the file whose copy the linker happens to keep.
-/// Bound: no loop.
+/// those of the file whose copy the linker happens to keep. Bound: no loop.
 template <class Scalar>
 [[gnu::always_inline]] inline bool rounds_products() {
   constexpr Scalar e = std::numeric_limits<Scalar>::epsilon();
-  const Scalar one = one_unknown<Scalar>();
-  const Scalar x = one + e;
-  const Scalar z = one + 2 * e;
-  const bool difference_is_rounded = x * x - z == Scalar(0);
-  const bool remainder_is_rounded = z - x * x == Scalar(0);
+  const volatile Scalar operand = Scalar(1) + e;  // volatile: nothing is computed by the compiler
+  const volatile Scalar rounded = Scalar(1) + 2 * e;
+  const Scalar x = operand;
+  const Scalar y = operand;
+  const Scalar z = rounded;
+  const bool difference_is_rounded = x * y - z == Scalar(0);
+  const Scalar a = operand;
+  const Scalar b = operand;
+  const bool remainder_is_rounded = z - a * b == Scalar(0);
   return difference_is_rounded && remainder_is_rounded;
 }
 
 /// Whether sums round to the nearest number, and to the even one of two: half a spacing above 1
 /// falls back to 1, half a spacing above its odd neighbour goes up. Any directed mode, and ties
-/// away from zero, fail one of the two.
-/// Bound: no loop.
+/// away from zero, fail one of the two. Bound: no loop.
 template <class Scalar>
 [[gnu::always_inline]] inline bool rounds_to_nearest_even() {
   constexpr Scalar e = std::numeric_limits<Scalar>::epsilon();
-  constexpr Scalar kHalf = e / 2;
-  const Scalar one = one_unknown<Scalar>();
-  const Scalar odd = one + e;
-  return one + kHalf == Scalar(1) && odd + kHalf == Scalar(1) + 2 * e;
+  const volatile Scalar one = 1;
+  const volatile Scalar odd = Scalar(1) + e;
+  const volatile Scalar half = e / 2;
+  const Scalar h = half;
+  return one + h == Scalar(1) && odd + h == Scalar(1) + 2 * e;
 }
 
-/// Whether numbers below the least normal one are kept, as results and as operands.
-/// Bound: no loop.
+/// Whether numbers below the least normal one are kept, as results and as operands. Bound: no loop.
 template <class Scalar>
 [[gnu::always_inline]] inline bool keeps_denormals() {
-  constexpr Scalar kLeast = std::numeric_limits<Scalar>::min();
-  const volatile Scalar denormal = (one_unknown<Scalar>() * kLeast) / 2;
+  const volatile Scalar least = std::numeric_limits<Scalar>::min();
+  const volatile Scalar share = Scalar(0.5);
+  const volatile Scalar denormal = least * share;
   const Scalar d = denormal;
-  return d + d == kLeast;
+  return d + d == std::numeric_limits<Scalar>::min();
 }
 
 }  // namespace detail
