@@ -20,12 +20,13 @@ class AdvancementSearch {
   /// @param contact_tolerance  in its unit
   /// @param inflation  kInflation; tests try less, to see that it is needed
   // cppcheck-suppress uninitMemberVar ; deviation: search-features
-  // NOLINTNEXTLINE(clang-analyzer-optin.cplusplus.UninitializedObject) deviation: search-features
+  // NOLINTBEGIN(clang-analyzer-optin.cplusplus.UninitializedObject) deviation: search-features
   AdvancementSearch(const MovingPair<Scalar>& pair, Scalar contact_tolerance, Scalar inflation)
       : pair_(pair),
         radii_(pair.A.radius + pair.B.radius),
         contact_tolerance_(contact_tolerance),
         state_(at_start(pair, inflation)) {}
+  // NOLINTEND(clang-analyzer-optin.cplusplus.UninitializedObject) deviation: search-features
 
   bool is_at_end() const { return theta_ >= Scalar(1); }
   Scalar theta() const { return theta_; }
