@@ -242,7 +242,7 @@ class Budgets(unittest.TestCase):
 
     def test_the_file(self):
         limits = budgets.read(price.BUDGETS)
-        self.assertEqual(limits["cortex-m4f", "segment_segment.median"][:2], (250, 150))
+        self.assertEqual(limits["cortex-m4f", "segment_segment.median"][:2], (250, 200))
 
 
 class Instructions(unittest.TestCase):
@@ -370,7 +370,7 @@ class ReadmeTable(unittest.TestCase):
         read = readme_table.read_columns(text, readme_table.ROWS)
         self.assertEqual(read["cortex-m3"], columns["cortex-m3"])
         self.assertEqual(read["cortex-m7"], [""] * len(readme_table.ROWS))
-        self.assertIn("| 250 / 450 | 150 / 300 |", text)
+        self.assertIn("| 250 / 450 | 200 / 350 |", text)
 
     def test_choices_of_a_duel(self):
         figures = {"duel.flash": 7, "duel_stepping.step.median": 1000, "opponent.ram": 3000, "opponent.step.max": 30}
