@@ -17,7 +17,7 @@ def lines_of(objdump, image):
     """(address, mnemonic, operands, address in the comment or None) of the function and the words behind it."""
     listing = subprocess.run([objdump, "-d", "--no-show-raw-insn", f"--disassemble={FUNCTION}", image],
                              check=True, capture_output=True, text=True).stdout
-    for address, mnemonic, operands in re.findall(r"^\s*([0-9a-f]+):\s+(\S+)\s*(.*)$", listing, re.M):
+    for address, mnemonic, operands in re.findall(r"^ *([0-9a-f]+):\s+(\S+)[ \t]*(.*)$", listing, re.M):
         operands, _, comment = operands.partition("@")
         target = re.search(r"\(([0-9a-f]+) ", comment)
         yield int(address, 16), mnemonic, operands.strip(), int(target[1], 16) if target else None
@@ -34,6 +34,7 @@ class Processor:
     def run(self, mnemonic, operands, target):
         name = mnemonic.split(".")[0]
         move = re.fullmatch(r"(r\d+), #(\d+)", operands)
+        sum_of = re.fullmatch(r"(r\d+), (r\d+), #(\d+)", operands)
         store = re.fullmatch(r"(r\d+), \[(r\d+)(?:, #(\d+))?\]", operands)
         if name == "ldr" and "[pc" in operands and target in self.words:
             self.registers[operands.split(",")[0]] = self.words[target]
@@ -41,6 +42,8 @@ class Processor:
             self.registers[move[1]] = int(move[2])
         elif name == "movt" and move:
             self.registers[move[1]] = self.registers[move[1]] & 0xFFFF | int(move[2]) << 16
+        elif name in ("add", "adds", "addw") and sum_of:
+            self.registers[sum_of[1]] = self.registers[sum_of[2]] + int(sum_of[3])
         elif name == "str" and store:
             self.stores.append((self.registers[store[2]] + int(store[3] or 0), self.registers[store[1]]))
         else:
