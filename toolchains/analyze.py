@@ -32,7 +32,7 @@ IN_NO_DATABASE = {
 CROSS_COMPILER = "arm-none-eabi-g++"
 CROSS_PRESETS = ("cortex-m4f", "stm32f405")
 CROSS_ONLY = ("port/platforms/cortex_m/", "port/platforms/mps2/", "port/platforms/stm32f405/", "tests/target/", "tests/static/canary/target_")
-GCC_ONLY = ("-fcallgraph-info", "-fno-tree-loop-distribute-patterns")  # flags
+GCC_ONLY = re.compile(r"-fcallgraph-info\S*|-fno-tree-loop-distribute-patterns|--param[ =]\S+")  # flags
 CROSS_TARGET = "--target=armv7em-none-eabi"
 CROSS_PLATFORM = "--platform=arm32-wchar_t4"
 # Left out, with the reason:
@@ -78,7 +78,7 @@ def search_path(command):
 
 def for_clang(command):
     """A cross compiler's command as clang understands it."""
-    kept = [word for word in shlex.split(command)[1:] if not word.startswith(GCC_ONLY)]
+    kept = shlex.split(GCC_ONLY.sub("", command))[1:]
     system = [word for folder in search_path(command) for word in ("-isystem", folder)]
     return shlex.join(["clang++", CROSS_TARGET, "-nostdlibinc", *kept[:-4], *system, *kept[-4:]])  # -o, -c at the end
 
