@@ -12,7 +12,10 @@ foreach(part link firmware pid simulated)
     list(APPEND parts batuta_${part})
   endif()
 endforeach()
-install(TARGETS batuta batuta_config ${rooms} ${parts} batuta_port_${BATUTA_PORT_NAME} EXPORT batuta
+if(BATUTA_PORT)
+  list(APPEND parts batuta_port_${BATUTA_PORT_NAME})
+endif()
+install(TARGETS batuta batuta_config ${rooms} ${parts} EXPORT batuta
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 install(EXPORT batuta NAMESPACE batuta:: FILE batutaTargets.cmake DESTINATION ${package_folder} COMPONENT development)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development

@@ -34,7 +34,10 @@ file(WRITE ${folder}/changelog "batuta (${PROJECT_VERSION}) unstable; urgency=me
 
  -- ${maintainer}  Thu, 01 Jan 2026 00:00:00 +0000
 ")
-execute_process(COMMAND ${BATUTA_GZIP} -9nf ${folder}/changelog COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${BATUTA_GZIP} -9nf ${folder}/changelog RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "${folder}/changelog cannot be packed: ${result}")
+endif()
 install(FILES ${folder}/copyright ${folder}/changelog.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name}
         COMPONENT debian EXCLUDE_FROM_ALL)
 
