@@ -8,6 +8,10 @@ if(Python3_FOUND)
             --source ${PROJECT_SOURCE_DIR} --build ${PROJECT_BINARY_DIR}
     USES_TERMINAL VERBATIM
     COMMENT "cppcheck, clang-tidy, clang-format: warnings are errors")
+  add_custom_target(archives
+    COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/packages/packages.py make ${PROJECT_SOURCE_DIR}/build/packages
+    USES_TERMINAL VERBATIM
+    COMMENT "Archives for Arduino, PlatformIO, ESP-IDF, Zephyr, CMSIS-Pack, and of the sources")
   add_custom_target(site
     COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/site.py ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/build/site
             ${PROJECT_VERSION}

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Installs the Debian packages that the work on batuta needs. May be repeated: only what is missing is fetched.
-#   sh toolchains/setup.sh [duel|host|target|all|web]     default: host
+#   sh toolchains/setup.sh [duel|host|target|packages|all|web]     default: host
 # Exit codes: 0 everything is there, 1 it could not be installed, 2 wrong use.
 set -u
 
@@ -12,6 +12,10 @@ xvfb gnuplot-nox libbullet-dev libfcl-dev libode-dev libccd-dev \
 cppcheck clang clang-tidy clang-format libclang-rt-dev gcovr doxygen doxygen-awesome-css make python3 git"
 TARGET_PACKAGES="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm qemu-user \
 g++-aarch64-linux-gnu g++-arm-linux-gnueabihf g++-riscv64-linux-gnu"
+# What archives for registries are made with and tested by; a cross compiler for Windows with its emulator, and Python's numbers.
+PACKAGES_PACKAGES="g++ cmake ninja-build libeigen3-dev make dpkg-dev lintian arduino-builder arduino-ctags \
+gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib python3 python3-yaml python3-kconfiglib \
+python3-numpy python3-pip python3-setuptools python3-wheel g++-mingw-w64-x86-64-posix wine wine64"
 # What the page in the browser is built with, and the browser of its tests. Debian's npm comes only where there is no other.
 WEB_PACKAGES="g++ cmake ninja-build libeigen3-dev python3 emscripten nodejs chromium"
 WEB_MODULES="port/platforms/web"  # holds package.json and its lock; the modules go to build/node
@@ -21,10 +25,11 @@ fail() { printf '%s\n' "setup: $*" >&2; exit 1; }
 
 usage() {
   cat <<'USAGE'
-usage: sh toolchains/setup.sh [duel|host|target|all|web]
+usage: sh toolchains/setup.sh [duel|host|target|packages|all|web]
   duel    what the preset duel needs: compiler, CMake, Eigen, libraries for devices and the window; no tests
   host    compiler, CMake, libraries, test and analysis tools (default)
   target  cross compilers and emulators: Cortex-M boards; AArch64, ARMv7 and RISC-V for the same bits
+  packages  what makes and tests archives for registries: lintian, Arduino's builder, Kconfig, Python, a compiler for Windows
   all     host and target
   web     emscripten, Chromium, and the modules of port/platforms/web/package-lock.json from npm into build/node
 USAGE
@@ -74,6 +79,7 @@ case "${1-host}" in
   duel) packages=$DUEL_PACKAGES ;;
   host) packages=$HOST_PACKAGES ;;
   target) packages=$TARGET_PACKAGES ;;
+  packages) packages=$PACKAGES_PACKAGES ;;
   all) packages="$HOST_PACKAGES $TARGET_PACKAGES" ;;
   web)
     packages=$WEB_PACKAGES

@@ -21,12 +21,30 @@ endif()
 
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/project -B ${WORK}/build -G ${GENERATOR}
     -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}" ${how})
-run(${CMAKE_COMMAND} --build ${WORK}/build --target consumer consumer_one_room consumer_beat)
+run(${CMAKE_COMMAND} --build ${WORK}/build --target consumer consumer_one_room consumer_beat consumer_link)
+run(${WORK}/build/consumer_link)
 run(${WORK}/build/consumer)
 run(${WORK}/build/consumer_one_room)
 execute_process(COMMAND ${WORK}/build/consumer_beat OUTPUT_VARIABLE beat COMMAND_ERROR_IS_FATAL ANY)
 if(NOT beat MATCHES "^beat at 47 ms, 1.35 N s, 67 % up the first blade\n$")  # (0.2 - 0.01) m at 4 m/s
   message(FATAL_ERROR "the README's example prints: ${beat}")
+endif()
+
+# Installed, with an Eigen that is no package: a folder, or a target of the project (EIGEN_SOURCE).
+if(MODE STREQUAL "installed")
+  foreach(eigen BATUTA_EIGEN_PATH EIGEN_SOURCE)
+    run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/project -B ${WORK}/${eigen} -G ${GENERATOR} ${how}
+        -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}" -D${eigen}=${EIGEN} -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON)
+    run(${CMAKE_COMMAND} --build ${WORK}/${eigen} --target consumer_one_room)
+    run(${WORK}/${eigen}/consumer_one_room)
+  endforeach()
+  # What ports share, and the programs where they are built.
+  file(GLOB found RELATIVE ${WORK}/prefix ${WORK}/prefix/bin/* ${WORK}/prefix/include/batuta-port/shared/*/*.hpp)
+  foreach(name bin/batuta-duel bin/batuta-answer bin/batuta-feel bin/batuta-mass include/batuta-port/shared/link/frame.hpp)
+    if(NOT name IN_LIST found)
+      message(FATAL_ERROR "${name} is not installed, but ${found}")
+    endif()
+  endforeach()
 endif()
 
 # The arithmetic of the library's headers is that of its object code.

@@ -1,0 +1,242 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Each archive is made, unpacked elsewhere, and built there by what reads it.
+Usage: archives_test.py SOURCE_FOLDER EIGEN WORK_FOLDER NAME. Exit code 77: skipped, for a tool is not there."""
+
+import importlib.util
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tarfile
+import xml.etree.ElementTree as ElementTree
+import zipfile
+
+SOURCE, EIGEN, WORK = (pathlib.Path(word).resolve() for word in sys.argv[1:4])
+NAME = sys.argv[4]
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(SOURCE / "toolchains/packages"))
+import archives  # noqa: E402
+import project as names  # noqa: E402
+
+SKIPPED = 77
+BEAT = "beat at 47 ms, 1.35 N s, 67 % up the first blade\n"  # (0.2 - 0.01) m at 4 m/s
+PROJECT = names.read_project(SOURCE)
+
+
+def check(condition, what):
+    if not condition:
+        sys.exit(f"FAILED: {what}")
+
+
+def run(*words, **more):
+    done = subprocess.run([str(word) for word in words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False, **more)
+    check(done.returncode == 0, f"{words}\n{done.stdout[-8000:]}")
+    return done.stdout
+
+
+def fresh(name):
+    folder = WORK / name
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    return folder
+
+
+def unpacked(ending):
+    """A folder into which the archive of that ending was unpacked; the same archive has the same bytes when it is made again."""
+    folder = fresh(NAME)
+    made = [name for name in archives.make(PROJECT, folder / "made") if name.endswith(ending)]
+    check(len(made) == 1, f"archives that end in {ending}: {made}")
+    archive = folder / "made" / made[0]
+    first = archive.read_bytes()
+    archives.make(PROJECT, folder / "made")
+    check(archive.read_bytes() == first, f"{archive.name} differs when it is made again")
+    opened = tarfile.open(archive) if ending.endswith(".gz") else zipfile.ZipFile(archive)
+    with opened:
+        opened.extractall(folder / "unpacked")
+    return folder / "unpacked"
+
+
+def build(system, archive, **values):
+    """Builds and runs the README's example from an unpacked archive."""
+    tree = WORK / NAME / "build"
+    shutil.rmtree(tree, ignore_errors=True)
+    lists = [f"-D{key}={';'.join(words)}" for key, words in values.items()]
+    how = [f"-DSYSTEM={system}", f"-DARCHIVE={archive}", f"-DEIGEN={EIGEN}", f"-DCONSUMER={SOURCE / 'tests/consumer/project'}"]
+    run("cmake", "-S", HERE / "project", "-B", tree, "-G", "Ninja", *how, *lists)
+    run("cmake", "--build", tree)
+    check(run(tree / "beat") == BEAT, run(tree / "beat"))
+
+
+def is_noticed(system, archive, **values):
+    """The same without one of its files must not build."""
+    victim = archive / PROJECT.sources()[5]
+    victim.unlink()
+    tree = WORK / NAME / "planted"
+    lists = [f"-D{key}={';'.join(words)}" for key, words in values.items()]
+    how = [f"-DSYSTEM={system}", f"-DARCHIVE={archive}", f"-DEIGEN={EIGEN}", f"-DCONSUMER={SOURCE / 'tests/consumer/project'}"]
+    done = subprocess.run(["cmake", "-S", str(HERE / "project"), "-B", str(tree), "-G", "Ninja", *how, *lists], capture_output=True,
+                          text=True, check=False)
+    told = " ".join((done.stdout + done.stderr).split())
+    check(done.returncode != 0 and victim.name in told, f"a missing {victim.name} is not noticed: {told}")
+
+
+def esp_idf():
+    import yaml
+    folder = unpacked("-esp-idf.tar.gz")
+    manifest = yaml.safe_load((folder / "idf_component.yml").read_text(encoding="utf-8"))
+    check(manifest["version"] == PROJECT.version, manifest)
+    check(manifest["dependencies"]["espressif/eigen"]["public"] is True, manifest)
+    build("esp-idf", folder)
+    is_noticed("esp-idf", folder)
+
+
+def zephyr():
+    import yaml
+    folder = unpacked("-zephyr.tar.gz") / PROJECT.name
+    module = yaml.safe_load((folder / "zephyr/module.yml").read_text(encoding="utf-8"))
+    check(module["name"] == PROJECT.name, module)
+    for path in (f"{module['build']['cmake']}/CMakeLists.txt", module["build"]["kconfig"]):
+        check((folder / path).is_file(), f"module.yml names {path}")
+    build("zephyr", folder)
+    is_noticed("zephyr", folder)
+
+
+def kconfig():
+    """The module's choices as Kconfig reads them, below the symbols of Zephyr that it stands on."""
+    if importlib.util.find_spec("kconfiglib") is None:
+        print("LEFT OUT: there is no kconfiglib (toolchains/setup.sh packages)")
+        return SKIPPED
+    import kconfiglib
+    folder = unpacked("-zephyr.tar.gz") / PROJECT.name
+    frame = folder / "Kconfig"
+    frame.write_text('config CPP\n\tbool "C++"\nconfig REQUIRES_FULL_LIBCPP\n\tbool\nsource "zephyr/Kconfig"\n', encoding="utf-8")
+    os.environ["srctree"] = str(folder)
+    choices = kconfiglib.Kconfig("Kconfig", warn_to_stderr=False)
+    check(not choices.warnings, choices.warnings)
+    symbols = choices.syms
+    check(symbols["BATUTA"].set_value("y") and symbols["BATUTA"].str_value == "n", "BATUTA is chosen without C++")
+    symbols["CPP"].set_value("y")
+    check(symbols["BATUTA"].str_value == "y" and symbols["REQUIRES_FULL_LIBCPP"].str_value == "y", "BATUTA cannot be chosen")
+    check(symbols["BATUTA_ASSERT_LEVEL"].str_value == "2", symbols["BATUTA_ASSERT_LEVEL"])
+    symbols["BATUTA_ASSERT_LEVEL"].set_value("4")
+    check(symbols["BATUTA_ASSERT_LEVEL"].str_value != "4", "an assert level that there is not")
+    asked = set((folder / "zephyr/CMakeLists.txt").read_text(encoding="utf-8").replace("}", " ").replace(")", " ").split("CONFIG_")[1:])
+    unknown = {word.split()[0].split('/')[0].split('=')[0].strip('\\"') for word in asked} - set(symbols)
+    check(not unknown, f"zephyr/CMakeLists.txt asks for {unknown}, which Kconfig does not have")
+    return 0
+
+
+def platformio_environment(script, libraries):
+    """What the script does to a build: a mock of PlatformIO's and SCons' names."""
+    class Environment(dict):
+        def subst(self, text):
+            check(text == "$PROJECT_LIBDEPS_DIR/$PIOENV", text)
+            return str(libraries)
+
+        def Append(self, **more):
+            for key, values in more.items():
+                self.setdefault(key, []).extend(values)
+
+    own, everyones = Environment(), Environment()
+    scons, module = type(sys)("SCons"), type(sys)("SCons.Script")
+    module.DefaultEnvironment = lambda: everyones
+    sys.modules.update({"SCons": scons, "SCons.Script": module})
+    scope = {"Import": lambda name: scope.update({name: own})}
+    exec(compile(script.read_text(encoding="utf-8"), str(script), "exec"), scope)
+    return own, everyones
+
+
+def platformio():
+    folder = unpacked("-platformio.tar.gz")
+    manifest = json.loads((folder / "library.json").read_text(encoding="utf-8"))
+    check(manifest["version"] == PROJECT.version and manifest["name"] == PROJECT.name, manifest)
+    building = manifest["build"]
+    sources = [f"{building['srcDir']}/{word[2:-1]}" for word in building["srcFilter"] if word.startswith("+")]
+    check(sorted(sources) == sorted(PROJECT.sources()), sources)
+    check((folder / building["includeDir"] / manifest["headers"]).is_file(), manifest["headers"])
+    libraries = WORK / NAME / "libdeps"
+    (libraries / "ArduinoEigen/ArduinoEigen").mkdir(parents=True)
+    (libraries / "ArduinoEigen/ArduinoEigen/Eigen").symlink_to(EIGEN / "Eigen")
+    own, everyones = platformio_environment(folder / building["extraScript"], libraries)
+    check(own == everyones and "-ffp-contract=off" in everyones["CCFLAGS"], everyones)
+    check(everyones["CPPPATH"] == [str(libraries / "ArduinoEigen/ArduinoEigen")], everyones)
+    values = {"SOURCES": sources, "FLAGS": [flag for flag in building["flags"] if not flag.startswith("-D")],
+              "DEFINITIONS": [flag[2:] for flag in building["flags"] if flag.startswith("-D")]}
+    build("plain", folder, **values)
+    is_noticed("plain", folder, **values)
+
+
+def cmsis():
+    folder = unpacked(".pack")
+    descriptions = list(folder.glob("*.pdsc"))
+    check(len(descriptions) == 1, descriptions)
+    root = ElementTree.parse(descriptions[0]).getroot()
+    vendor, name = root.findtext("vendor"), root.findtext("name")
+    check(descriptions[0].name == f"{vendor}.{name}.pdsc", descriptions[0].name)
+    check(root.find("releases/release").get("version") == PROJECT.version, "the release")
+    listed = {file.get("name"): file.get("category") for file in root.iter("file")}
+    missing = [file for file in listed if not (folder / file).exists()]
+    check(not missing, f"listed and not in the pack: {missing}")
+    there = {path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.suffix in (".hpp", ".h", ".cpp")}
+    check(there == {file for file, kind in listed.items() if kind in ("header", "sourceCpp")}, "files of the pack are not those that it lists")
+    values = {"SOURCES": [file for file, kind in listed.items() if kind == "sourceCpp"], "FLAGS": PROJECT.core_flags,
+              "DEFINITIONS": PROJECT.core_definitions}
+    build("plain", folder, **values)
+
+
+def release():
+    """One folder, as the README says to use it: the project that uses it is that of tests/consumer."""
+    ending = f"{PROJECT.name}-{PROJECT.version}"
+    folder = unpacked(f"{ending}.tar.gz") / ending
+    run("cmake", "-DMODE=subfolder", f"-DSOURCE={folder}", f"-DWORK={WORK / NAME / 'consumer'}", "-DGENERATOR=Ninja", f"-DEIGEN={EIGEN}",
+        "-DCOMPILER=c++", "-DFLAGS=", "-P", SOURCE / "tests/consumer/consume.cmake")
+    # It configures by itself as well, and asks for no test library.
+    hidden = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{package}=ON" for package in ("GTest", "rapidcheck", "benchmark", "CLI11", "PkgConfig")]
+    run("cmake", "-S", folder, "-B", WORK / NAME / "alone", "-G", "Ninja", "-DBATUTA_BUILD_PROGRAMS=OFF", *hidden)
+
+
+def arduino():
+    missing = [tool for tool in ("arduino-builder", "arduino-ctags", "arm-none-eabi-g++") if shutil.which(tool) is None]
+    if missing:
+        print(f"LEFT OUT: there is no {', '.join(missing)} (toolchains/setup.sh packages, target)")
+        return SKIPPED
+    folder = unpacked("-arduino.zip")
+    check((folder / PROJECT.name / "src/batuta.h").is_file(), "there is no src/batuta.h")
+    libraries = WORK / NAME / "libraries"
+    shutil.copytree(folder / PROJECT.name, libraries / PROJECT.name)
+    eigen = libraries / "ArduinoEigen"
+    (eigen / "ArduinoEigen").mkdir(parents=True)
+    shutil.copytree(EIGEN / "Eigen", eigen / "ArduinoEigen/Eigen")
+    (eigen / "library.properties").write_text("name=ArduinoEigen\nversion=0.3.2\narchitectures=*\n", encoding="ascii")
+    (eigen / "ArduinoEigenDense.h").write_text('#pragma once\n#include "ArduinoEigen/Eigen/Dense"\n', encoding="ascii")
+    hardware = WORK / NAME / "hardware/batuta/arm"
+    shutil.copytree(HERE / "arduino", hardware)
+    (hardware / "cores").mkdir()
+    (hardware / "core").rename(hardware / "cores/core")
+    (WORK / NAME / "tools").mkdir()
+    ccache = shutil.which("ccache")
+    run("sh", "-c", f"sed -i 's#@CCACHE@#{ccache or ''}#' {hardware / 'platform.txt'}")
+    examples = sorted((folder / PROJECT.name / "examples").glob("*/*.ino"))
+    check(len(examples) == 2, examples)
+    for example in examples:
+        out = WORK / NAME / "out"
+        shutil.rmtree(out, ignore_errors=True)
+        out.mkdir()
+        run("arduino-builder", "-compile", "-hardware", WORK / NAME / "hardware", "-tools", WORK / NAME / "tools", "-libraries", libraries,
+            "-fqbn", "batuta:arm:m4", "-build-path", out, "-warnings", "all", example,
+            env={**os.environ, "CCACHE_BASEDIR": str(WORK), "CCACHE_NOHASHDIR": "1"})
+        image = out / f"{example.name}.elf"
+        print(example.stem, run("arm-none-eabi-size", image).splitlines()[1].split()[0], "B of code")
+        listing = run("arm-none-eabi-objdump", "-d", image)
+        fused = [line for line in listing.splitlines() if "\tvfma" in line or "\tvfms" in line or "\tvfnm" in line]
+        check("vmul.f32" in listing and not fused, f"fused instructions: {fused[:5]}")
+    return 0
+
+
+CHECKS = {"esp-idf": esp_idf, "zephyr": zephyr, "kconfig": kconfig, "platformio": platformio, "cmsis": cmsis, "release": release,
+          "arduino": arduino}
+if __name__ == "__main__":
+    sys.exit(CHECKS[NAME]() or 0)

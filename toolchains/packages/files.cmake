@@ -1,0 +1,85 @@
+# Written by toolchains/packages/packages.py: the library's files and flags, for build systems that bring their own CMake.
+set(BATUTA_SOURCES
+  src/core/crc32.cpp
+  src/core/pool.cpp
+  src/port/byte_stream.cpp
+  src/port/input.cpp
+  src/port/sample_builder.cpp
+  src/geometry/direction.cpp
+  src/geometry/segment.cpp
+  src/geometry/capsule.cpp
+  src/geometry/kdop.cpp
+  src/mechanics/trigonometry.cpp
+  src/mechanics/rotation.cpp
+  src/mechanics/mass.cpp
+  src/mechanics/body.cpp
+  src/mechanics/motion.cpp
+  src/mechanics/flight.cpp
+  src/mechanics/straight.cpp
+  src/mechanics/compound.cpp
+  src/mechanics/solid.cpp
+  src/detection/moving_pair.cpp
+  src/detection/speed_bound.cpp
+  src/detection/swept_volume.cpp
+  src/detection/bisection.cpp
+  src/detection/stepping.cpp
+  src/detection/advancement.cpp
+  src/detection/advancement_options.cpp
+  src/detection/translation.cpp
+  src/detection/sphere_flight.cpp
+  src/detection/straight_pair.cpp
+  src/response/contact.cpp
+  src/response/impulse.cpp
+  src/response/friction.cpp
+  src/response/line_contact.cpp
+  src/response/separation.cpp
+  src/response/straight_impulse.cpp
+  src/world/controller.cpp
+  src/world/detail/contact_points.cpp
+  src/world/detail/contact_visit.cpp
+  src/world/detail/group_motion.cpp
+  src/world/detail/lasting_contact.cpp
+  src/control/stick.cpp
+  src/control/keyframes.cpp
+  src/fencing/feet.cpp
+  src/fencing/grip.cpp
+  src/fencing/weapon.cpp
+  src/fencing/skeleton.cpp
+  src/fencing/target.cpp
+  src/fencing/map.cpp
+  src/fencing/fencer.cpp
+  src/fencing/duel.cpp
+  src/fencing/duel_stepping.cpp
+  src/fencing/observation.cpp
+  src/fencing/opponent.cpp
+  src/haptics/force_map.cpp
+  src/haptics/coupling.cpp
+  src/haptics/transient.cpp
+  src/haptics/hand_force.cpp
+  src/haptics/gain_advisor.cpp
+  src/haptics/passivity.cpp
+  src/haptics/end_stop.cpp
+  src/haptics/force_ramp.cpp
+  src/haptics/force_share.cpp
+  src/haptics/slew_limiter.cpp
+  src/haptics/speed_limiter.cpp
+  src/haptics/output_stage.cpp
+  src/record/archive.cpp
+  src/record/snapshot.cpp
+  src/record/recorder.cpp
+  src/record/player.cpp
+)
+set(BATUTA_FLAGS
+  -ffp-contract=off
+)
+set(BATUTA_CORE_DEFINITIONS
+  BATUTA_BUILDING_CORE
+)
+set(BATUTA_CORE_FLAGS
+  -fno-exceptions
+  -fno-rtti
+  -fno-threadsafe-statics
+  -fno-math-errno
+  -ffunction-sections
+  -fdata-sections
+)
