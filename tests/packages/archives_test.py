@@ -210,7 +210,9 @@ def arduino():
     eigen = libraries / "ArduinoEigen"
     (eigen / "ArduinoEigen").mkdir(parents=True)
     shutil.copytree(EIGEN / "Eigen", eigen / "ArduinoEigen/Eigen")
-    (eigen / "library.properties").write_text("name=ArduinoEigen\nversion=0.3.2\narchitectures=*\n", encoding="ascii")
+    stated = {"name": "ArduinoEigen", "version": "0.3.2", "architectures": "*", "category": "Other"}
+    stated.update({key: "of the test" for key in ("author", "maintainer", "sentence", "paragraph", "url")})  # all are asked for
+    (eigen / "library.properties").write_text("".join(f"{key}={value}\n" for key, value in stated.items()), encoding="ascii")
     (eigen / "ArduinoEigenDense.h").write_text('#pragma once\n#include "ArduinoEigen/Eigen/Dense"\n', encoding="ascii")
     hardware = WORK / NAME / "hardware/batuta/arm"
     shutil.copytree(HERE / "arduino", hardware)
