@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Builds and runs the consumer project. MODE installed: against an install tree of BUILD in a fresh prefix;
 # MODE subfolder: with SOURCE by add_subdirectory().
+cmake_minimum_required(VERSION 3.25)
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT result EQUAL 0)
