@@ -27,6 +27,7 @@ IN_NO_DATABASE = {
     "tests/compile_fail/cases/": "must not compile",
     "tests/consumer/project/": "projects of their own, built by a test",
     "tests/measure/compile_time/": "are compiled by the test that times them",
+    "tests/packages/arduino/core/": "a core of Arduino for the test of the archive, built by it",
 }
 # Configured, not built, for what is compiled for a board only. Their databases say what the host's does not know.
 CROSS_COMPILER = "arm-none-eabi-g++"
