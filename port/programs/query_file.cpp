@@ -2,8 +2,10 @@
 #include "programs/query_file.hpp"
 
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <set>
 
 namespace batuta::host {
 namespace {
@@ -20,6 +22,34 @@ void split(std::string_view content, std::vector<std::string_view>& fields) {
     begin = comma + 1;
   }
   fields.push_back(content.substr(begin));
+}
+
+/// Digits behind it are bits.
+constexpr std::string_view kBitsPrefix = "0x";
+
+/// Not hexadecimal digits, and words that are none.
+bool is_decimal(std::string_view text) {
+  return text.find_first_of(".+-") != std::string_view::npos || text == "inf" || text == "nan";
+}
+
+/// What no decimal number looks like.
+bool is_surely_bits(std::string_view text) {
+  return text.size() == kFloatDigits || text.find_first_of("abcdfABCDF") != std::string_view::npos;
+}
+
+/// The same either way.
+bool is_zero(std::string_view text) {
+  return text.find_first_not_of('0') == std::string_view::npos;
+}
+
+/// Nothing for what is none, and for what is finite and beyond float32. @pre is_decimal()
+std::optional<float> float_of_decimal(std::string_view text) {
+  if (text.front() == '+' && text.substr(1, 1) != "-") text.remove_prefix(1);
+  const std::optional<double> value = double_of_decimal(text);
+  if (!value) return std::nullopt;
+  const auto rounded = static_cast<float>(*value);
+  if (std::isfinite(*value) && !std::isfinite(rounded)) return std::nullopt;
+  return rounded;
 }
 
 }  // namespace
@@ -51,6 +81,8 @@ void QueryRow::start(long line, const Columns& columns) {
   fields_.clear();
   error_.clear();
   line_ = line;
+  unclear_.clear();
+  has_decimal_ = has_bare_bits_ = false;
 }
 
 void QueryRow::fail(std::string_view column, std::string_view reason) {
@@ -68,10 +100,29 @@ std::string_view QueryRow::text(std::string_view column) {
   return {};
 }
 
-float QueryRow::bits(std::string_view column) {
-  const std::optional<float> value = float_of_bits(text(column));
-  if (!value) fail(column, "expected the bits of a float, 1 to 8 hexadecimal digits");
+float QueryRow::number(std::string_view column) {
+  std::string_view field = text(column);
+  std::optional<float> value;
+  if (is_decimal(field)) {
+    has_decimal_ = true;
+    value = float_of_decimal(field);
+  } else if (field.substr(0, kBitsPrefix.size()) == kBitsPrefix) {
+    value = float_of_bits(field.substr(kBitsPrefix.size()));
+  } else {
+    has_bare_bits_ = has_bare_bits_ || is_surely_bits(field);
+    const bool is_clear = is_surely_bits(field) || is_zero(field);
+    if (!is_clear && unclear_.empty()) unclear_ = column;
+    value = float_of_bits(field);
+  }
+  if (!value)
+    fail(column, "expected a float: its bits, 1 to 8 hexadecimal digits, or decimal, 2.0");
   return value.value_or(0.0F);
+}
+
+void QueryRow::check_notation() {
+  if (unclear_.empty() || (has_bare_bits_ && !has_decimal_)) return;
+  const std::string field(text(unclear_));
+  fail(unclear_, field + " is not clear: 0x" + field + " for bits, " + field + ".0 for a number");
 }
 
 double QueryRow::decimal(std::string_view column) {
@@ -104,11 +155,24 @@ QueryFile::Line QueryFile::read_line(std::string& content) {
   return Line::kRead;
 }
 
+void QueryFile::add_error(const std::string& what) {
+  error_ += (error_.empty() ? "header: " : "; ") + what;
+}
+
+void QueryFile::require(const std::vector<std::string>& columns) {
+  if (columns_.empty()) return;  // told already
+  std::string missing;
+  for (const std::string& column : columns) {  // Bound: columns of a query
+    if (!has(column)) missing += (missing.empty() ? "" : ", ") + column;
+  }
+  if (!missing.empty()) add_error("there is no column " + missing);
+}
+
 void QueryFile::read_header() {
   std::string content;
   const Line result = read_line(content);
   if (result == Line::kTooLong) {
-    error_ = "header: the line is too long";
+    add_error("the line is too long");
     return;
   }
   std::string_view header = content;
@@ -116,16 +180,18 @@ void QueryFile::read_header() {
     header.remove_prefix(kByteOrderMark.size());
   }
   if (header.empty()) {
-    error_ = "header: the file has none";
+    add_error("the file has none");
     return;
   }
   std::vector<std::string_view> names;
   split(header, names);
+  std::set<std::string_view> told;
   for (std::size_t i = 0; i < names.size(); ++i) {  // Bound: the length of the line
-    if (names[i].empty()) error_ = "header: column " + std::to_string(i + 1) + " has no name";
-    const bool inserted = columns_.emplace(names[i], i).second;
-    if (!inserted) error_ = "header: there are two columns " + std::string(names[i]);
-    if (!ok()) return;
+    if (names[i].empty()) {
+      add_error("column " + std::to_string(i + 1) + " has no name");
+    } else if (!columns_.emplace(names[i], i).second && told.insert(names[i]).second) {
+      add_error("there are two columns " + std::string(names[i]));
+    }
   }
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // Reads the CSV query files: one header line of column names, then one query a line. Input numbers
-// are float32 by their bits, true answers are decimal. Lines are independent: a bad one is
-// reported, the others are read.
+// are float32, by their bits or decimal, and a line that may be meant either way is refused; true
+// answers are decimal. Lines are independent: a bad one is reported, the others are read.
 
 #include <cstddef>
 #include <istream>
@@ -40,8 +40,14 @@ class QueryRow {
   /// Empty, or "line 7, column A0x: ..." for the first thing that was wrong.
   const std::string& error() const { return error_; }
 
-  /// A float32 field, exactly.
-  float bits(std::string_view column);
+  /// A float32 field. By its bits: float_of_bits(), with 0x before it or bare. Decimal: with a
+  /// point or a sign in it (2.0, -3, 1e-3, +2), "inf" or "nan"; rounded to float32 by way of
+  /// double.
+  float number(std::string_view column);
+  /// To be called when all numbers of a query are read: fails where a bare field may be meant
+  /// either way. It is known to mean bits by a letter other than e, or by its eight digits, and
+  /// then so are all bare ones of its line, unless one of the line is decimal.
+  void check_notation();
   /// A decimal field, correctly rounded.
   double decimal(std::string_view column);
   /// A text field; refers to the row, so valid until it is read anew.
@@ -57,6 +63,9 @@ class QueryRow {
   std::vector<std::string_view> fields_;  // views of content_
   std::string error_;
   long line_ = 0;
+  std::string unclear_;         // the first column that may mean either
+  bool has_decimal_ = false;    // the line has a number that is decimal for sure
+  bool has_bare_bits_ = false;  // and one that is bits for sure, and bare
 };
 
 /// A query file as a stream of rows. Line ends may be LF or CR LF; the last one may be missing.
@@ -74,6 +83,9 @@ class QueryFile {
   /// Empty, or why the header cannot be used; then there are no rows.
   const std::string& error() const { return error_; }
   bool has(std::string_view column) const { return columns_.find(column) != columns_.end(); }
+  /// The columns without which a query cannot be read: the header cannot be used where one is
+  /// missing, and error() names all of them.
+  void require(const std::vector<std::string>& columns);
 
   /// Reads the next line into `row`, good or bad (ask row.ok()). Every line counts, also an empty
   /// one.
@@ -84,6 +96,7 @@ class QueryFile {
   enum class Line { kEnd, kRead, kTooLong };
   Line read_line(std::string& content);
   void read_header();
+  void add_error(const std::string& what);
 
   std::istream& in_;
   Columns columns_;

@@ -24,18 +24,18 @@ struct ContactTruth {
 /// @param body  "A" or "B"
 inline MovingCapsule<float> read_bits(host::QueryRow& row, const std::string& body) {
   const auto vector = [&](const char* name) {
-    const float x = row.bits(body + name + 'x');
-    const float y = row.bits(body + name + 'y');
-    const float z = row.bits(body + name + 'z');
+    const float x = row.number(body + name + 'x');
+    const float y = row.number(body + name + 'y');
+    const float z = row.number(body + name + 'z');
     return Vec3<float>(x, y, z);
   };
   MovingCapsule<float> moving;
   const Vec3<float> q = vector("q");
-  moving.motion.duration = row.bits("T");
-  moving.motion.X_WB = {vector("c"), Quat<float>(row.bits(body + "qw"), q.x(), q.y(), q.z())};
+  moving.motion.duration = row.number("T");
+  moving.motion.X_WB = {vector("c"), Quat<float>(row.number(body + "qw"), q.x(), q.y(), q.z())};
   moving.motion.twist.v_W = vector("v");
   moving.motion.twist.w_W = vector("w");
-  moving.capsule_B = {{vector("e0"), vector("e1")}, row.bits(body + 'r')};
+  moving.capsule_B = {{vector("e0"), vector("e1")}, row.number(body + 'r')};
   return moving;
 }
 

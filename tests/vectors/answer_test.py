@@ -161,6 +161,35 @@ class Answer(unittest.TestCase):
         self.assertEqual(rows[0], ["line", "d", "s", "u", "nx", "ny", "nz"])
         self.assertEqual([float(x) for x in rows[1]], [1, 2, 0.5, 0.5, 0, 1, 0])
 
+    def test_decimal_is_the_same_as_bits(self):
+        header = distance_file()[0]
+        numbers = [0, 0, 0, 1, 0, 0, 0.5, 2, -1, 0.5, 2, 1]
+        by_bits = [bits(x) for x in numbers]
+        for line in ([str(float(x)) for x in numbers], ["0x" + x for x in by_bits]):
+            rows, _ = self.ask("distance", [header, ["made"] + by_bits, ["made"] + line])
+            self.assertEqual(rows[2][1:], rows[1][1:])
+
+    def test_a_number_that_may_be_meant_either_way_is_refused(self):
+        header = distance_file()[0]
+        line = ["made", "0", "0", "0", "2", "0", "0", "0", "3", "0", "2", "3", "0"]
+        rows, errors = self.ask("distance", [header, line], status=1)
+        self.assertEqual(rows[1], ["1", "INVALID"])
+        self.assertIn("line 1, column A1x: 2 is not clear: 0x2 for bits, 2.0 for a number", errors)
+
+    def test_all_missing_columns_are_named_at_once(self):
+        header = distance_file()[0]
+        with open(self.path("in.csv"), "w", encoding="ascii") as file:
+            file.write(",".join(header[:-3] + [header[1]]) + "\n")
+        done = self.run_program("distance", "--in", self.path("in.csv"), "--out", self.path("out.csv"))
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("two columns A0x; there is no column B1x, B1y, B1z", done.stderr)
+
+    def test_help_lists_the_columns(self):
+        for kind, file in (("toc", toc_file(1)), ("distance", distance_file()), ("impulse", impulse_file())):
+            words = self.run_program(kind, "--help").stdout.split()
+            for column in file[0][1:]:
+                self.assertIn(column, words)
+
     def test_impulse(self):
         rows, _ = self.ask("impulse", impulse_file())
         self.assertEqual(len(rows[0]), 15)

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace batuta::host {
 namespace {
@@ -53,7 +55,7 @@ TEST(QueryFile, GoodRows_AreReadByColumnName) {
   ASSERT_TRUE(file.next(row));
   EXPECT_EQ(row.line(), 1);
   EXPECT_EQ(row.text("family"), "first");
-  EXPECT_EQ(row.bits("x"), 1.0F);
+  EXPECT_EQ(row.number("x"), 1.0F);
   EXPECT_EQ(row.decimal("d"), 0.5);
   ASSERT_TRUE(file.next(row));
   EXPECT_EQ(row.line(), 2);
@@ -62,15 +64,69 @@ TEST(QueryFile, GoodRows_AreReadByColumnName) {
   EXPECT_FALSE(file.next(row));
 }
 
+/// The numbers of a line, and what was wrong with it.
+struct ReadLine {
+  std::vector<float> numbers;
+  std::string error;
+};
+
+ReadLine numbers_of(const std::string& line) {
+  std::istringstream in("x,y,z,d\n" + line + ",0.5\n");
+  QueryFile file(in);
+  QueryRow row;
+  EXPECT_TRUE(file.next(row));
+  ReadLine read;
+  for (const char* column : {"x", "y", "z"}) read.numbers.push_back(row.number(column));
+  EXPECT_EQ(row.decimal("d"), row.ok() ? 0.5 : 0) << "an answer says nothing of how numbers are";
+  row.check_notation();
+  read.error = row.error();
+  return read;
+}
+
+TEST(QueryRow, NumberByBitsOrDecimal_IsThatFloat) {
+  EXPECT_THAT(numbers_of("3f8,4,c00e").numbers, testing::ElementsAre(1.0F, 2.0F, -2.21875F));
+  EXPECT_THAT(numbers_of("0x3f8,0x4,0x0").numbers, testing::ElementsAre(1.0F, 2.0F, 0.0F));
+  EXPECT_THAT(numbers_of("1.0,-2,0.1").numbers, testing::ElementsAre(1.0F, -2.0F, 0.1F));
+  EXPECT_THAT(numbers_of("+2,1e-3,0").numbers, testing::ElementsAre(2.0F, 1e-3F, 0.0F));
+  EXPECT_THAT(numbers_of("inf,-inf,0x4").numbers, testing::ElementsAre(INFINITY, -INFINITY, 2.0F));
+  EXPECT_THAT(numbers_of("1.5,3f8,40000000").numbers, testing::ElementsAre(1.5F, 1.0F, 2.0F));
+  for (const char* line : {"3f8,4,c00e", "0x3f8,0x4,0x0", "1.0,-2,0.1", "+2,1e-3,0", "inf,-inf,0x4",
+                           "1.5,3f8,40000000", "0,0,00", "3f8,2,1e5"}) {
+    EXPECT_EQ(numbers_of(line).error, "") << line;
+  }
+}
+
+TEST(QueryRow, NumberThatMayBeMeantEitherWay_IsRefused) {
+  EXPECT_THAT(numbers_of("2,0,0").error, HasSubstr("line 1, column x: 2 is not clear"));
+  EXPECT_THAT(numbers_of("0,1e5,0").error, HasSubstr("column y: 1e5 is not clear"));
+  EXPECT_THAT(numbers_of("2.0,3,0").error, HasSubstr("column y: 3 is not clear"));
+  EXPECT_THAT(numbers_of("3f8,3,-1").error, HasSubstr("column y: 3 is not clear"));
+}
+
+TEST(QueryRow, NumberThatIsNone_IsRefused) {
+  for (const char* line : {"1.5x,0,0", "0x,0,0", "0x123456789,0,0", "1.0e39,0,0", "--1,0,0", ",0,0",
+                           "+-1,0,0", "0x1.8,0,0", "NaN,0,0"}) {
+    EXPECT_THAT(numbers_of(line).error, HasSubstr("column x")) << line;
+  }
+}
+
+TEST(QueryFile, AllThatIsWrongWithAHeader_IsSaidAtOnce) {
+  std::istringstream in("x,,y,x,x\n");
+  QueryFile file(in);
+  file.require({"x", "q", "r"});
+  EXPECT_EQ(file.error(),
+            "header: column 2 has no name; there are two columns x; there is no column q, r");
+}
+
 TEST(QueryFile, WindowsLineEndsByteOrderMarkAndNoFinalNewline_AreRead) {
   std::istringstream in("\xEF\xBB\xBFx,y\r\n3f8,4\r\n4,3f8");
   QueryFile file(in);
   QueryRow row;
   ASSERT_TRUE(file.next(row));
-  EXPECT_EQ(row.bits("y"), 2.0F);
+  EXPECT_EQ(row.number("y"), 2.0F);
   ASSERT_TRUE(file.next(row));
-  EXPECT_EQ(row.bits("x"), 2.0F);
-  EXPECT_EQ(row.bits("y"), 1.0F);
+  EXPECT_EQ(row.number("x"), 2.0F);
+  EXPECT_EQ(row.number("y"), 1.0F);
   EXPECT_TRUE(row.ok()) << row.error();
 }
 
@@ -79,11 +135,11 @@ TEST(QueryFile, MalformedField_IsReportedWithLineAndColumnAndTheNextRowIsRead) {
   QueryFile file(in);
   QueryRow row;
   ASSERT_TRUE(file.next(row));
-  EXPECT_EQ(row.bits("x"), 1.0F);
-  EXPECT_EQ(row.bits("y"), 0.0F);
+  EXPECT_EQ(row.number("x"), 1.0F);
+  EXPECT_EQ(row.number("y"), 0.0F);
   EXPECT_THAT(row.error(), HasSubstr("line 1, column y"));
   ASSERT_TRUE(file.next(row));
-  EXPECT_EQ(row.bits("y"), 1.0F);
+  EXPECT_EQ(row.number("y"), 1.0F);
   EXPECT_TRUE(row.ok());
 }
 
@@ -95,8 +151,8 @@ TEST(QueryFile, FirstErrorOfARow_IsKept) {
   EXPECT_THAT(row.error(), HasSubstr("line 1: expected 2 fields, found 3"));
   ASSERT_TRUE(file.next(row));
   row.decimal("y");
-  row.bits("x");
-  row.bits("missing");
+  row.number("x");
+  row.number("missing");
   EXPECT_THAT(row.error(), HasSubstr("line 2, column y"));
 }
 
@@ -119,7 +175,7 @@ TEST(QueryFile, MissingColumn_IsReported) {
   QueryFile file(in);
   QueryRow row;
   ASSERT_TRUE(file.next(row));
-  EXPECT_EQ(row.bits("z"), 0.0F);
+  EXPECT_EQ(row.number("z"), 0.0F);
   EXPECT_THAT(row.error(), HasSubstr("column z: the file has no such column"));
 }
 
@@ -143,7 +199,7 @@ TEST(QueryFile, VeryLongLine_IsReportedAndSkipped) {
   ASSERT_TRUE(file.next(row));
   EXPECT_THAT(row.error(), HasSubstr("line 1: longer than"));
   ASSERT_TRUE(file.next(row));
-  EXPECT_EQ(row.bits("x"), 1.0F);
+  EXPECT_EQ(row.number("x"), 1.0F);
   EXPECT_TRUE(row.ok());
 }
 
@@ -152,10 +208,10 @@ TEST(QueryFile, BinaryRubbish_IsABadRow) {
   QueryFile file(in);
   QueryRow row;
   ASSERT_TRUE(file.next(row));
-  row.bits("x");
+  row.number("x");
   EXPECT_FALSE(row.ok());
   ASSERT_TRUE(file.next(row));
-  EXPECT_EQ(row.bits("x"), 1.0F);
+  EXPECT_EQ(row.number("x"), 1.0F);
 }
 
 TEST(QueryFile, StreamThatCannotBeRead_HasNoHeader) {
@@ -167,7 +223,7 @@ TEST(QueryFile, StreamThatCannotBeRead_HasNoHeader) {
 TEST(QueryRow, NeverFilled_FailsPlainly) {
   QueryRow row;
   EXPECT_EQ(row.text("x"), "");
-  EXPECT_EQ(row.bits("x"), 0.0F);
+  EXPECT_EQ(row.number("x"), 0.0F);
   EXPECT_FALSE(row.ok());
 }
 

@@ -25,6 +25,7 @@ long answer_file(host::QueryFile& file, const char* columns, RowAnswer answer,
   host::QueryRow row;
   while (file.next(row)) {  // Bound: lines of the file
     Answer answered = answer(row, settings);
+    row.check_notation();
     if (row.ok() && answered.problem.empty()) {
       write_row(out, row.line(), answered);
       continue;

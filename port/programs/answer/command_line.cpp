@@ -22,9 +22,30 @@ std::string one_line(const CLI::App* app, const CLI::Error& error) {
   return app->get_name() + ": " + error.what() + " (--help shows the usage)\n";
 }
 
+constexpr const char* kNumbers = R"(Numbers of queries are float32:
+  0x3f8      its bits, big-endian, trailing zero digits left out: 1
+  3f8        the same, in lines whose numbers all are bits
+  1.0 -3 1e-3 inf   decimal: with a point or a sign in it
+A line is invalid where a number may be meant either way.
+Answers are decimal, with 17 digits.)";
+
 const std::map<std::string, Method> kMethods = {{"advancement", Method::kAdvancement},
                                                 {"translation", Method::kTranslation},
                                                 {"stepping", Method::kStepping}};
+
+/// The columns of queries and of answers, in lines of a terminal's width.
+std::string columns_text(const QueryKind& kind) {
+  constexpr std::size_t kWidth = 80;
+  std::string text = "Columns of queries, in any order, with any others beside them:";
+  std::size_t room = 0;
+  for (const std::string& column : kind.needed_columns()) {  // Bound: columns of a query
+    text += column.size() + 1 > room ? "\n  " : " ";
+    if (column.size() + 1 > room) room = kWidth - 2;
+    text += column;
+    room -= column.size() + 1;
+  }
+  return text + "\nColumns of answers:\n  " + kind.columns + "\n\n" + kNumbers;
+}
 
 constexpr const char* kFooter = R"(Methods of toc:
   advancement  misses no contact (default)
@@ -32,7 +53,8 @@ constexpr const char* kFooter = R"(Methods of toc:
   stepping     the paper's; passes over touches that are shallower than its tolerance)";
 
 /// Every kind takes the same options, so that one script can ask all of them.
-void add_options(CLI::App& app, Command& command, std::string& scalar, std::string& method) {
+void add_options(CLI::App& app, Command& command, std::string& scalar, std::string& method,
+                 const QueryKind& kind) {
   app.add_option("--in", command.in, "query file (CSV); - reads standard input")->required();
   app.add_option("--out", command.out, "answer file (CSV); - writes standard output")->required();
   app.add_option("--scalar", scalar, "precision of the library")
@@ -50,7 +72,7 @@ void add_options(CLI::App& app, Command& command, std::string& scalar, std::stri
                  "1e-6; with stepping the deepest touch that may be missed, over the thinner "
                  "radius, default 0.5")
       ->check(require_positive, "NUMBER > 0");
-  app.footer(kFooter);
+  app.footer(columns_text(kind) + "\n\n" + kFooter);
 }
 static_assert(kMaxBudget == 4096 && kAmpleSteps == 100'000'000, "the help says so");
 
@@ -66,6 +88,11 @@ std::string conflict_in(const SearchSettings& search) {
 
 }  // namespace
 
+QueryKind kind_of(Kind kind) {
+  if (kind == Kind::kTimeOfContact) return time_of_contact_kind();
+  return kind == Kind::kDistance ? distance_kind() : impulse_kind();
+}
+
 std::variant<Command, Exit> read_command_line(int argc, char** argv) {
   Command command;
   std::string scalar = "double";
@@ -76,12 +103,12 @@ std::variant<Command, Exit> read_command_line(int argc, char** argv) {
       "batuta-answer");
   app.failure_message(one_line);
   app.require_subcommand(0, 1);  // one, of which too_few() can say more
-  const CLI::App* toc = app.add_subcommand("toc", "time of contact of two moving capsules");
-  const CLI::App* distance = app.add_subcommand("distance", "distance of two segments");
-  app.add_subcommand("impulse", "collision of two bodies without friction");
-  for (CLI::App* kind : app.get_subcommands({})) {  // Bound: three kinds
-    add_options(*kind, command, scalar, method);
-  }
+  CLI::App* toc = app.add_subcommand("toc", "time of contact of two moving capsules");
+  CLI::App* distance = app.add_subcommand("distance", "distance of two segments");
+  CLI::App* impulse = app.add_subcommand("impulse", "collision of two bodies without friction");
+  add_options(*toc, command, scalar, method, kind_of(Kind::kTimeOfContact));
+  add_options(*distance, command, scalar, method, kind_of(Kind::kDistance));
+  add_options(*impulse, command, scalar, method, kind_of(Kind::kImpulse));
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty()) throw CLI::RequiredError(kKinds);

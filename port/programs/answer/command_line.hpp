@@ -11,6 +11,8 @@ namespace batuta::answer {
 
 enum class Kind { kTimeOfContact, kDistance, kImpulse };
 
+QueryKind kind_of(Kind kind);
+
 struct Command {
   Kind kind = Kind::kTimeOfContact;
   std::string in;   ///< "-": standard input

@@ -41,14 +41,14 @@ Answer answer(host::QueryRow& row, const SearchSettings& /*settings*/) {
   return {{}, {d, s, u, n.x(), n.y(), n.z()}, {}};
 }
 
-std::string missing_column(const host::QueryFile& file) {
-  return missing_column_of(file, [](auto& source) { return read<float>(source); });
+std::vector<std::string> needed_columns() {
+  return columns_of([](auto& source) { return read<float>(source); });
 }
 
 }  // namespace
 
 QueryKind distance_kind() {
-  return {"line,d,s,u,nx,ny,nz", missing_column, answer<float>, answer<double>};
+  return {"line,d,s,u,nx,ny,nz", needed_columns, answer<float>, answer<double>};
 }
 
 }  // namespace batuta::answer

@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Reads vectors and quaternions by the prefix of their columns. Source: a host::QueryRow, or a
-// MissingColumn, so that what a query reads is also the list of the columns it needs.
+// Reads vectors and quaternions by the prefix of their columns. Source: a host::QueryRow, or
+// ColumnNames, so that what a query reads is also the list of the columns it needs.
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "batuta/mechanics/rotation.hpp"
 #include "programs/query_file.hpp"
 
 namespace batuta::answer {
 
-/// Reads nothing; remembers the first column that the file lacks.
-class MissingColumn {
+/// Reads nothing; remembers each column once.
+class ColumnNames {
  public:
-  explicit MissingColumn(const host::QueryFile& file) : file_(file) {}
-  float bits(const std::string& column) {
-    if (name_.empty() && !file_.has(column)) name_ = column;
+  float number(const std::string& column) {
+    if (std::find(names_.begin(), names_.end(), column) == names_.end()) names_.push_back(column);
     return 0.0F;
   }
-  const std::string& name() const { return name_; }
+  const std::vector<std::string>& names() const { return names_; }
 
  private:
-  const host::QueryFile& file_;
-  std::string name_;
+  std::vector<std::string> names_;
 };
 
 template <class Scalar, class Source>
 Scalar number(Source& source, const std::string& column) {
-  return static_cast<Scalar>(source.bits(column));
+  return static_cast<Scalar>(source.number(column));
 }
 
 template <class Scalar, class Source>
@@ -46,12 +46,12 @@ Quat<Scalar> rotation(Source& source, const std::string& prefix) {
   return renewed(Quat<Scalar>(w, xyz.x(), xyz.y(), xyz.z()));
 }
 
-/// The missing column of a query that `read(source)` reads.
+/// The columns of a query that `read(source)` reads.
 template <class Read>
-std::string missing_column_of(const host::QueryFile& file, const Read& read) {
-  MissingColumn source(file);
+std::vector<std::string> columns_of(const Read& read) {
+  ColumnNames source;
   (void)read(source);
-  return source.name();
+  return source.names();
 }
 
 }  // namespace batuta::answer

@@ -86,14 +86,14 @@ Answer answer(host::QueryRow& row, const SearchSettings& /*settings*/) {
   return answer;
 }
 
-std::string missing_column(const host::QueryFile& file) {
-  return missing_column_of(file, [](auto& source) { return read<float>(source); });
+std::vector<std::string> needed_columns() {
+  return columns_of([](auto& source) { return read<float>(source); });
 }
 
 }  // namespace
 
 QueryKind impulse_kind() {
-  return {"line,j,vAx,vAy,vAz,wAx,wAy,wAz,vBx,vBy,vBz,wBx,wBy,wBz,ke", missing_column,
+  return {"line,j,vAx,vAy,vAz,wAx,wAy,wAz,vBx,vBy,vBz,wBx,wBy,wBz,ke", needed_columns,
           answer<float>, answer<double>};
 }
 

@@ -17,11 +17,6 @@ namespace host = batuta::host;
 
 constexpr const char* kStandardStream = "-";
 
-QueryKind kind_of(Kind kind) {
-  if (kind == Kind::kTimeOfContact) return time_of_contact_kind();
-  return kind == Kind::kDistance ? distance_kind() : impulse_kind();
-}
-
 int fail(const std::string& what) {
   std::cerr << "batuta-answer: " << what << '\n';
   return kExitUsage;
@@ -71,11 +66,9 @@ int run(const Command& command) {
     return fail("cannot read " + command.in + ": it is a directory");
   }
   batuta::host::QueryFile queries(command.in == kStandardStream ? std::cin : in_file);
-  if (!queries.ok()) return fail(command.in + ": " + queries.error());
-
   const QueryKind kind = kind_of(command.kind);
-  const std::string missing = kind.missing_column(queries);
-  if (!missing.empty()) return fail(command.in + ": header: there is no column " + missing);
+  queries.require(kind.needed_columns());
+  if (!queries.ok()) return fail(command.in + ": " + queries.error());
 
   Answers answers;
   std::string problem = answers.open(command);

@@ -39,8 +39,8 @@ using RowAnswer = Answer (*)(host::QueryRow& row, const SearchSettings& settings
 
 struct QueryKind {
   const char* columns;  ///< of the output
-  /// Name of a column that the queries need and the file lacks; empty if it has all.
-  std::string (*missing_column)(const host::QueryFile& file);
+  /// Of the queries.
+  std::vector<std::string> (*needed_columns)();
   RowAnswer in_float;
   RowAnswer in_double;
 };

@@ -105,14 +105,14 @@ Answer answer(host::QueryRow& row, const SearchSettings& settings) {
   return {word_for(found.outcome), {t_free, t_hit, steps}, {}};
 }
 
-std::string missing_column(const host::QueryFile& file) {
-  return missing_column_of(file, [](auto& source) { return read<float>(source); });
+std::vector<std::string> needed_columns() {
+  return columns_of([](auto& source) { return read<float>(source); });
 }
 
 }  // namespace
 
 QueryKind time_of_contact_kind() {
-  return {"line,outcome,t_free,t_hit,steps", missing_column, answer<float>, answer<double>};
+  return {"line,outcome,t_free,t_hit,steps", needed_columns, answer<float>, answer<double>};
 }
 
 }  // namespace batuta::answer
