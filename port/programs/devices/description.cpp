@@ -3,41 +3,12 @@
 #include "programs/devices/description.hpp"
 
 #include <evemu.h>
-#include <fcntl.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <memory>
 #include <utility>
 
 namespace batuta::host {
-namespace {
-
-/// libevemu prints its own complaint; the program says in one line what is wrong, with the file's
-/// name.
-class QuietStandardError {
- public:
-  QuietStandardError() : saved_(dup(STDERR_FILENO)), nowhere_(open("/dev/null", O_WRONLY)) {
-    (void)std::fflush(stderr);
-    if (saved_ >= 0 && nowhere_ >= 0) dup2(nowhere_, STDERR_FILENO);
-  }
-  QuietStandardError(const QuietStandardError&) = delete;
-  QuietStandardError& operator=(const QuietStandardError&) = delete;
-  ~QuietStandardError() {
-    (void)std::fflush(stderr);
-    if (saved_ >= 0) {
-      dup2(saved_, STDERR_FILENO);
-      close(saved_);
-    }
-    if (nowhere_ >= 0) close(nowhere_);
-  }
-
- private:
-  int saved_;
-  int nowhere_;
-};
-
-}  // namespace
 
 std::optional<Description> Description::parse(const std::string& text) {
   std::string copy = text;  // fmemopen wants it writable
@@ -47,10 +18,7 @@ std::optional<Description> Description::parse(const std::string& text) {
   Description description;
   description.device_ = evemu_new(nullptr);
   int read = 0;
-  if (description.device_ != nullptr) {
-    const QuietStandardError quiet;
-    read = evemu_read(description.device_, file.get());
-  }
+  if (description.device_ != nullptr) read = evemu_read(description.device_, file.get());
   if (read <= 0) return std::nullopt;
   return description;
 }

@@ -20,7 +20,7 @@ struct AxisRange {
 class Description {
  public:
   /// @param text  the description's lines (N: I: P: B: A: ...), with or without comments
-  /// @returns nothing if libevemu cannot read it
+  /// @returns nothing if libevemu cannot read it, and has said why on standard error
   static std::optional<Description> parse(const std::string& text);
 
   Description(Description&& other) noexcept;

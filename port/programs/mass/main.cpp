@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "batuta/mechanics/compound.hpp"
 #include "programs/mass/mesh_file.hpp"
 #include "programs/mass/options.hpp"
 #include "programs/mass/report.hpp"
@@ -21,6 +22,16 @@ MeshMass mass_of(const Mesh& mesh, const Options& options) {
   return options.mass && of_mesh.ok() ? with_mass(of_mesh, *options.mass) : of_mesh;
 }
 
+/// Whether the body that the printed lines make is one: nothing of it is beyond float, or so small
+/// that its inverse is.
+bool fits_float(const MassProperties<double>& mass) {
+  const PrincipalFrame<double> frame = batuta::detail::settled_frame(mass);
+  const Pose<float> X_SB = {frame.center_S.cast<float>(), frame.q_SB.cast<float>()};
+  const Mat3<float> inertia = mass.inertia_S.cast<float>();
+  return inertia.allFinite() &&
+         make_body<float>(X_SB, static_cast<float>(mass.mass), frame.moments.cast<float>()).ok();
+}
+
 int run(const Options& options) {
   OpenedMesh opened = open_mesh(options.file);
   const std::string& problem = opened.file.error;
@@ -32,6 +43,10 @@ int run(const Options& options) {
   const MeshMass mass = mass_of(mesh, options);
   if (!mass.ok()) return complain(kExitRefused, options.file + ": " + mass.text);
 
+  if (!fits_float(mass.properties)) {
+    return complain(kExitRefused,
+                    options.file + ": too large or too small for a body of floats (--scale?)");
+  }
   if (options.json) {
     print_json(stdout, mesh, mass);
   } else {

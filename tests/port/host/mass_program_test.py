@@ -138,6 +138,9 @@ def refusals(folder):
     refuses([write(folder, "f.stl", "")], 1, "f.stl", "neither an ASCII STL")
     refuses([write(folder, "g.stl", "solid\nfacet\n")], 1, "g.stl: line 2: expected: facet normal X Y Z")
     refuses([write(folder, "h.obj", obj(FACES)), "--scale", "1e150"], 1, "too large")
+    # What the printed lines of C++ could not hold, or a body of floats not be made of.
+    for scale in ("1e30", "1e9", "1e-10", "1e-16"):
+        refuses([write(folder, "i.obj", obj(FACES)), "--scale", scale], 1, "i.obj", "for a body of floats")
 
 
 with tempfile.TemporaryDirectory() as scratch:
