@@ -27,7 +27,9 @@ enum {
   BATUTA_POOL_FULL = 2,         ///< the capacity is used up
   BATUTA_STALE_HANDLE = 3,      ///< there is no such body
   BATUTA_DEGENERATE = 4,        ///< no function here returns it
-  BATUTA_UNAVAILABLE = 5        ///< the bout is over; or the library is built without double
+  BATUTA_UNAVAILABLE = 5        ///< the bout is over; the library is built without double; or the
+                                ///< thread computes in another way than its proofs stand on: rounds
+                                ///< elsewhere than to nearest, flushes small numbers to zero
 };
 
 /// What a search says of [0, duration]: batuta::Outcome.
@@ -82,7 +84,8 @@ typedef struct batuta_closest_d {
 
 /// Closest points of two capsules (capsule_gap(), batuta/geometry/capsule.hpp).
 /// @param A, B  capsule[7], in one frame
-/// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT: `out` is as it was. Bound: one query.
+/// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT | BATUTA_UNAVAILABLE (arithmetic): `out` is as it
+///   was. Bound: one query.
 int32_t batuta_closest_points_f(const float* A, const float* B, batuta_closest_f* out);
 /// The same in double. @returns also BATUTA_UNAVAILABLE: the library is built without double
 int32_t batuta_closest_points_d(const double* A, const double* B, batuta_closest_d* out);
@@ -134,7 +137,8 @@ typedef struct batuta_contact_d {
 /// First contact of two capsules whose bodies keep their twists for the duration; none is missed
 /// (search_advancement(), batuta/detection/advancement.hpp).
 /// @param A, B  moving[20]
-/// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT: `out` is as it was. Bound: budget evaluations.
+/// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT | BATUTA_UNAVAILABLE (arithmetic): `out` is as it
+///   was. Bound: budget evaluations.
 int32_t batuta_time_of_contact_f(const float* A, const float* B, const batuta_search_f* search,
                                  batuta_contact_f* out);
 /// The same in double. @returns also BATUTA_UNAVAILABLE: the library is built without double
@@ -153,11 +157,21 @@ size_t batuta_time_of_contact_many_d(const double* A, const double* B, size_t co
 
 /// The constant twist that carries one pose into another in `duration` on the shortest way.
 /// @param from, to  pose[7]  @param duration  s, > 0  @param[out] twist  twist[6]
-/// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT: `twist` is as it was. Bound: no loop.
+/// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT | BATUTA_UNAVAILABLE (arithmetic): `twist` is as it
+///   was. Bound: no loop.
 int32_t batuta_twist_between_f(const float* from, const float* to, float duration, float* twist);
 /// The same in double. @returns also BATUTA_UNAVAILABLE: the library is built without double
 int32_t batuta_twist_between_d(const double* from, const double* to, double duration,
                                double* twist);
+
+/// The twists of many bodies in one duration.
+/// @param from, to  count times pose[7]  @param[out] twist  room for count times twist[6]
+/// @returns how many were answered, as above. Bound: count.
+size_t batuta_twist_between_many_f(const float* from, const float* to, size_t count, float duration,
+                                   float* twist);
+/// The same in double; 0 where the library is built without.
+size_t batuta_twist_between_many_d(const double* from, const double* to, size_t count,
+                                   double duration, double* twist);
 
 // --- World ------------------------------------------------------------------------------------
 
@@ -200,6 +214,7 @@ size_t batuta_world_size(void);
 size_t batuta_world_align(void);
 /// Makes an empty world, whatever was in the storage. @param bytes  of the storage
 /// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT: null, less than batuta_world_size(), not aligned
+///   | BATUTA_UNAVAILABLE (arithmetic)
 int32_t batuta_world_init(batuta_world* world, size_t bytes);
 /// Gravity from the next step on, m/s^2 (x y z); -9.81 along z where nothing is said. Wakes all.
 /// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT
@@ -280,7 +295,7 @@ size_t batuta_duel_align(void);
 /// @param step_us  length of a step, us: BATUTA_SHORTEST_STEP_US ... BATUTA_LONGEST_STEP_US
 /// @param touches  that the bout goes to, 1 ... BATUTA_MOST_TOUCHES
 /// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT: null, less than batuta_duel_size(), not aligned,
-///   or a number out of its range; a bout that is in the storage goes on
+///   or a number out of its range | BATUTA_UNAVAILABLE (arithmetic); what is in the storage goes on
 int32_t batuta_duel_init(batuta_duel* duel, size_t bytes, int32_t step_us, int32_t touches);
 /// One step. @param left, right  a new sample of the fencer's stick, or null where there is none
 /// @returns BATUTA_OK | BATUTA_UNAVAILABLE: the bout is over | BATUTA_INVALID_ARGUMENT: an axis is

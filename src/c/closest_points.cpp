@@ -7,6 +7,7 @@ namespace {
 template <class Scalar, class Out>
 std::int32_t closest_points_for(const Scalar* A, const Scalar* B, Out* out) {
   if (A == nullptr || B == nullptr || out == nullptr) return BATUTA_INVALID_ARGUMENT;
+  if (!rounds_each_operation<Scalar>()) return BATUTA_UNAVAILABLE;
   const CapsuleGap<Scalar> found = capsule_gap(capsule_of(A), capsule_of(B));
   if (found.proximity == Proximity::kInvalid) return BATUTA_INVALID_ARGUMENT;
   out->gap = found.gap;

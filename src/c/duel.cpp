@@ -104,6 +104,7 @@ std::int32_t batuta_duel_init(batuta_duel* duel, std::size_t bytes, std::int32_t
                     step_us >= BATUTA_SHORTEST_STEP_US && step_us <= BATUTA_LONGEST_STEP_US &&
                     touches >= 1 && touches <= BATUTA_MOST_TOUCHES;
   if (!good) return BATUTA_INVALID_ARGUMENT;
+  if (!batuta::rounds_each_operation<float>()) return BATUTA_UNAVAILABLE;
   auto settings = batuta::fencing::duel_settings<>();
   settings.step_us = step_us;
   settings.touches = static_cast<decltype(settings.touches)>(touches);

@@ -3,6 +3,7 @@
 // Between the arrays of batuta/c.h and the library's types.
 
 #include "batuta/c.h"
+#include "batuta/core/arithmetic.hpp"
 #include "batuta/detection/advancement.hpp"
 
 namespace batuta::detail {

@@ -16,6 +16,7 @@ std::int32_t time_of_contact_for(const Scalar* A, const Scalar* B, const Search*
   if (A == nullptr || B == nullptr || search == nullptr || out == nullptr) {
     return BATUTA_INVALID_ARGUMENT;
   }
+  if (!rounds_each_operation<Scalar>()) return BATUTA_UNAVAILABLE;
   const auto moving_A = moving_of(A, search->duration);
   const auto moving_B = moving_of(B, search->duration);
   if (!moving_A.ok() || !moving_B.ok()) return BATUTA_INVALID_ARGUMENT;
@@ -45,6 +46,7 @@ template <class Scalar>
 std::int32_t twist_between_for(const Scalar* from, const Scalar* to, Scalar duration,
                                Scalar* twist) {
   if (from == nullptr || to == nullptr || twist == nullptr) return BATUTA_INVALID_ARGUMENT;
+  if (!rounds_each_operation<Scalar>()) return BATUTA_UNAVAILABLE;
   const auto X0_WB = pose_of(from);
   const auto X1_WB = pose_of(to);
   if (!X0_WB.ok() || !X1_WB.ok() || !is_positive(duration)) return BATUTA_INVALID_ARGUMENT;
@@ -53,6 +55,16 @@ std::int32_t twist_between_for(const Scalar* from, const Scalar* to, Scalar dura
   put(motion.twist.v_W, twist);
   put(motion.twist.w_W, twist + 3);
   return BATUTA_OK;
+}
+
+template <class Scalar>
+std::size_t twists_between_for(const Scalar* from, const Scalar* to, std::size_t count,
+                               Scalar duration, Scalar* twist) {
+  if (from == nullptr || to == nullptr || twist == nullptr) return 0;
+  return answer_each(count, [=](std::size_t i) {
+    const std::size_t at = i * BATUTA_POSE_NUMBERS;
+    return twist_between_for(from + at, to + at, duration, twist + i * BATUTA_TWIST_NUMBERS);
+  });
 }
 
 }  // namespace
@@ -97,5 +109,19 @@ std::int32_t batuta_twist_between_d(const double* from, const double* to, double
     return batuta::detail::twist_between_for(from, to, duration, twist);
   } else {
     return BATUTA_UNAVAILABLE;
+  }
+}
+
+std::size_t batuta_twist_between_many_f(const float* from, const float* to, std::size_t count,
+                                        float duration, float* twist) {
+  return batuta::detail::twists_between_for(from, to, count, duration, twist);
+}
+
+std::size_t batuta_twist_between_many_d(const double* from, const double* to, std::size_t count,
+                                        double duration, double* twist) {
+  if constexpr (BATUTA_WITH_DOUBLE == 1) {
+    return batuta::detail::twists_between_for(from, to, count, duration, twist);
+  } else {
+    return 0;
   }
 }

@@ -59,6 +59,7 @@ std::size_t batuta_world_align() {
 
 std::int32_t batuta_world_init(batuta_world* world, std::size_t bytes) {
   if (!batuta::detail::has_room<WorldForC>(world, bytes)) return BATUTA_INVALID_ARGUMENT;
+  if (!batuta::rounds_each_operation<float>()) return BATUTA_UNAVAILABLE;
   batuta::detail::make_in<WorldForC>(world);
   return BATUTA_OK;
 }

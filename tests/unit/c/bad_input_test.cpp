@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cfenv>
 #include <cstring>
 #include <limits>
 #include <memory>
@@ -118,6 +119,37 @@ TEST(BadInputFromC, TwistBetween) {
   const std::array<float, BATUTA_POSE_NUMBERS> far_too = {3e38F, 0, 0, 1, 0, 0, 0};
   ask(far.data(), far_too.data(), 1);
   EXPECT_EQ(batuta_twist_between_f(pose, pose, 1, nullptr), BATUTA_INVALID_ARGUMENT);
+}
+
+/// Rounds upward while it lives.
+class Upward {
+ public:
+  Upward() { std::fesetround(FE_UPWARD); }
+  ~Upward() { std::fesetround(FE_TONEAREST); }
+  Upward(const Upward&) = delete;
+  Upward(Upward&&) = delete;
+  Upward& operator=(const Upward&) = delete;
+  Upward& operator=(Upward&&) = delete;
+};
+
+TEST(BadArithmeticFromC, IsUnavailable) {
+  const float* const A = kMoving.data();
+  const float* const pose = A + BATUTA_CAPSULE_NUMBERS;
+  using Numbers = std::array<float, BATUTA_TWIST_NUMBERS>;
+  const auto world = std::make_unique<batuta_world>();
+  const auto duel = std::make_unique<batuta_duel>();
+  const Upward upward;
+  expect_refused<batuta_closest_f>(
+      [=](batuta_closest_f* out) { return batuta_closest_points_f(A, A, out); },
+      BATUTA_UNAVAILABLE);
+  expect_refused<batuta_contact_f>(
+      [=](batuta_contact_f* out) { return batuta_time_of_contact_f(A, A, &kSearch, out); },
+      BATUTA_UNAVAILABLE);
+  expect_refused<Numbers>(
+      [=](Numbers* out) { return batuta_twist_between_f(pose, pose, 1, out->data()); },
+      BATUTA_UNAVAILABLE);
+  EXPECT_EQ(batuta_world_init(world.get(), sizeof *world), BATUTA_UNAVAILABLE);
+  EXPECT_EQ(batuta_duel_init(duel.get(), sizeof *duel, 1000, 5), BATUTA_UNAVAILABLE);
 }
 
 class BadStorageFromC : public testing::Test {

@@ -32,6 +32,7 @@ struct CalledFromC<float> {
   static constexpr auto kTimeOfContact = batuta_time_of_contact_f;
   static constexpr auto kTimeOfContactMany = batuta_time_of_contact_many_f;
   static constexpr auto kTwistBetween = batuta_twist_between_f;
+  static constexpr auto kTwistBetweenMany = batuta_twist_between_many_f;
 };
 template <>
 struct CalledFromC<double> {
@@ -43,6 +44,7 @@ struct CalledFromC<double> {
   static constexpr auto kTimeOfContact = batuta_time_of_contact_d;
   static constexpr auto kTimeOfContactMany = batuta_time_of_contact_many_d;
   static constexpr auto kTwistBetween = batuta_twist_between_d;
+  static constexpr auto kTwistBetweenMany = batuta_twist_between_many_d;
 };
 
 template <class Scalar>
@@ -229,6 +231,17 @@ TYPED_TEST(QueriesForC, TwistBetween_CarriesOnePoseIntoTheOther) {
   for (std::size_t i = 0; i < 6; ++i) {
     EXPECT_NEAR(static_cast<double>(twist[i]), by_pencil[i], 8 * kRoundOff<Scalar> * 4);
   }
+
+  std::vector<Scalar> many_from(from.begin(), from.end());
+  std::vector<Scalar> many_to(to.begin(), to.end());
+  many_from.insert(many_from.end(), {0, 0, 0, 1, 0, 0, 0});
+  many_to.insert(many_to.end(), {1, 0, 0, 1, 0, 0, 0});
+  std::vector<Scalar> twists(12);
+  ASSERT_EQ(CalledFromC<Scalar>::kTwistBetweenMany(many_from.data(), many_to.data(), 2, Scalar(0.5),
+                                                   twists.data()),
+            2U);
+  EXPECT_TRUE(std::equal(twist.begin(), twist.end(), twists.begin()));
+  EXPECT_EQ(twists[6], Scalar(2));
 }
 
 }  // namespace

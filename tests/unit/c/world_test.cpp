@@ -55,7 +55,8 @@ class WorldForC : public testing::Test {
     ASSERT_EQ(batuta_world_add(world.get(), moving(capsule, X, twist).data(), &material, &number),
               BATUTA_OK);
     EXPECT_EQ(number, own->size());
-    auto actor = make_actor<SceneOfTest>(capsule, material.density, X, twist);
+    auto actor =
+        make_actor<SceneOfTest>(capsule, material.density, {X.p_W, renewed(X.q_WB)}, twist);
     ASSERT_TRUE(actor.ok());
     actor.value.restitution = material.restitution;
     actor.value.friction = material.friction;
