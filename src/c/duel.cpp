@@ -63,11 +63,11 @@ void put_bout(const Duel<>& duel, batuta_duel_state& out) {
   out.touches = bout.touches.size();
   for (std::int32_t i = 0; i < out.touches; ++i) {  // Bound: 2
     const Touch<float>& touch = bout.touches[i];
-    batuta_touch& told = out.touch[i];
-    told.by = static_cast<std::int32_t>(index_of(touch.by));
-    told.part = static_cast<std::int32_t>(touch.part);
-    told.time_us = duel.time_us(touch.when);
-    batuta::detail::put(touch.contact.point_W, told.point_W);
+    batuta_touch& shown = out.touch[i];
+    shown.by = static_cast<std::int32_t>(index_of(touch.by));
+    shown.part = static_cast<std::int32_t>(touch.part);
+    shown.time_us = duel.time_us(touch.when);
+    batuta::detail::put(touch.contact.point_W, shown.point_W);
   }
 }
 

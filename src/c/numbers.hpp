@@ -76,12 +76,12 @@ static_assert(BATUTA_CAPSULE_NUMBERS + BATUTA_POSE_NUMBERS + BATUTA_TWIST_NUMBER
               BATUTA_MOVING_NUMBERS);
 
 /// Answers one pair after the other, up to the first that is refused.
-/// @param answer  of the pair at an index: a status as C knows it
+/// @param resolve  of the pair at an index: a status as C knows it
 /// @returns how many were answered. Bound: count
-template <class Answer>
-std::size_t answer_each(std::size_t count, Answer answer) {
+template <class Resolve>
+std::size_t answer_each(std::size_t count, Resolve resolve) {
   std::size_t i = 0;
-  while (i < count && answer(i) == BATUTA_OK) ++i;
+  while (i < count && resolve(i) == BATUTA_OK) ++i;
   return i;
 }
 

@@ -9,7 +9,7 @@ import re
 import sys
 
 ROOMS = ["core", "port", "geometry", "mechanics", "detection", "response", "world", "control", "fencing", "haptics",
-         "record"]
+         "record", "c"]
 MAX_LINES = 400
 PREPROCESSOR_FILES = {"core/config.hpp", "core/assert.hpp", "core/types.hpp", "detail/eigen.hpp"}
 
@@ -68,7 +68,7 @@ def check_include(room, path, where, target):
         return None  # a header of the room's own, not for users
     if not private and not target.startswith("batuta/"):
         return f"{where}: includes \"{target}\"; the library includes \"batuta/...\" only"
-    other = target.split("/")[1]  # "batuta/room/noun.hpp" or "../room/noun.hpp"
+    other = target.split("/")[1].removesuffix(".h")  # "batuta/room/noun.hpp", "../room/noun.hpp" or "batuta/c.h"
     if other not in ROOMS:
         return f"{where}: includes \"{target}\": there is no such room"
     if ROOMS.index(other) > ROOMS.index(room):

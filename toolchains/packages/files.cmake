@@ -68,6 +68,10 @@ set(BATUTA_SOURCES
   src/record/snapshot.cpp
   src/record/recorder.cpp
   src/record/player.cpp
+  src/c/closest_points.cpp
+  src/c/time_of_contact.cpp
+  src/c/world.cpp
+  src/c/duel.cpp
 )
 set(BATUTA_FLAGS
   -ffp-contract=off
