@@ -36,8 +36,9 @@ class BuildWithLibrary(build_py):
         if "BATUTA_EIGEN_PATH" in os.environ:
             configure.append("-DBATUTA_EIGEN_PATH=" + os.environ["BATUTA_EIGEN_PATH"])
         subprocess.run(configure, check=True)
+        os.environ.setdefault("CMAKE_BUILD_PARALLEL_LEVEL", str(os.cpu_count() or 1))
         subprocess.run(["cmake", "--build", str(tree), "--config", "Release", "--target", "batuta_python"], check=True)
-        built = [path for path in tree.glob("**/libbatuta_c.*") if path.suffix in (".so", ".dll", ".dylib")]
+        built = [path for path in tree.glob("**/libbatuta_queries.*") if path.suffix in (".so", ".dll", ".dylib")]
         if len(built) != 1:
             raise SystemExit(f"the shared library: {built}")
         self.copy_file(str(built[0]), str(pathlib.Path(self.build_lib) / "batuta" / built[0].name))

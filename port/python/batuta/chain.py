@@ -34,7 +34,7 @@ class Chain:
     def __init__(self, capsules, pairs=None):
         """capsules: capsule (L, 7), each in the frame of its link. pairs: (P, 2) numbers of links that must not touch; where nothing
         is said, all but neighbours, which share a joint: i and j with i + 1 < j. ValueError: a shape, a number that is not finite, a
-        negative radius, a pair that there is not."""
+        negative radius, a pair that there is not, no pair."""
         self.capsules = numbers("capsules", capsules, 7)
         if self.capsules.ndim != 2:
             raise ValueError(f"batuta: capsules has shape {self.capsules.shape}, not (L, 7)")
@@ -45,7 +45,7 @@ class Chain:
             pairs = [(i, j) for i in range(links) for j in range(i + 2, links)]
         pairs = np.asarray(pairs)
         if pairs.size == 0:
-            pairs = np.zeros((0, 2), np.int64)
+            raise ValueError("batuta: a chain of which no pair is looked at")
         good = pairs.ndim == 2 and pairs.shape[1] == 2 and np.issubdtype(pairs.dtype, np.integer)
         if not good or (pairs < 0).any() or (pairs >= links).any() or (pairs[:, 0] == pairs[:, 1]).any():
             raise ValueError(f"batuta: pairs is not (P, 2) numbers of two links, 0 ... {links - 1}")

@@ -56,7 +56,7 @@ class Calls:
 
 
 def load():
-    found = sorted(pathlib.Path(__file__).parent.glob("libbatuta_c.*"))
+    found = sorted(pathlib.Path(__file__).parent.glob("libbatuta_queries.*"))
     if not found:
         raise ImportError("batuta: the shared library is not beside its modules; install the package (docs/python.md)")
     library = ctypes.CDLL(str(found[0]))

@@ -3,6 +3,7 @@
 
 import ctypes
 import enum
+import operator
 import typing
 
 import numpy as np
@@ -124,7 +125,7 @@ def time_of_contact(A, B, duration, tolerance=1e-6, budget=64):
     A, B = numbers("A", A, 20), numbers("B", B, 20)
     calls = calls_for(A, B)
     A, B, shape = pairs_of(calls, A, B)
-    budget = int(budget)
+    budget = operator.index(budget)
     if not 1 <= budget <= 4096:
         raise ValueError(f"batuta: budget is {budget}, not 1 ... 4096")
     search = calls.search(one_number("duration", duration), one_number("tolerance", tolerance), budget)
