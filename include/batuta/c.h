@@ -16,7 +16,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#ifdef __cplusplus
+// NOLINTBEGIN(readability-identifier-naming): deviation: names-of-c
+#ifdef __cplusplus  // deviation: names-of-c
 extern "C" {
 #endif
 
@@ -307,6 +308,7 @@ int32_t batuta_duel_get_state(const batuta_duel* duel, batuta_duel_state* out);
 /// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT. Bound: members of the duel.
 int32_t batuta_duel_hash(const batuta_duel* duel, uint64_t* out);
 
-#ifdef __cplusplus
+#ifdef __cplusplus  // deviation: names-of-c
 }
 #endif
+// NOLINTEND(readability-identifier-naming): deviation: names-of-c

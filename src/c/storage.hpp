@@ -30,7 +30,8 @@ constexpr bool holds_closely() {
 template <class T>
 T* make_in(void* storage) {
   static_assert(std::is_trivially_destructible_v<T>, "storage of C is left without a word");
-  return ::new (storage) T;  // deviation: placement-new
+  ::new (storage) T;  // deviation: placement-new
+  return std::launder(static_cast<T*>(storage));
 }
 
 /// The object that make_in() has put into storage; null: there is none.

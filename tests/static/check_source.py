@@ -48,11 +48,11 @@ def code_only(text):
 
 
 def sources(folder):
-    return sorted(p for p in folder.rglob("*") if p.suffix in (".hpp", ".cpp")) if folder.is_dir() else []
+    return sorted(p for p in folder.rglob("*") if p.suffix in (".hpp", ".cpp", ".h")) if folder.is_dir() else []
 
 
 def room_of(path, base):
-    return path.relative_to(base).parts[0]
+    return path.relative_to(base).parts[0].removesuffix(".h")  # batuta/c.h is all that room c declares
 
 
 def is_private(path, target):
@@ -163,7 +163,7 @@ def check_words(root):
             findings.append(f"{where}: {len(lines)} lines; at most {MAX_LINES}")
         if not text.startswith("// SPDX-License-Identifier: MIT\n"):
             findings.append(f"{where}:1: does not begin with the licence line")
-        if path.suffix == ".hpp" and "#pragma once" not in lines[1:2]:
+        if path.suffix in (".hpp", ".h") and "#pragma once" not in lines[1:2]:
             findings.append(f"{where}:2: is not #pragma once")
         conditional = "/".join(path.parts[-2:]) in PREPROCESSOR_FILES
         code = code_only(text)
