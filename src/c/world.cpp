@@ -2,25 +2,12 @@
 #include "batuta/record/world.hpp"
 
 #include "batuta/world/make_actor.hpp"
-#include "batuta/world/scenes.hpp"
 #include "numbers.hpp"
+#include "scene_for_c.hpp"
 #include "storage.hpp"
 
 namespace batuta::detail {
 namespace {
-
-constexpr int kMostBodies = BATUTA_WORLD_BODIES;
-constexpr int kMostEvents = BATUTA_WORLD_EVENTS;
-
-constexpr SceneOptions bodies_for_c() {
-  SceneOptions scene = rack();
-  scene.max_bodies = kMostBodies;
-  scene.max_pairs = 64;
-  scene.max_contacts = 128;
-  scene.max_events = kMostEvents;
-  return scene;
-}
-using SceneForC = Scene<bodies_for_c>;
 
 struct WorldForC {
   static constexpr std::uint32_t kMark = file_id("batuta_world");
