@@ -336,7 +336,44 @@ def laws_seeds():
             for index, kind in enumerate(kinds) for i in range(2)}
 
 
-FUZZERS = {"distance": distance_seeds, "duel": duel_seeds, "search": search_seeds,
+def c_moving(place, v=ORIGIN, w=ORIGIN, half=0.5, r=0.1, q=(1, 0, 0, 0)):
+    """moving[20] of batuta/c.h."""
+    return (*both_ways(X, half)[0], *both_ways(X, half)[1], r, *place, *q, *v, *w)
+
+
+def c_seeds():
+    """Calls from C: queries that are answered, worlds in which bodies meet and go, and each hostile number in its turn."""
+    queries, acts = b"\x00", b"\x01"
+    long_step = b"\x03\x00" + number(0.25)
+
+    def query(numbers, duration=1, tolerance=0, budget=64):
+        return GRID + queries + b"".join(number(x) for x in (*numbers, duration, tolerance)) + struct.pack("<H", budget)
+
+    def add(numbers, density=2, restitution=0.5, friction=0.25):
+        return b"\x00" + b"".join(number(x) for x in numbers) + number(density) + share(restitution) + number(friction)
+
+    here, there = c_moving(ORIGIN), c_moving((2, 0, 0), (-4, 0, 0))
+    steps = b"\x03\x01" * 40
+    files = {
+        "query_head_on": query(here + there),
+        "query_turning": query(here + c_moving((0, 0, 2), (0, 0, -3), (0, 0, 3))),
+        "query_no_budget": query(here + there, budget=0),
+        "query_no_turn": query(here + c_moving(X, q=(0, 0, 0, 0))),
+        "world_beat": GRID + acts + b"\x02" + vector(ORIGIN) + add(here) + add(there) + long_step + steps,
+        "world_falls": GRID + acts + add(c_moving(Z)) + add(c_moving((0, 0, 1.3))) + steps + b"\x01\x02" + steps + b"\x01\x02",
+        "world_full": GRID + acts + b"".join(add(c_moving((0, i % 5, i // 5 - 2))) for i in range(18)) + steps[:8],
+        "world_refuses": GRID + acts + add(c_moving(ORIGIN, r=-1)) + add(here, density=0) + add(here, friction=-1) + b"\x03\x00" + number(0),
+    }
+    for index in range(HOSTILE):
+        n = with_hostile((*here, *there, 1, 1e-6), index)
+        files[f"hostile_{index}"] = ANY + queries + b"".join(n) + struct.pack("<H", 64)
+        n = with_hostile((*here, 2), index)
+        files[f"hostile_world_{index}"] = (ANY + acts + b"\x00" + b"".join(n) + share(0.5) + struct.pack("<f", 0.25) + steps[:8]
+                                           + b"\x03\x00" + hostile(index))
+    return files
+
+
+FUZZERS = {"c": c_seeds, "distance": distance_seeds, "duel": duel_seeds, "search": search_seeds,
            "impulse": impulse_seeds, "world": world_seeds, "keyframes": keyframes_seeds,
            "recording": recording_seeds, "pid": pid_seeds, "laws": laws_seeds}
 
