@@ -89,9 +89,9 @@ std::size_t for_each_row(const char* name, Row row_of) {
 }
 
 Vec3<float> read_point(host::QueryRow& row, const std::string& name) {
-  const float x = row.bits(name + 'x');
-  const float y = row.bits(name + 'y');
-  const float z = row.bits(name + 'z');
+  const float x = row.number(name + 'x');
+  const float y = row.number(name + 'y');
+  const float z = row.number(name + 'z');
   return {x, y, z};
 }
 
@@ -174,7 +174,7 @@ TYPED_TEST(QueriesForC, TimeOfContact_OfEveryRow) {
     std::vector<Scalar> B;
     append(A, test::read_bits(row, "A"));
     append(B, test::read_bits(row, "B"));
-    const typename C::Search search = {static_cast<Scalar>(row.bits("T")), Scalar(1e-6), 64};
+    const typename C::Search search = {static_cast<Scalar>(row.number("T")), Scalar(1e-6), 64};
     typename C::Contact told;
     ASSERT_EQ(C::kTimeOfContact(A.data(), B.data(), &search, &told), BATUTA_OK);
     const test::ContactTruth truth = test::read_truth(row);
