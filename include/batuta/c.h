@@ -53,7 +53,7 @@ enum {
   BATUTA_SHORTEST_STEP_US = 100,   ///< of a duel, us
   BATUTA_LONGEST_STEP_US = 20000,  ///< of a duel, us
   BATUTA_MOST_TOUCHES = 99,        ///< that a bout can go to
-  BATUTA_WORLD_BYTES = 44032,      ///< batuta_world_size(), rounded up
+  BATUTA_WORLD_BYTES = 43008,      ///< batuta_world_size(), rounded up
   BATUTA_DUEL_BYTES = 7168         ///< batuta_duel_size(), rounded up
 };
 

@@ -12,7 +12,7 @@ static const float kB[BATUTA_MOVING_NUMBERS] = {0, 0, -0.45F, 0, 0, 0.45F, 0.005
 static const batuta_material kSteel = {7850, 0.6F, 0};
 static const float kNoGravity[3] = {0, 0, 0};
 
-static batuta_world world; /* static: 43 kB */
+static batuta_world world; /* static: 42 kB */
 static batuta_duel duel;
 
 static int tell_query(void) {
