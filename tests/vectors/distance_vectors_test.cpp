@@ -17,7 +17,8 @@ constexpr double kBound = 4;  // in u S, for the excess and for the error of the
 
 template <class Scalar>
 Vec3<Scalar> read_point(host::QueryRow& row, const std::string& name) {
-  return {Scalar(row.number(name + "x")), Scalar(row.number(name + "y")), Scalar(row.number(name + "z"))};
+  return {Scalar(row.number(name + "x")), Scalar(row.number(name + "y")),
+          Scalar(row.number(name + "z"))};
 }
 
 struct Worst {
