@@ -32,12 +32,14 @@ def write(folder, name, text):
     return path
 
 
-def refuses(words, exit_code, *parts):
-    """The program leaves with the code, nothing on standard output, and one line that holds all parts."""
+def refuses(words, exit_code, *parts, before=0):
+    """The program leaves with the code, nothing on standard output, and one line that holds all parts; before it as many
+    lines as a library of others has to say."""
     result = run(*words)
     check(result.returncode == exit_code, (words, result.returncode, result.stderr))
     check(result.stdout == "", (words, result.stdout))
-    check(result.stderr.startswith("batuta-duel: ") and result.stderr.count("\n") == 1, (words, result.stderr))
+    lines = result.stderr.splitlines()
+    check(len(lines) == before + 1 and lines[-1].startswith("batuta-duel: "), (words, result.stderr))
     for part in parts:
         check(part in result.stderr, (words, part, result.stderr))
 
@@ -119,7 +121,7 @@ def recordings(folder):
     refuses(["--left", write(folder, "empty.events", "")], 2, "holds no events")
     keys = "E: 0.000000 0001 001e 1\nE: 0.000000 0000 0000 0\n"
     refuses(["--left", write(folder, "keys.events", keys)], 2, "no motion")
-    refuses(["--left", write(folder, "odd.events", "N: x\nI: y\n" + STICK % 5)], 2, "description")
+    refuses(["--left", write(folder, "odd.events", "N: x\nI: y\n" + STICK % 5)], 2, "description", before=1)
     guessed = run("--left", write(folder, "guess.evemu", (STICK % 5).replace("\n", "\r\n")), "--right", "script:guard")
     check(guessed.returncode == 0, guessed.stderr)
     check("guess.evemu: " in guessed.stderr and guessed.stderr.count("\n") == 1, guessed.stderr)
