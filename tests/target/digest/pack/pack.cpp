@@ -116,7 +116,7 @@ void Pack::add_queries(const std::string& path, Chunk chunk, const Names& column
   WordList records;
   host::QueryRow row;
   while (file.next(row)) {  // Bound: lines of the file
-    for (const std::string& column : columns) records.push_back(bits_of(row.bits(column)));
+    for (const std::string& column : columns) records.push_back(bits_of(row.number(column)));
     if (!row.ok()) return refuse(path + ": " + row.error());
   }
   if (!file.ok()) return refuse(path + ": " + file.error());
