@@ -34,7 +34,7 @@ bool is_decimal(std::string_view text) {
 
 /// What no decimal number looks like.
 bool is_surely_bits(std::string_view text) {
-  return text.size() == kFloatDigits || text.find_first_of("abcdfABCDF") != std::string_view::npos;
+  return text.find_first_of("abcdfABCDF") != std::string_view::npos;
 }
 
 /// The same either way.

@@ -45,8 +45,8 @@ class QueryRow {
   /// double.
   float number(std::string_view column);
   /// To be called when all numbers of a query are read: fails where a bare field may be meant
-  /// either way. It is known to mean bits by a letter other than e, or by its eight digits, and
-  /// then so are all bare ones of its line, unless one of the line is decimal.
+  /// either way. A letter other than e shows that a field means bits, and then so do all bare ones
+  /// of its line, unless one of the line is decimal.
   void check_notation();
   /// A decimal field, correctly rounded.
   double decimal(std::string_view column);

@@ -89,9 +89,9 @@ TEST(QueryRow, NumberByBitsOrDecimal_IsThatFloat) {
   EXPECT_THAT(numbers_of("1.0,-2,0.1").numbers, testing::ElementsAre(1.0F, -2.0F, 0.1F));
   EXPECT_THAT(numbers_of("+2,1e-3,0").numbers, testing::ElementsAre(2.0F, 1e-3F, 0.0F));
   EXPECT_THAT(numbers_of("inf,-inf,0x4").numbers, testing::ElementsAre(INFINITY, -INFINITY, 2.0F));
-  EXPECT_THAT(numbers_of("1.5,3f8,40000000").numbers, testing::ElementsAre(1.5F, 1.0F, 2.0F));
+  EXPECT_THAT(numbers_of("1.5,3f8,0").numbers, testing::ElementsAre(1.5F, 1.0F, 0.0F));
   for (const char* line : {"3f8,4,c00e", "0x3f8,0x4,0x0", "1.0,-2,0.1", "+2,1e-3,0", "inf,-inf,0x4",
-                           "1.5,3f8,40000000", "0,0,00", "3f8,2,1e5"}) {
+                           "1.5,3f8,0", "3f8,40000000,0", "0,0,00", "3f8,2,1e5"}) {
     EXPECT_EQ(numbers_of(line).error, "") << line;
   }
 }
@@ -99,6 +99,7 @@ TEST(QueryRow, NumberByBitsOrDecimal_IsThatFloat) {
 TEST(QueryRow, NumberThatMayBeMeantEitherWay_IsRefused) {
   EXPECT_THAT(numbers_of("2,0,0").error, HasSubstr("line 1, column x: 2 is not clear"));
   EXPECT_THAT(numbers_of("0,1e5,0").error, HasSubstr("column y: 1e5 is not clear"));
+  EXPECT_THAT(numbers_of("0,0,10000000").error, HasSubstr("column z: 10000000 is not clear"));
   EXPECT_THAT(numbers_of("2.0,3,0").error, HasSubstr("column y: 3 is not clear"));
   EXPECT_THAT(numbers_of("3f8,3,-1").error, HasSubstr("column y: 3 is not clear"));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What the program needs to know of one kind of query. A new kind is one more file and one line in
-// main.cpp.
+// What the program needs to know of one kind of query. A new kind is one more file, a line
+// of kind_of() and one of read_command_line().
 
 #include <cstdint>
 #include <optional>
