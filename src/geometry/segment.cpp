@@ -5,6 +5,7 @@
 
 #include "batuta/geometry/direction.hpp"
 #include "scale_window.hpp"
+#include "segment_limits.hpp"
 
 // What always runs is one straight piece of code that lives in registers: its parts are inlined,
 // and the others are called with copies, so that the originals need no memory. The rare parts are
@@ -15,22 +16,6 @@
 
 namespace batuta {
 namespace {
-
-/// sin^2 of the angle above which there is only one closest pair (segment.md).
-template <class Scalar>
-constexpr Scalar kClearAngle2 = Scalar(1) / 256;
-
-/// A distance below this times S is rounding error, its direction means nothing (segment.md).
-template <class Scalar>
-constexpr Scalar kNoise = 4 * kRoundOff<Scalar>;
-
-/// How much longer than the shortest one, over S, the middle pair of a range may be.
-template <class Scalar>
-constexpr Scalar kMiddleSlack = kRoundOff<Scalar> / 2;
-
-/// sin^2 of the angle below which the cross product is rounding error.
-template <class Scalar>
-constexpr Scalar kParallel2 = 64 * kRoundOff<Scalar>* kRoundOff<Scalar>;
 
 template <class Scalar>
 BATUTA_RARE bool comes_before_by_y(const Vec3<Scalar>& p, const Vec3<Scalar>& q) {
