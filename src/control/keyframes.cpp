@@ -94,33 +94,6 @@ const Scalar* key_at(const detail::KeyGridView<Scalar>& grid, int column, int ro
   return grid.numbers + grid.stride * (column + grid.columns * row);
 }
 
-/// The surface through the key points and its two partial derivatives.
-template <class Scalar>
-struct Surface {
-  detail::KeyPoint<Scalar> value = detail::KeyPoint<Scalar>::Zero();
-  StickJacobian<Scalar> rate = StickJacobian<Scalar>::Zero();
-};
-
-template <class Scalar>
-Surface<Scalar> surface_at(const detail::KeyGridView<Scalar>& grid, const Vec2<Scalar>& stick) {
-  const Taps<Scalar> x = taps_at(stick.x(), grid.columns);
-  const Taps<Scalar> y = taps_at(stick.y(), grid.rows);
-  Surface<Scalar> surface;
-  for (std::size_t j = 0; j < y.index.size(); ++j) {  // Bound: kTaps
-    detail::KeyPoint<Scalar> row = detail::KeyPoint<Scalar>::Zero();
-    detail::KeyPoint<Scalar> row_rate = detail::KeyPoint<Scalar>::Zero();
-    for (std::size_t i = 0; i < x.index.size(); ++i) {  // Bound: kTaps
-      const Eigen::Map<const detail::KeyPoint<Scalar>> key(key_at(grid, x.index[i], y.index[j]));
-      row += x.weight[i] * key;
-      row_rate += x.rate[i] * key;
-    }
-    surface.value += y.weight[j] * row;
-    surface.rate.col(0) += y.weight[j] * row_rate;
-    surface.rate.col(1) += y.rate[j] * row;
-  }
-  return surface;
-}
-
 }  // namespace
 
 template <class Scalar>
@@ -145,45 +118,60 @@ Status detail::relate_keys(const Pose<Scalar>* poses, const Quat<Scalar>& q_ref,
 }
 
 template <class Scalar>
-KeyedPose<Scalar> detail::pose_on(const detail::KeyGridView<Scalar>& grid,
-                                  const Vec2<Scalar>& stick) {
+detail::KeySurface<Scalar> detail::surface_on(const detail::KeyGridView<Scalar>& grid,
+                                              const Vec2<Scalar>& stick, int number) {
   BATUTA_ASSERT(is_finite(stick) && grid.columns >= 2 && grid.rows >= 2);
-  const Surface<Scalar> surface = surface_at(grid, stick);
+  BATUTA_ASSERT(number >= 0 && number < grid.stride);
+  const Taps<Scalar> x = taps_at(stick.x(), grid.columns);
+  const Taps<Scalar> y = taps_at(stick.y(), grid.rows);
+  detail::KeySurface<Scalar> surface;
+  for (std::size_t j = 0; j < y.index.size(); ++j) {  // Bound: kTaps
+    detail::KeyPoint<Scalar> row = detail::KeyPoint<Scalar>::Zero();
+    detail::KeyPoint<Scalar> row_rate = detail::KeyPoint<Scalar>::Zero();
+    Scalar row_number = 0;
+    for (std::size_t i = 0; i < x.index.size(); ++i) {  // Bound: kTaps
+      const Scalar* numbers = key_at(grid, x.index[i], y.index[j]);
+      const Eigen::Map<const detail::KeyPoint<Scalar>> key(numbers);
+      row += x.weight[i] * key;
+      row_rate += x.rate[i] * key;
+      row_number += x.weight[i] * numbers[number];
+    }
+    surface.value += y.weight[j] * row;
+    surface.rate.col(0) += y.weight[j] * row_rate;
+    surface.rate.col(1) += y.rate[j] * row;
+    surface.number += y.weight[j] * row_number;
+  }
+  return surface;
+}
+
+template <class Scalar>
+KeyedPose<Scalar> detail::pose_of(const detail::KeySurface<Scalar>& surface,
+                                  const Quat<Scalar>& q_ref) {
   const Vec3<Scalar> turn = surface.value.template tail<3>();
 
   KeyedPose<Scalar> result;
   result.X_WH.p_W = surface.value.template head<3>();
-  result.X_WH.q_WB = detail::composed(grid.q_ref, exp_map(turn));
+  result.X_WH.q_WB = detail::composed(q_ref, exp_map(turn));
   result.jacobian.template topRows<3>() = surface.rate.template topRows<3>();
-  result.jacobian.template bottomRows<3>() = detail::to_matrix(grid.q_ref) *
+  result.jacobian.template bottomRows<3>() = detail::to_matrix(q_ref) *
                                              detail::left_jacobian(turn) *
                                              surface.rate.template bottomRows<3>();
   return result;
 }
 
 template <class Scalar>
-Scalar detail::number_on(const detail::KeyGridView<Scalar>& grid, int number,
-                         const Vec2<Scalar>& stick) {
-  BATUTA_ASSERT(is_finite(stick) && grid.columns >= 2 && grid.rows >= 2);
-  BATUTA_ASSERT(number >= 0 && number < grid.stride);
-  const Taps<Scalar> x = taps_at(stick.x(), grid.columns);
-  const Taps<Scalar> y = taps_at(stick.y(), grid.rows);
-  Scalar value = 0;
-  for (std::size_t j = 0; j < y.index.size(); ++j) {  // Bound: kTaps
-    Scalar row = 0;
-    for (std::size_t i = 0; i < x.index.size(); ++i) {  // Bound: kTaps
-      row += x.weight[i] * key_at(grid, x.index[i], y.index[j])[number];
-    }
-    value += y.weight[j] * row;
-  }
-  return value;
+KeyedPose<Scalar> detail::pose_on(const detail::KeyGridView<Scalar>& grid,
+                                  const Vec2<Scalar>& stick) {
+  return detail::pose_of(detail::surface_on(grid, stick, 0), grid.q_ref);
 }
 
-#define BATUTA_INSTANTIATE(S)                                                                     \
-  template Twist<S> hand_twist(const StickJacobian<S>&, const Vec2<S>&);                          \
-  template Status detail::relate_keys(const Pose<S>*, const Quat<S>&, detail::KeyPoint<S>*, int); \
-  template KeyedPose<S> detail::pose_on(const detail::KeyGridView<S>&, const Vec2<S>&);           \
-  template S detail::number_on(const detail::KeyGridView<S>&, int, const Vec2<S>&);
+#define BATUTA_INSTANTIATE(S)                                                                      \
+  template Twist<S> hand_twist(const StickJacobian<S>&, const Vec2<S>&);                           \
+  template Status detail::relate_keys(const Pose<S>*, const Quat<S>&, detail::KeyPoint<S>*, int);  \
+  template detail::KeySurface<S> detail::surface_on(const detail::KeyGridView<S>&, const Vec2<S>&, \
+                                                    int);                                          \
+  template KeyedPose<S> detail::pose_of(const detail::KeySurface<S>&, const Quat<S>&);             \
+  template KeyedPose<S> detail::pose_on(const detail::KeyGridView<S>&, const Vec2<S>&);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 

@@ -32,6 +32,11 @@ inline constexpr Scalar kSagitta = Scalar(0.13);
 template <class Scalar>
 inline constexpr Scalar kLongTurn = Scalar(4);
 
+/// Up to this turn, rad, the coarse form takes each end along its tangent: a face is further out by
+/// at most turn^2 of the lever, a 256th of it (swept_volume.md).
+template <class Scalar>
+inline constexpr Scalar kShortTurn = Scalar(1) / 16;
+
 template <class Scalar>
 inline constexpr Scalar kFullTurn = Scalar(6.28318530717958647693);
 
@@ -262,6 +267,28 @@ Kdop<Scalar, K> kdop_over(const MovingCapsule<Scalar>& moving) {
   return inflated(swept, sweep.path.radius + sweep.outward);
 }
 
+/// Both ends along their tangents, and as far aside as the turn leads them. @pre turn <= kShortTurn
+template <class Scalar, int K>
+Kdop<Scalar, K> kdop_along(const MovingCapsule<Scalar>& moving, Scalar turn) {
+  const auto& [X_WB, twist, duration] = moving.motion;
+  const Scalar radius = moving.capsule_B.radius;
+  const Vec3<Scalar> arm_a = X_WB.q_WB * moving.capsule_B.axis.a;
+  const Vec3<Scalar> arm_b = X_WB.q_WB * moving.capsule_B.axis.b;
+  const Vec3<Scalar> travel = duration * twist.v_W;
+  const Vec3<Scalar> spin = duration * twist.w_W;
+  const Scalar reach = bounding_radius_of(moving);
+  const Scalar local = reach + travel.cwiseAbs().sum();
+  const Scalar other = X_WB.p_W.cwiseAbs().sum() + radius;
+  if (!(local + other <= kLargestCoordinate<Scalar>)) return unbounded<Scalar, K>();
+  const Capsule<Scalar> from{{X_WB.p_W + arm_a, X_WB.p_W + arm_b}, radius};
+  const Capsule<Scalar> to{
+      {from.axis.a + (travel + spin.cross(arm_a)), from.axis.b + (travel + spin.cross(arm_b))},
+      radius};
+  const Scalar aside = turn * turn * reach / 2;
+  const Scalar outward = kLocalOutward<Scalar> * local + kOriginOutward<Scalar> * other;
+  return detail::kdop_of<Scalar, K>(from, to, aside + outward);
+}
+
 }  // namespace
 
 template <class Scalar>
@@ -306,6 +333,8 @@ Kdop<Scalar, K> detail::swept_kdop(const MovingCapsule<Scalar>& moving) {
 
 template <class Scalar, int K>
 Kdop<Scalar, K> detail::coarse_swept_kdop(const MovingCapsule<Scalar>& moving) {
+  const Scalar turn = length(moving.motion.twist.w_W) * moving.motion.duration;
+  if (turn <= kShortTurn<Scalar>) return kdop_along<Scalar, K>(moving, turn);
   return kdop_over<Scalar, K, CoarseExtent>(moving);
 }
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Closest points of segments against exact answers, for both scalars.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi"  // lanes wider than this machine's are never passed on
+#endif
 
 #include <gtest/gtest.h>
 
@@ -9,6 +12,7 @@
 #include "batuta/geometry/segment.hpp"
 #include "exact_distance.hpp"
 #include "judge_file.hpp"
+#include "segment_columns.hpp"
 
 namespace batuta {
 namespace {
@@ -90,6 +94,27 @@ class Judge {
   Worst error_;
 };
 
+/// Whether many at once have the bits of one at a time.
+template <class Scalar>
+class ArraysJudge {
+ public:
+  void judge(host::QueryRow& row) {
+    const Segment<Scalar> A{read_point<Scalar>(row, "A0"), read_point<Scalar>(row, "A1")};
+    const Segment<Scalar> B{read_point<Scalar>(row, "B0"), read_point<Scalar>(row, "B1")};
+    ASSERT_TRUE(row.ok()) << row.error();
+    pairs_.push(A, B);
+  }
+  void report(const char* scalar, const test::Evidence& evidence) const {
+    EXPECT_GE(pairs_.size(), evidence.rows);
+    const std::size_t unlike = test::count_unlike_at_any_width(pairs_);
+    EXPECT_EQ(unlike, 0U);
+    std::printf("arrays, %s: %zu of %zu pairs have other bits\n", scalar, unlike, pairs_.size());
+  }
+
+ private:
+  test::SegmentColumns<Scalar> pairs_;
+};
+
 template <class Scalar>
 class DistanceVectors : public testing::Test {};
 using Scalars = testing::Types<float, double>;
@@ -97,6 +122,11 @@ TYPED_TEST_SUITE(DistanceVectors, Scalars);
 
 TYPED_TEST(DistanceVectors, EveryLine_WithinFourRoundOffs) {
   test::judge_file<Judge<TypeParam>>(test::kDistances, sizeof(TypeParam) == 4 ? "float" : "double");
+}
+
+TYPED_TEST(DistanceVectors, EveryLine_InArraysHasTheBitsOfOneAtATime) {
+  test::judge_file<ArraysJudge<TypeParam>>(test::kDistances,
+                                           sizeof(TypeParam) == 4 ? "float" : "double");
 }
 
 }  // namespace

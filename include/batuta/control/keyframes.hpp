@@ -67,17 +67,32 @@ template <class Scalar>
 Status relate_keys(const Pose<Scalar>* poses, const Quat<Scalar>& q_ref, KeyPoint<Scalar>* points,
                    int count);
 
+/// The surface at one stick position.
+template <class Scalar>
+struct KeySurface {
+  KeyPoint<Scalar> value = KeyPoint<Scalar>::Zero();
+  StickJacobian<Scalar> rate = StickJacobian<Scalar>::Zero();  ///< its two partial derivatives
+  Scalar number = 0;  ///< of one more number of the keys, on the same surface
+};
+
+/// The surface through the KeyPoints, and through one number of the keys, by its index in a key;
+/// clamped at the rim.
+/// @pre stick finite; the grid has at least 2 x 2 keys; 0 <= number < stride
+/// Bound: 16 keys are looked at, whatever the size of the grid.
+template <class Scalar>
+KeySurface<Scalar> surface_on(const KeyGridView<Scalar>& grid, const Vec2<Scalar>& stick,
+                              int number);
+
+/// The pose that a place of the surface means, and its Jacobian.
+/// @param q_ref  the rotation from which turns are measured
+template <class Scalar>
+KeyedPose<Scalar> pose_of(const KeySurface<Scalar>& surface, const Quat<Scalar>& q_ref);
+
 /// Pose and Jacobian at a stick position; clamped at the rim.
 /// @pre stick finite; the grid has at least 2 x 2 keys
 /// Bound: 16 keys are looked at, whatever the size of the grid.
 template <class Scalar>
 KeyedPose<Scalar> pose_on(const KeyGridView<Scalar>& grid, const Vec2<Scalar>& stick);
-
-/// One number of the keys on the same surface, by its index in a key; clamped at the rim.
-/// @pre stick finite; the grid has at least 2 x 2 keys; 0 <= number < stride
-/// Bound: 16 keys are looked at, whatever the size of the grid.
-template <class Scalar>
-Scalar number_on(const KeyGridView<Scalar>& grid, int number, const Vec2<Scalar>& stick);
 
 }  // namespace detail
 

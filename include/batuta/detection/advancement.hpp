@@ -33,8 +33,9 @@ struct AdvancementOptions {
   /// A gap of at most contact_tolerance times S counts as contact, S = MovingPair::scale; in
   /// [0, 1].
   Scalar contact_tolerance = Scalar(1e-6);
-  /// Distance evaluations, at most kMaxBudget. Where they do not suffice the answer is kBudget.
-  std::uint32_t budget = 64;
+  /// Distance evaluations, at most kMaxBudget. Where they do not suffice the answer is kBudget:
+  /// with these 30, to 1 of the 20,300 queries with exact answers (docs/searching.md).
+  std::uint32_t budget = 30;
 };
 
 /// @returns kOk | kInvalidArgument: an option out of the range stated beside it

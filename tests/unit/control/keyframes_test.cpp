@@ -240,12 +240,12 @@ TEST(KeyGridView, OneNumber_IsOnTheSurfaceOfItsKeys) {
     const Vec2<double> stick(1.2 * unit(), 1.2 * unit());
     const auto pose = detail::pose_on(grid, stick);
     for (int axis = 0; axis < 3; ++axis) {
-      ASSERT_NEAR(detail::number_on(grid, axis, stick), pose.X_WH.p_W[axis], 1e-15);
+      ASSERT_NEAR(detail::surface_on(grid, stick, axis).number, pose.X_WH.p_W[axis], 1e-15);
     }
-    ASSERT_NEAR(detail::number_on(grid, 6, stick), pose.X_WH.p_W.y(), 1e-15);
+    ASSERT_NEAR(detail::surface_on(grid, stick, 6).number, pose.X_WH.p_W.y(), 1e-15);
   }
-  EXPECT_DEATH((void)detail::number_on(grid, kStride, {0.0, 0.0}), "");
-  EXPECT_DEATH((void)detail::number_on(grid, -1, {0.0, 0.0}), "");
+  EXPECT_DEATH((void)detail::surface_on(grid, {0.0, 0.0}, kStride), "");
+  EXPECT_DEATH((void)detail::surface_on(grid, {0.0, 0.0}, -1), "");
 }
 
 TEST(KeyframeGrid, BeforeThereAreKeys_IsTheOrigin) {
