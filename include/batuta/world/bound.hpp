@@ -16,8 +16,9 @@ struct SweptBox {
   }
 };
 
-/// A larger box without an arc tangent: for bodies that turn by more than about half a radian a
-/// step, and for less flash.
+/// A larger box without an arc tangent: for bodies that turn by less than 1/16 rad a step, where it
+/// is larger by a 256th of the lever at most and takes a quarter of the time, or by more than about
+/// half a radian.
 struct CoarseBox {
   /// coarse_swept_aabb().
   template <class Scalar>

@@ -115,22 +115,42 @@ BATUTA_RARE Twist<Scalar> group_twist(const RigidGroup<Scalar>& group, const Vec
   return twist;
 }
 
-/// R^-1 L of the turn R of the first half is L - (half the turn) x L, to first order.
+/// What rounding makes of L . I^-1 L, at most.
+template <class Scalar>
+BATUTA_RARE Scalar rounding_of_energy(const RigidGroup<Scalar>& group, const Vec3<Scalar>& w_W) {
+  constexpr Scalar kUlps = 4;
+  const auto& I = group.inertia_W;
+  return kUlps * kRoundOff<Scalar> * (I[0].x() + I[1].y() + I[2].z()) * dot(w_W, w_W);
+}
+
+/// Each pass turns L back by the turn of the pass before, to L', and turns about I^-1 (L + L') / 2:
+/// where that is the axis already, the energy stays (world.md, "Together").
 template <class Scalar>
 BATUTA_RARE Motion<Scalar> group_motion(const RigidGroup<Scalar>& group, Scalar duration) {
   constexpr Scalar kHalfTurn = Scalar(3.14159265358979323846);
+  constexpr int kFewest = 1;  // passes: to second order
+  constexpr int kEnough = 4;  // for a turn that loses energy
+  constexpr int kMost = 8;
   Motion<Scalar> motion;
   motion.X_WB.p_W = group.center_W;
   motion.duration = duration;
-  Vec3<Scalar> L_W = group.momentum.angular_W;
-  for (int i = 0; i < 2; ++i) {  // Bound: 2: at the start of the time, then in its middle
-    motion.twist = group_twist(group, L_W);
-    if (!(duration * length(motion.twist.w_W) < kHalfTurn)) {
-      motion.twist.w_W.setZero();
-      break;
-    }
-    add(L_W, -duration / 2, crossed(motion.twist.w_W, group.momentum.angular_W));
+  const Vec3<Scalar>& L_W = group.momentum.angular_W;
+  motion.twist = group_twist(group, L_W);
+  Vec3<Scalar>& w_W = motion.twist.w_W;
+  const Scalar energy = dot(L_W, w_W);
+  const Scalar rounding = rounding_of_energy(group, w_W);
+  for (int i = 0; i < kMost && duration * length(w_W) < kHalfTurn; ++i) {  // Bound: kMost
+    Pose<Scalar> turn = pose_at(motion, duration);
+    turn.p_W.setZero();
+    Vec3<Scalar> sum_W = to_body(turn, L_W);
+    const Scalar gained = dot(sum_W, spin_of(group, sum_W)) - energy;
+    const bool is_kept = i >= kFewest && gained >= -rounding;
+    if (gained <= rounding && (is_kept || i >= kEnough)) return motion;
+    add(sum_W, Scalar(1), L_W);
+    w_W = spin_of(group, sum_W);
+    w_W /= 2;
   }
+  w_W.setZero();
   return motion;
 }
 

@@ -43,6 +43,8 @@ struct BentState {
 template <class Scalar>
 struct OpeningState {
   Twist<Scalar> opening;  ///< for this step, to open gaps; no part of its momentum
+  /// What shifts of this step changed of its x x p, kg m^2/s (moment_account.hpp).
+  Vec3<Scalar> moment_W = zero<Scalar>();
   bool is_held = false;   ///< something holds those it was opened with
   bool is_opened = true;  ///< may still be moved to open gaps
 };
@@ -173,6 +175,7 @@ class Bodies : public Proxies<SceneT> {
   Scalar now = 0;           ///< in the step, s
   Scalar dt = 0;            ///< length of the step, s
   bool is_changed = false;  ///< somebody has to be planned anew
+  bool is_shifted = false;  ///< in this step somebody was, that nothing may hold
 };
 
 template <class SceneT>
@@ -189,6 +192,7 @@ bool Bodies<SceneT>::begin(std::size_t slot) {
   }
   if constexpr (kLasts<SceneT>) {
     state.opening = {};
+    state.moment_W.setZero();
     state.is_held = false;
     state.is_opened = true;
   }

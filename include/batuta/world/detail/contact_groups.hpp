@@ -78,6 +78,9 @@ class ContactGroups {
   void load(const BodiesT& bodies, std::size_t slot);
   /// Something else than a visit has changed a body: what touches it is to be looked at.
   void look_again(std::size_t slot);
+  /// A body was shifted within the step. Where that was far, its contacts have their points where
+  /// it was.
+  void note_shift(const Body<Scalar>& body, std::size_t slot, const Vec3<Scalar>& shift_W);
   /// The k-th of the contacts that are solved.
   Contact& solved_at(int k) { return contacts[order[static_cast<std::size_t>(k)]]; }
   const Contact& solved_at(int k) const { return contacts[order[static_cast<std::size_t>(k)]]; }
@@ -208,6 +211,24 @@ void ContactGroups<SceneT>::look_again(std::size_t slot) {
   }
 }
 
+/// A shift by more than an eighth of the body's least radius of gyration, sqrt(I / m).
+template <class Scalar>
+bool changes_arms(const Body<Scalar>& body, const Vec3<Scalar>& shift_W) {
+  constexpr Scalar kShares = 8;
+  const Scalar shares = kShares * length(shift_W);
+  return shares * shares * body.inverse_moments.maxCoeff() > body.inverse_mass;
+}
+
+template <class SceneT>
+void ContactGroups<SceneT>::note_shift(const Body<Scalar>& body, std::size_t slot,
+                                       const Vec3<Scalar>& shift_W) {
+  if (!changes_arms(body, shift_W)) return;
+  // Bound: the contacts of a body.
+  for (int i = contacts.first_of(slot); i != kNone; i = contacts.next_of(i, slot)) {
+    contacts[i].is_moved = true;
+  }
+}
+
 template <class SceneT>
 void ContactGroups<SceneT>::wake(std::size_t slot) {
   // Bound: the contacts of a body.
@@ -239,6 +260,7 @@ void ContactGroups<SceneT>::end_step() {
     Contact& contact = contacts[i];
     take_together(contact);
     contact.since = 0;
+    contact.is_moved = false;
   }
 }
 
@@ -271,3 +293,4 @@ void join_all(const Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups, bool 
 #include "batuta/world/detail/contact_opening.hpp"
 #include "batuta/world/detail/contact_passing.hpp"
 #include "batuta/world/detail/contact_solution.hpp"
+#include "batuta/world/detail/moment_account.hpp"

@@ -33,6 +33,7 @@ void refresh(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups,
     if (span > Scalar(0)) spend(contact, 1 - left / span);
   }
   contact.since = bodies.now;
+  contact.is_moved = false;
   const Capsule<Scalar> A_W = bodies.shape_W(contact.pair.first);
   const Capsule<Scalar> B_W = bodies.shape_W(contact.pair.second);
   contact.is_new = !contact.is_solved;
@@ -200,7 +201,7 @@ bool is_due(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups, std::size_t i
 template <class SceneT>
 void bring_to_now(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups,
                   LastingContactOf<SceneT>& contact) {
-  if (contact.since < bodies.now) refresh(bodies, groups, contact);
+  if (contact.since < bodies.now || contact.is_moved) refresh(bodies, groups, contact);
   mark(bodies, groups, a_of<SceneT>(contact));
   mark(bodies, groups, b_of<SceneT>(contact));
 }

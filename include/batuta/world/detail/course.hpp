@@ -93,6 +93,14 @@ template <class SceneT>
   bodies.report.time_held = max_of(bodies.report.time_held, rest);
 }
 
+/// A body is shifted by what is no part of its momentum: its angular momentum about any point
+/// changes by that of the shift, and it is remembered who is to give it back (moment_account.hpp).
+template <class SceneT>
+void note_shift(Bodies<SceneT>& bodies, std::size_t slot, const Vec3<Scalar_of<SceneT>>& shift_W) {
+  bodies.states[slot].moment_W += shift_W.cross(bodies.actor(slot).body.momentum.linear_W);
+  bodies.is_shifted = true;
+}
+
 /// Moves a body on its planned motion. An opening turns it as no momentum does: where that would
 /// add energy, what turns it is less (what holds its group takes the rest); where it takes some,
 /// the flight that it was on is over.
@@ -102,6 +110,9 @@ void move_on(Bodies<SceneT>& bodies, std::size_t slot, Scalar_of<SceneT> elapsed
   auto& body = bodies.actor(slot).body;
   const auto& state = bodies.states[slot];
   if constexpr (kLasts<SceneT>) {
+    if (!state.is_held && !is_zero(state.opening.v_W)) {
+      note_shift(bodies, slot, elapsed * state.opening.v_W);
+    }
     if (!is_zero(state.opening.w_W)) {
       const auto energy = [&body] { return body.momentum.angular_W.dot(twist_of(body).w_W); };
       const auto before = energy();

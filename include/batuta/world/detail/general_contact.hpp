@@ -289,6 +289,12 @@ template <class SceneT>
     ++bodies_.report.resolutions_invalid;
     return bodies_.weld(a, b, bodies_.dt);
   }
+  if constexpr (kSolves) {
+    note_shift(bodies_, a, made.value.shift_A_W);
+    note_shift(bodies_, b, made.value.shift_B_W);
+    groups_.note_shift(bodies_.actor(a).body, a, made.value.shift_A_W);
+    groups_.note_shift(bodies_.actor(b).body, b, made.value.shift_B_W);
+  }
   add_to(bodies_.actor(a).body.X_WB.p_W, made.value.shift_A_W);
   add_to(bodies_.actor(b).body.X_WB.p_W, made.value.shift_B_W);
   tell_controllers(pair, contact, result, made.value);

@@ -189,6 +189,7 @@ void GeneralWorld<SceneT>::end_step() {
     if (bodies_.states[slot].present) bodies_.finish(slot);
   }
   if constexpr (kSolves) {
+    give_back_moments(bodies_, groups_);
     touches_.end_step(
         bodies_, [this](ProxyPair pair) { return rest_gap(bodies_, pair); },
         [this](ProxyPair pair) { return groups_.presses(pair); });

@@ -35,9 +35,10 @@ void add_to_group(RigidGroup<Scalar>& group, const Body<Scalar>& body);
 template <class Scalar>
 void add_to_group(StraightGroup<Scalar>& group, const StraightBody<Scalar>& body);
 
-/// How the group goes on for `duration`, in a frame at its centre with the axes of W: with the
-/// angular velocity of the middle of the time, to first order. So of second order in the turn; none
-/// where that is half a turn or more. @pre mass > 0
+/// How the group goes on for `duration`, in a frame at its centre with the axes of W: by a constant
+/// twist at whose end it has no more energy than before, but for rounding. Of second order in the
+/// turn; none where that is half a turn or more, or no such turn is found. @pre mass > 0. Bound: 8
+/// passes.
 template <class Scalar>
 Motion<Scalar> group_motion(const RigidGroup<Scalar>& group, Scalar duration);
 template <class Scalar>
