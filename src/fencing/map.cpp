@@ -31,12 +31,18 @@ template <class Scalar>
 constexpr FencerMap<Scalar> kMapOfLibrary = {kKeysOfLibrary<Scalar>.data(), kLibraryColumns,
                                              kLibraryRows};
 
-/// The numbers of the map as the kernels read them; turns are against q_WF.
+/// The numbers of the map as the kernels read them; turns are against the axes of F.
 template <class Scalar>
-batuta::detail::KeyGridView<Scalar> grid_of(const FencerMap<Scalar>& map,
-                                            const Quat<Scalar>& q_WF) {
+batuta::detail::KeyGridView<Scalar> grid_of(const FencerMap<Scalar>& map) {
   static_assert(sizeof(MapKey<Scalar>) == kMapKeyNumbers * sizeof(Scalar));
-  return {map.keys->hand_F.data(), kMapKeyNumbers, map.columns, map.rows, q_WF};
+  return {map.keys->hand_F.data(), kMapKeyNumbers, map.columns, map.rows, Quat<Scalar>::Identity()};
+}
+
+/// What is within kNoOrder is taken away from it, and the rest stretched to reach 1 at 1 again.
+template <class Scalar>
+Scalar order_of(Scalar asked) {
+  const Scalar rest = asked - clamp(asked, -kNoOrder<Scalar>, kNoOrder<Scalar>);
+  return clamp(rest / (Scalar(1) - kNoOrder<Scalar>), Scalar(-1), Scalar(1));
 }
 
 template <class Scalar>
@@ -87,15 +93,26 @@ Status validate(const FencerMap<Scalar>& map) {
 }
 
 template <class Scalar>
+MapPlace<Scalar> place_on(const FencerMap<Scalar>& map, const Vec2<Scalar>& stick) {
+  const auto surface = batuta::detail::surface_on(grid_of(map), stick, kFeetNumber);
+  return {surface, order_of(surface.number)};
+}
+
+template <class Scalar>
 KeyedPose<Scalar> hand_at(const FencerMap<Scalar>& map, const Vec2<Scalar>& stick) {
-  return batuta::detail::pose_on(grid_of(map, Quat<Scalar>::Identity()), stick);
+  return batuta::detail::pose_on(grid_of(map), stick);
 }
 
 template <class Scalar>
 KeyedPose<Scalar> hand_at(const FencerMap<Scalar>& map, const Vec2<Scalar>& stick,
                           const Pose<Scalar>& X_WF) {
+  return hand_at(place_on(map, stick), X_WF);
+}
+
+template <class Scalar>
+KeyedPose<Scalar> hand_at(const MapPlace<Scalar>& place, const Pose<Scalar>& X_WF) {
   // Turns come out against W already.
-  KeyedPose<Scalar> hand = batuta::detail::pose_on(grid_of(map, X_WF.q_WB), stick);
+  KeyedPose<Scalar> hand = batuta::detail::pose_of(place.surface, X_WF.q_WB);
   hand.X_WH.p_W = to_world(X_WF, hand.X_WH.p_W);
   const Mat3<Scalar> R_WF = batuta::detail::to_matrix(X_WF.q_WB);
   for (int k = 0; k < hand.jacobian.cols(); ++k) {  // Bound: 2
@@ -107,11 +124,7 @@ KeyedPose<Scalar> hand_at(const FencerMap<Scalar>& map, const Vec2<Scalar>& stic
 
 template <class Scalar>
 Scalar feet_at(const FencerMap<Scalar>& map, const Vec2<Scalar>& stick) {
-  const Scalar asked =
-      batuta::detail::number_on(grid_of(map, Quat<Scalar>::Identity()), kFeetNumber, stick);
-  // What is within kNoOrder is taken away from it, and the rest stretched to reach 1 at 1 again.
-  const Scalar rest = asked - clamp(asked, -kNoOrder<Scalar>, kNoOrder<Scalar>);
-  return clamp(rest / (Scalar(1) - kNoOrder<Scalar>), Scalar(-1), Scalar(1));
+  return place_on(map, stick).feet;
 }
 
 template <class Scalar>
@@ -131,6 +144,8 @@ const FencerMap<Scalar>& library_map() {
 
 #define BATUTA_INSTANTIATE(S)                                                         \
   template Status validate(const FencerMap<S>&);                                      \
+  template MapPlace<S> place_on(const FencerMap<S>&, const Vec2<S>&);                 \
+  template KeyedPose<S> hand_at(const MapPlace<S>&, const Pose<S>&);                  \
   template KeyedPose<S> hand_at(const FencerMap<S>&, const Vec2<S>&);                 \
   template KeyedPose<S> hand_at(const FencerMap<S>&, const Vec2<S>&, const Pose<S>&); \
   template S feet_at(const FencerMap<S>&, const Vec2<S>&);                            \

@@ -8,6 +8,12 @@ constexpr std::size_t slot(BodyPart part) {
   return static_cast<std::size_t>(part);
 }
 
+/// Of a bone of a limb, m.
+template <class Scalar>
+Scalar length_of(const Bone<Scalar>& bone) {
+  return bone.capsule_J.axis.b.x();
+}
+
 template <class Scalar>
 Vec3<Scalar> turned(const Quat<Scalar>& q, const Vec3<Scalar>& x) {
   return q * x;
@@ -17,17 +23,6 @@ Vec3<Scalar> turned(const Quat<Scalar>& q, const Vec3<Scalar>& x) {
 /// does not run through the arm at once.
 template <class Scalar>
 inline constexpr Scalar kNearlyStraight = Scalar(0.98F);
-
-/// The shortest turn that carries the x axis of `q_WF` into the direction `x_W`. Unit x_W; straight
-/// backwards: about z.
-template <class Scalar>
-Quat<Scalar> pointing(const Quat<Scalar>& q_WF, const Vec3<Scalar>& x_W) {
-  const Vec3<Scalar> x_F = q_WF.conjugate() * x_W;
-  const Quat<Scalar> twice(Scalar(1) + x_F.x(), Scalar(0), -x_F.z(), x_F.y());
-  const bool backwards = !(twice.squaredNorm() > kRoundOff<Scalar>);
-  const Quat<Scalar> half_turn(Scalar(0), Scalar(0), Scalar(0), Scalar(1));
-  return detail::composed(q_WF, backwards ? half_turn : twice);
-}
 
 /// Direction of a vector; `otherwise` where it has none.
 template <class Scalar>
@@ -42,66 +37,55 @@ Pose<Scalar> trunk_pose(const Vec3<Scalar>& p_W, const Quat<Scalar>& q_WF, Scala
   return {p_W, detail::composed(q_WF, exp_map(turn))};
 }
 
-/// The body while it is posed: bones in order, each on a bone that stands already.
+/// The body while it is posed: trunk first, then what it carries.
 template <class Scalar>
 struct Posing {
   const FencerBuild<Scalar>& build;
-  Pose<Scalar> X_WF;
+  const Pose<Scalar>& X_WF;
   Scalar share;  ///< of a full lunge
-  std::array<Pose<Scalar>, static_cast<std::size_t>(kBodyParts)> X_WJ{};
+  BodyShape<Scalar> shape{};
+  Pose<Scalar> pelvis{};  ///< X_WJ
+  Pose<Scalar> torso{};   ///< X_WJ
 
-  Vec3<Scalar> start_of(BodyPart part) const {
-    const auto parent = static_cast<std::size_t>(kBodyParent[slot(part)]);
-    return to_world(X_WJ[parent], build.bones[slot(part)].start_P);
-  }
-  Scalar length_of(BodyPart part) const {
-    return build.bones[slot(part)].capsule_J.axis.direction().norm();
-  }
+  const Bone<Scalar>& bone(BodyPart part) const { return build.bones[slot(part)]; }
 
   void stand() {
-    const Vec3<Scalar> hips =
-        build.bones[slot(BodyPart::kPelvis)].start_P + share * build.lunge_shift_F;
-    X_WJ[slot(BodyPart::kPelvis)] = {to_world(X_WF, hips), X_WF.q_WB};
-    carry(BodyPart::kTorso, share * build.lunge_lean);
-    carry(BodyPart::kHead, Scalar(0));  // the eyes stay on the opponent
+    const Vec3<Scalar> hips = bone(BodyPart::kPelvis).start_P + share * build.lunge_shift_F;
+    pelvis = {to_world(X_WF, hips), X_WF.q_WB};
+    torso = trunk_pose(to_world(pelvis, bone(BodyPart::kTorso).start_P), X_WF.q_WB,
+                       share * build.lunge_lean);
+    put(BodyPart::kPelvis, pelvis);
+    put(BodyPart::kTorso, torso);
+    // The eyes stay on the opponent.
+    put(BodyPart::kHead, {to_world(torso, bone(BodyPart::kHead).start_P), X_WF.q_WB});
+  }
+  void put(BodyPart part, const Pose<Scalar>& X_WJ) {
+    shape[slot(part)] = to_world(X_WJ, bone(part).capsule_J);
   }
   /// Where a limb begins that has its bend up to `reach`, and then takes its root along.
-  Vec3<Scalar> root_of(BodyPart first, const Vec3<Scalar>& goal_W, Scalar give,
+  Vec3<Scalar> root_of(const Vec3<Scalar>& start, const Vec3<Scalar>& goal_W, Scalar give,
                        Scalar reach) const {
-    Vec3<Scalar> start = start_of(first);
     const Vec3<Scalar> way = goal_W - start;
     const Scalar distance = way.norm();
     if (!(distance > reach)) return start;
     return start + (min_of(distance - reach, give) / distance) * way;
   }
-  void carry(BodyPart part, Scalar lean) {
-    X_WJ[slot(part)] = trunk_pose(start_of(part), X_WF.q_WB, lean);
-  }
   /// The limb whose first bone is `first` and whose second is the next one.
-  /// @param give  how far its root comes along before the limb is straight, m
-  void reach(BodyPart first, const Vec3<Scalar>& goal_W, const Vec3<Scalar>& bend_F,
-             Scalar give = Scalar(0)) {
+  /// @param carrier  X_WJ of the bone that it begins on
+  /// @param give     how far its root comes along before the limb is straight, m
+  /// @returns where it ends, W
+  Vec3<Scalar> reach(BodyPart first, const Pose<Scalar>& carrier, const Vec3<Scalar>& goal_W,
+                     const Vec3<Scalar>& bend_F, Scalar give = Scalar(0)) {
     const auto second = static_cast<BodyPart>(slot(first) + 1);
-    const Vec2<Scalar> lengths(length_of(first), length_of(second));
-    const Vec3<Scalar> start =
-        root_of(first, goal_W, give, kNearlyStraight<Scalar> * lengths.sum());
+    const Vec2<Scalar> lengths(length_of(bone(first)), length_of(bone(second)));
+    const Vec3<Scalar> start = root_of(to_world(carrier, bone(first).start_P), goal_W, give,
+                                       kNearlyStraight<Scalar> * lengths.sum());
     const Reach<Scalar> limb = two_bone_reach(start, goal_W, lengths, turned(X_WF.q_WB, bend_F));
-    X_WJ[slot(first)] = {start,
-                         pointing(X_WF.q_WB, Vec3<Scalar>((limb.middle - start) / lengths.x()))};
-    X_WJ[slot(second)] = {
-        limb.middle, pointing(X_WF.q_WB, Vec3<Scalar>((limb.end - limb.middle) / lengths.y()))};
+    shape[slot(first)] = {{start, limb.middle}, bone(first).capsule_J.radius};
+    shape[slot(second)] = {{limb.middle, limb.end}, bone(second).capsule_J.radius};
+    return limb.end;
   }
 };
-
-/// A bone where it is posed. Limbs begin at their joint: nothing is turned for that end.
-template <class Scalar>
-Capsule<Scalar> placed(const Pose<Scalar>& X_WJ, const Capsule<Scalar>& capsule_J) {
-  const Segment<Scalar>& axis = capsule_J.axis;
-  const bool begins_at_joint =
-      axis.a.x() == Scalar(0) && axis.a.y() == Scalar(0) && axis.a.z() == Scalar(0);
-  return {{begins_at_joint ? X_WJ.p_W : to_world(X_WJ, axis.a), to_world(X_WJ, axis.b)},
-          capsule_J.radius};
-}
 
 template <class Scalar>
 bool is_within_reach(const Vec3<Scalar>& x) {
@@ -115,15 +99,23 @@ bool is_good(const Bone<Scalar>& bone) {
          is_within_reach(bone.start_P) && is_within_reach(axis.a) && is_within_reach(axis.b);
 }
 
+/// Whether a bone of a limb lies along x, from the origin.
+template <class Scalar>
+bool lies_along_x(const Bone<Scalar>& bone) {
+  const Segment<Scalar>& axis = bone.capsule_J.axis;
+  return axis.a == detail::zero<Scalar>() && is_positive(axis.b.x()) && axis.b.y() == Scalar(0) &&
+         axis.b.z() == Scalar(0);
+}
+
 /// Whether a limb can be posed: numbers in range, and two bones of some length, `first` and the
-/// next.
+/// next, which begins where that one ends.
 template <class Scalar>
 bool is_good(const FencerBuild<Scalar>& build, const Limb<Scalar>& limb, BodyPart first) {
   const Bone<Scalar>& upper = build.bones[slot(first)];
   const Bone<Scalar>& lower = build.bones[slot(first) + 1];
   return is_within_reach(limb.goal_F) && is_within_reach(limb.bend_F) &&
-         is_positive(limb.bend_F.norm()) && is_positive(upper.capsule_J.axis.direction().norm()) &&
-         is_positive(lower.capsule_J.axis.direction().norm());
+         is_positive(limb.bend_F.norm()) && lies_along_x(upper) && lies_along_x(lower) &&
+         lower.start_P == upper.capsule_J.axis.b;
 }
 
 template <class Scalar>
@@ -145,7 +137,9 @@ Status validate(const FencerBuild<Scalar>& build) {
                      is_good(build, build.other_arm, BodyPart::kOtherUpperArm) &&
                      is_good(build, build.front_leg, BodyPart::kFrontThigh) &&
                      is_good(build, build.rear_leg, BodyPart::kRearThigh);
-  return bones && limbs && is_good_lunge(build) ? Status::kOk : Status::kInvalidArgument;
+  const bool hand = build.bones[slot(BodyPart::kWeaponHand)].start_P ==
+                    build.bones[slot(BodyPart::kWeaponForearm)].capsule_J.axis.b;
+  return bones && limbs && hand && is_good_lunge(build) ? Status::kOk : Status::kInvalidArgument;
 }
 
 const char* name_of(BodyPart part) {
@@ -196,20 +190,17 @@ BodyShape<Scalar> pose_body(const FencerBuild<Scalar>& build, const Pose<Scalar>
   const Scalar share = lunge_share(build, to_body(X_WF, X_WH.p_W).x());
   Posing<Scalar> posing{build, X_WF, share};
   posing.stand();
-  posing.reach(BodyPart::kWeaponUpperArm, X_WH.p_W, build.weapon_arm.bend_F, build.shoulder_give);
-  posing.X_WJ[slot(BodyPart::kWeaponHand)] = {posing.start_of(BodyPart::kWeaponHand), X_WH.q_WB};
-  const Vec3<Scalar> other_hand =
-      to_world(posing.X_WJ[slot(BodyPart::kTorso)], build.other_arm.goal_F);
-  posing.reach(BodyPart::kOtherUpperArm, other_hand, build.other_arm.bend_F);
+  const Vec3<Scalar> wrist = posing.reach(BodyPart::kWeaponUpperArm, posing.torso, X_WH.p_W,
+                                          build.weapon_arm.bend_F, build.shoulder_give);
+  posing.put(BodyPart::kWeaponHand, {wrist, X_WH.q_WB});
+  (void)posing.reach(BodyPart::kOtherUpperArm, posing.torso,
+                     to_world(posing.torso, build.other_arm.goal_F), build.other_arm.bend_F);
   const Vec3<Scalar> front_foot = build.front_leg.goal_F + share * build.stride_F;
-  posing.reach(BodyPart::kFrontThigh, to_world(X_WF, front_foot), build.front_leg.bend_F);
-  posing.reach(BodyPart::kRearThigh, to_world(X_WF, build.rear_leg.goal_F), build.rear_leg.bend_F);
-
-  BodyShape<Scalar> shape;
-  for (std::size_t i = 0; i < shape.size(); ++i) {  // Bound: kBodyParts
-    shape[i] = placed(posing.X_WJ[i], build.bones[i].capsule_J);
-  }
-  return shape;
+  (void)posing.reach(BodyPart::kFrontThigh, posing.pelvis, to_world(X_WF, front_foot),
+                     build.front_leg.bend_F);
+  (void)posing.reach(BodyPart::kRearThigh, posing.pelvis, to_world(X_WF, build.rear_leg.goal_F),
+                     build.rear_leg.bend_F);
+  return posing.shape;
 }
 
 #define BATUTA_INSTANTIATE(S)                                                      \

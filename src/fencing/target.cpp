@@ -2,6 +2,7 @@
 #include "batuta/fencing/target.hpp"
 
 #include "batuta/detection/swept_volume.hpp"
+#include "batuta/response/impulse.hpp"
 
 namespace batuta::fencing {
 namespace {
@@ -36,9 +37,27 @@ constexpr std::array<std::uint8_t, kBodyParts> kBehind = bones_behind();
 template <class Scalar>
 inline constexpr Scalar kBulge = Scalar(0.81);
 
+/// How fast a blade comes out that is deeper in a body than kGive, m/s: at most.
+template <class Scalar>
+inline constexpr Scalar kComesOut = Scalar(1);
+
+/// A blade that sinks in more slowly is stopped in a later step, when there is more of it, m/s
+/// (target.md, "Steel").
+template <class Scalar>
+inline constexpr Scalar kCreep = Scalar(0.05F);
+
+/// Blows that stop a blade in one plan: each answers the deepest place of the one before.
+constexpr int kMostStops = 12;
+
 /// The rounding of shapes and of the twist between them, as a share of the coordinates (target.md).
 template <class Scalar>
 inline constexpr Scalar kShapeOutward = 64 * kRoundOff<Scalar>;
+
+/// Between the axes of a bone at start and end, no shorter than the straight one, m.
+template <class Scalar>
+Scalar chord_between(const Segment<Scalar>& start, const Segment<Scalar>& end) {
+  return (end.direction() - start.direction()).cwiseAbs().sum();
+}
 
 /// What the hull of both ends of a bone's step has to grow by to hold it in between, m.
 template <class Scalar>
@@ -46,26 +65,26 @@ Scalar margin_between(const Segment<Scalar>& start, const Segment<Scalar>& end) 
   const Vec3<Scalar> d0 = start.direction();
   const Vec3<Scalar> d1 = end.direction();
   const bool turns_far = !(d0.dot(d1) >= Scalar(0));
-  const Scalar chord = (d1 - d0).cwiseAbs().sum();
+  const Scalar chord = chord_between(start, end);
   const Scalar size = start.a.cwiseAbs().sum() + start.b.cwiseAbs().sum() + end.a.cwiseAbs().sum() +
                       end.b.cwiseAbs().sum();
   return (turns_far ? Scalar(1) : kBulge<Scalar>)*chord + kShapeOutward<Scalar> * size;
 }
 
-/// The constant twist of the shortest turn that carries one capsule into another of the same
-/// length. The body's frame sits in the middle of the capsule with the axes of W; a turn about the
-/// capsule's own axis would not show.
+/// The constant twist of the shortest turn that carries the axis of a capsule into another of the
+/// same length. The body's frame sits in the middle of the capsule with the axes of W; a turn about
+/// the capsule's own axis would not show.
 template <class Scalar>
-MovingCapsule<Scalar> between(const Capsule<Scalar>& start_W, const Capsule<Scalar>& end_W,
+MovingCapsule<Scalar> between(const Segment<Scalar>& start_W, const Capsule<Scalar>& end_W,
                               Scalar dt) {
-  const Vec3<Scalar> p0 = start_W.axis.at(Scalar(0.5));
+  const Vec3<Scalar> p0 = start_W.at(Scalar(0.5));
   MovingCapsule<Scalar> moving;
-  moving.capsule_B = {{start_W.axis.a - p0, start_W.axis.b - p0}, start_W.radius};
+  moving.capsule_B = {{start_W.a - p0, start_W.b - p0}, end_W.radius};
   moving.motion.X_WB = {p0, Quat<Scalar>::Identity()};
   moving.motion.duration = dt;
   if (!(dt > Scalar(0))) return moving;
 
-  const Vec3<Scalar> d0 = start_W.axis.direction();
+  const Vec3<Scalar> d0 = start_W.direction();
   const Vec3<Scalar> d1 = end_W.axis.direction();
   moving.motion.twist.v_W = (end_W.axis.at(Scalar(0.5)) - p0) / dt;
   const Vec3<Scalar> normal = d0.cross(d1);
@@ -77,10 +96,59 @@ MovingCapsule<Scalar> between(const Capsule<Scalar>& start_W, const Capsule<Scal
   return moving;
 }
 
+/// Of the ends of all axes.
+template <class Scalar>
+Aabb<Scalar> ends_of(const BodyShape<Scalar>& shape_W) {
+  Vec3<Scalar> low = shape_W[0].axis.a;
+  Vec3<Scalar> high = low;
+  for (const Capsule<Scalar>& part : shape_W) {  // Bound: kBodyParts
+    low = low.cwiseMin(part.axis.a.cwiseMin(part.axis.b));
+    high = high.cwiseMax(part.axis.a.cwiseMax(part.axis.b));
+  }
+  Aabb<Scalar> box;
+  box.low = {low.x(), low.y(), low.z()};
+  box.high = {high.x(), high.y(), high.z()};
+  return box;
+}
+
 /// The part of a motion from `from` on, `duration` long.
 template <class Scalar>
 Motion<Scalar> piece_of(const Motion<Scalar>& motion, Scalar from, Scalar duration) {
   return {pose_at(motion, min_of(from, motion.duration)), motion.twist, duration};
+}
+
+/// A plan that blows have changed is slowed down where it has more energy than the plan before and
+/// what bodies that move may give it: |T| <= |T_0| + sqrt(m / 2) (2 u + o) in the norm of energy, u
+/// the fastest of the parts that it struck, o kComesOut where it began too deep (target.md,
+/// "Energy"). @param push  2 u + o, m/s
+template <class Scalar>
+void keep_energy(Body<Scalar> blade, const Twist<Scalar>& before, Scalar push,
+                 Twist<Scalar>& twist) {
+  if (!(blade.inverse_mass > Scalar(0))) return;
+  using std::sqrt;
+  const auto norm = [&blade](const Twist<Scalar>& of) {
+    blade.momentum = momentum_of(blade, of);
+    return sqrt(kinetic_energy(blade));
+  };
+  const Scalar most = norm(before) + push / sqrt(2 * blade.inverse_mass);
+  const Scalar now = norm(twist);
+  if (!(now > most)) return;
+  twist.v_W *= most / now;
+  twist.w_W *= most / now;
+}
+
+/// A blow without a bounce at the end of a motion: the body leads the blade away from where it
+/// would be too deep, at the speed that it must have. @returns false: the motion is left as it is
+template <class Scalar>
+bool strike(const Body<Scalar>& blade, const Contact<Scalar>& contact, Scalar depth,
+            Motion<Scalar>& motion) {
+  const Pose<Scalar> end_WB = pose_at(motion, motion.duration);
+  const Collider<Scalar> struck{end_WB, motion.twist, blade.inverse_mass, blade.inverse_moments};
+  Collider<Scalar> body{end_WB, motion.twist};
+  body.twist.v_W += (depth / motion.duration) * contact.normal_BA_W;
+  const auto hit = collision_impulse(struck, body, contact, Scalar(0));
+  if (hit.ok()) motion.twist = hit.value.twist_A;
+  return hit.ok();
 }
 
 }  // namespace
@@ -88,6 +156,7 @@ Motion<Scalar> piece_of(const Motion<Scalar>& motion, Scalar from, Scalar durati
 template <class Scalar>
 void Target<Scalar>::place(const BodyShape<Scalar>& shape_W) {
   shape_W_ = shape_W;
+  ends_ = ends_of(shape_W);
   go_to(shape_W, Scalar(0));
 }
 
@@ -99,9 +168,40 @@ void Target<Scalar>::move_to(const BodyShape<Scalar>& shape_W, Scalar dt) {
 
 template <class Scalar>
 void Target<Scalar>::go_to(const BodyShape<Scalar>& shape_W, Scalar dt) {
-  start_W_ = shape_W_;
+  for (std::size_t i = 0; i < kParts; ++i) start_W_[i] = shape_W_[i].axis;  // Bound: kBodyParts
   shape_W_ = shape_W;
   dt_ = dt;
+  const Aabb<Scalar> before = ends_;
+  ends_ = ends_of(shape_W);
+  hulls_[0] = hull_of_all(merge(before, ends_));
+  is_fitted_ = false;
+}
+
+/// From a box of all ends of axes, at the start and at the end: no margin of a part is larger than
+/// the one here (target.md, "The whole body").
+template <class Scalar>
+typename Target<Scalar>::Hull Target<Scalar>::hull_of_all(const Aabb<Scalar>& ends) const {
+  Scalar radius = 0;
+  Scalar chord = 0;
+  for (std::size_t i = 0; i < kParts; ++i) {  // Bound: kBodyParts
+    radius = max_of(radius, shape_W_[i].radius);
+    chord = max_of(chord, chord_between(start_W_[i], shape_W_[i].axis));
+  }
+  const auto& [low, high] = ends;
+  Scalar size = 0;
+  for (std::size_t k = 0; k < low.size(); ++k) {  // Bound: 3
+    size += max_of(std::abs(low[k]), std::abs(high[k]));
+  }
+  constexpr Scalar kEnds = 4;  // of a part, at the start and at the end
+  const Capsule<Scalar> all = {{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}, radius};
+  return batuta::detail::kdop_of<Scalar, kTargetK>(
+      all, all, (chord + kShapeOutward<Scalar> * chord) + kShapeOutward<Scalar> * (kEnds * size));
+}
+
+/// The hierarchy for this step.
+template <class Scalar>
+void Target<Scalar>::fit() {
+  if (is_fitted_) return;
   for (std::size_t i = 0; i < kParts; ++i) {  // Bound: kBodyParts
     hulls_[i] = own_hull(i);
   }
@@ -109,13 +209,14 @@ void Target<Scalar>::go_to(const BodyShape<Scalar>& shape_W, Scalar dt) {
     const auto parent = static_cast<std::size_t>(kBodyParent[i]);
     hulls_[parent] = merge(hulls_[parent], hulls_[i]);
   }
+  is_fitted_ = true;
 }
 
 /// Holds the part alone during the whole step.
 template <class Scalar>
 typename Target<Scalar>::Hull Target<Scalar>::own_hull(std::size_t part) const {
-  const Capsule<Scalar>& start = start_W_[part];
   const Capsule<Scalar>& end = shape_W_[part];
+  const Capsule<Scalar> start = {start_W_[part], end.radius};
   return batuta::detail::kdop_of<Scalar, kTargetK>(start, end,
                                                    margin_between(start.axis, end.axis));
 }
@@ -129,9 +230,11 @@ MovingCapsule<Scalar> Target<Scalar>::part(BodyPart part) const {
 
 /// The wanted parts that the blade's swept volume meets.
 template <class Scalar>
-PartMask Target<Scalar>::parts_reached(const MovingCapsule<Scalar>& blade, PartMask wanted) const {
+PartMask Target<Scalar>::parts_reached(const MovingCapsule<Scalar>& blade, PartMask wanted) {
   PartMask reached = 0;
-  const Hull swept = batuta::detail::swept_kdop<Scalar, kTargetK>(blade);
+  const Hull swept = batuta::detail::coarse_swept_kdop<Scalar, kTargetK>(blade);
+  if (!overlaps(swept, hull())) return reached;
+  fit();
   std::size_t i = 0;
   for (int visit = 0; visit < kBodyParts && i < kParts; ++visit) {  // Bound: kBodyParts
     if (!overlaps(swept, hulls_[i])) {
@@ -153,6 +256,111 @@ Result<MovingPair<Scalar>> Target<Scalar>::pair_with(std::size_t part,
   MovingCapsule<Scalar> target = this->part(static_cast<BodyPart>(part));
   target.motion = piece_of(target.motion, from, blade.motion.duration);
   return make_moving_pair(blade, target);
+}
+
+/// Where a part is at a time of the step: between its ends on the straight way, at them exactly.
+template <class Scalar>
+Capsule<Scalar> Target<Scalar>::part_at(std::size_t part, Scalar t) const {
+  const Capsule<Scalar>& end = shape_W_[part];
+  if (!(t < dt_)) return end;
+  const Segment<Scalar>& start = start_W_[part];
+  const Scalar share = t / dt_;
+  return {{start.a + share * (end.axis.a - start.a), start.b + share * (end.axis.b - start.b)},
+          end.radius};
+}
+
+/// How much deeper than allowed a blade ends in a part: deeper than kGive, and than what it comes
+/// out of it in the time. Where it would be beyond the part's axis at the end, it is looked at from
+/// the side from which it came.
+template <class Scalar>
+typename Target<Scalar>::Dent Target<Scalar>::dent_in(std::size_t part, const BladeWay& way) const {
+  const CapsuleGap<Scalar> last = capsule_gap(way.end, part_at(part, way.from + way.duration));
+  Dent dent{contact_from(last, batuta::detail::zero<Scalar>()), Scalar(0),
+            static_cast<BodyPart>(part), false};
+  if (!(last.gap < -kGive<Scalar>)) return dent;
+  const CapsuleGap<Scalar> first = capsule_gap(way.start, part_at(part, way.from));
+  Scalar gap = last.gap;
+  const Scalar turned = first.axes.normal_AB.dot(last.axes.normal_AB);
+  if (turned < Scalar(0)) {
+    const Scalar radii = way.end.radius + shape_W_[part].radius;
+    gap = (gap + radii) * turned - radii;
+    dent.contact.normal_BA_W = -first.axes.normal_AB;
+  }
+  dent.began_deep = first.gap < -kGive<Scalar>;
+  dent.depth = min_of(-kGive<Scalar>, first.gap + kComesOut<Scalar> * way.duration) - gap;
+  return dent;
+}
+
+/// Of all parts that the blade's way meets; depth 0: none.
+template <class Scalar>
+typename Target<Scalar>::Dent Target<Scalar>::deepest_dent(const MovingCapsule<Scalar>& blade,
+                                                           Scalar from, PartMask parts) {
+  Dent deepest;
+  const PartMask reached = parts_reached(blade, parts);
+  if (reached == 0) return deepest;
+  const Motion<Scalar>& motion = blade.motion;
+  const Pose<Scalar> end_WB = pose_at(motion, motion.duration);
+  const BladeWay way = {to_world(motion.X_WB, blade.capsule_B), to_world(end_WB, blade.capsule_B),
+                        from, motion.duration};
+  for (std::size_t i = 0; i < kParts; ++i) {  // Bound: kBodyParts
+    if ((reached >> i & 1U) == 0) continue;
+    const Dent dent = dent_in(i, way);
+    if (dent.depth > deepest.depth) deepest = dent;
+  }
+  return deepest;
+}
+
+/// Of a point of a part, in the step.
+template <class Scalar>
+Vec3<Scalar> Target<Scalar>::velocity_of(BodyPart part, const Vec3<Scalar>& p_W) const {
+  const Motion<Scalar> motion = this->part(part).motion;
+  return velocity_at(motion.X_WB, motion.twist, p_W);
+}
+
+/// Where blows do not bring it out of all parts, the blade is between some of them, and goes along.
+template <class Scalar>
+bool Target<Scalar>::stop(const Body<Scalar>& blade, const Capsule<Scalar>& blade_B, Scalar from,
+                          PartMask parts, Motion<Scalar>& motion) {
+  if (!(motion.duration > Scalar(0)) || !is_valid(motion)) return false;
+  const Twist<Scalar> before = motion.twist;
+  BodyPart first = BodyPart::kRearShin;  // of those that it struck: the trunk before its limbs
+  Scalar push = 0;
+  int blow = 0;
+  for (; blow <= kMostStops; ++blow) {  // Bound: kMostStops + 1
+    const Dent dent = deepest_dent({blade_B, motion}, from, parts);
+    if (!(dent.depth > kCreep<Scalar> * max_of(dt_, motion.duration))) break;
+    if (dent.part < first) first = dent.part;
+    const Vec3<Scalar>& p_W = dent.contact.point_W;
+    const Scalar comes_out = dent.began_deep ? kComesOut<Scalar> : Scalar(0);
+    push = max_of(push, 2 * velocity_of(dent.part, p_W).norm() + comes_out);
+    if (blow == kMostStops) {
+      motion.twist = {velocity_of(first, p_W), Vec3<Scalar>::Zero()};
+      break;
+    }
+    if (!strike(blade, dent.contact, dent.depth, motion)) break;
+  }
+  if (blow > 0) keep_energy(blade, before, push, motion.twist);
+  return blow > 0;
+}
+
+/// Out of one part after the other, the trunk last: what is between it and a limb is in the limb.
+template <class Scalar>
+Vec3<Scalar> Target<Scalar>::way_out(const Capsule<Scalar>& blade_B, const Pose<Scalar>& X0_WB,
+                                     const Pose<Scalar>& X1_WB, PartMask parts) {
+  Vec3<Scalar> way_W = batuta::detail::zero<Scalar>();
+  const PartMask reached = parts_reached({blade_B, motion_between(X0_WB, X1_WB, dt_)}, parts);
+  if (reached == 0) return way_W;
+  BladeWay way = {to_world(X0_WB, blade_B), to_world(X1_WB, blade_B), Scalar(0), dt_};
+  for (std::size_t i = kParts; i-- > 0;) {  // Bound: kBodyParts
+    if ((reached >> i & 1U) == 0) continue;
+    const Dent dent = dent_in(i, way);
+    if (!(dent.depth > kCreep<Scalar> * dt_)) continue;
+    const Vec3<Scalar> out_W = dent.depth * dent.contact.normal_BA_W;
+    way.end.axis.a += out_W;
+    way.end.axis.b += out_W;
+    way_W += out_W;
+  }
+  return way_W;
 }
 
 /// Joins what the search of one part found to what is known of the parts before it.

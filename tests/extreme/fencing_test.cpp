@@ -340,6 +340,27 @@ TEST(FencingEnums, PartThatThereIsNot_HasNoBitAndNoPlace) {
   }
 }
 
+TYPED_TEST(Fencing, HostileBladeMotion_IsLeftAsItIsOrStopped) {
+  using S = TypeParam;
+  const Fencer<S> fencer = first_fencer<S>();
+  const Pose<S> here{Vec3<S>::Zero(), Quat<S>::Identity()};
+  Target<S> target;
+  target.place(pose_body(fencer.build, here, hand_at(fencer.map, Vec2<S>(0, 0), here).X_WH));
+  const Capsule<S> blade_B = {{{S(-0.4), 0, 0}, {S(0.4), 0, 0}}, S(0.01)};
+  const Vec3<S> torso_W = target.start_of(BodyPart::kTorso).axis.at(S(0.5));
+  const Pose<S> X_WB{torso_W + Vec3<S>(0, 0, S(0.5)), Quat<S>::Identity()};
+  const auto blade = make_body<S>(X_WB, S(0.5), {S(1e-4), S(0.03), S(0.03)}).value;
+  const Motion<S> good{X_WB, {{0, 0, -40}, {0, 1, 0}}, S(0.01)};
+  Motion<S> motion = good;
+  ASSERT_TRUE(target.stop(blade, blade_B, 0, kAllParts, motion));
+  test::for_each_spoiled<S>(good, 1000, [&](const Motion<S>& spoiled, bool is_number) {
+    Motion<S> changed = spoiled;
+    const bool is_stopped = target.stop(blade, blade_B, 0, kAllParts, changed);
+    EXPECT_TRUE(is_number || !is_stopped);
+    EXPECT_TRUE(is_stopped || test::same_bytes(changed, spoiled));
+  });
+}
+
 TEST(FencingEnums, PartsThatThereAreNot_AreNotTouched) {
   const auto ready = std::make_unique<Ready<float>>();
   auto settings = duel_settings();

@@ -50,7 +50,8 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
   /// nothing of the exchange before.
   /// @param left, right  a new sample of the fencer's device, or null where there is none
   /// @returns kOk | kUnavailable (the bout is over) | kInvalidArgument (not configured)
-  /// Bound: one World::step() and, with targets, 2 (kMostCorners + 1) touch searches.
+  /// Bound: one World::step() and, with targets, 2 (kMostCorners + 1) touch searches, and for
+  /// each plan of a blade one Target::stop().
   Status step(const InputSample* left, const InputSample* right);
 
   /// Bout; OpenBout in a scene without targets.
@@ -171,10 +172,12 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
   const Actor<SceneType>& blade_of(Side side) const;
   void move_stick(Side side, const InputSample* sample);
   bool is_beaten(Side side) const;
-  Scalar feet_order(Side side) const;
-  void walk();
-  KeyedPose<Scalar> hand_at(Side side, const Vec2<Scalar>& stick) const;
-  void move_hand(Side side);
+  MapPlace<Scalar> asked_of(Side side) const;
+  Scalar feet_order(Side side, Scalar asked) const;
+  void walk(Scalar left, Scalar right);
+  void move_hand(Side side, const MapPlace<Scalar>& asked);
+  Status move_blades();
+  void carry_blades();
   void add_up();
   bool is_sound() const;
 

@@ -175,7 +175,8 @@ void Duel<SceneT>::take_place(Side side, const FencerSetup& setup,
 template <class SceneT>
 void Duel<SceneT>::stand(Side side, Actor<SceneType>& blade) {
   DuelSide& place = at(side);
-  place.hand = hand_at(side, Vec2<Scalar>::Zero());  // where a stick starts
+  // Where a stick starts.
+  place.hand = fencing::hand_at(place.map, Vec2<Scalar>(Vec2<Scalar>::Zero()), X_WF(side));
   const Pose<Scalar> X_WB = chained(place.hand.X_WH, place.weapon.X_HB);
   const auto body = make_body(X_WB, place.weapon.mass, place.weapon.moments);
   blade.body = body.value;
@@ -209,19 +210,46 @@ Status Duel<SceneT>::step(const InputSample* left, const InputSample* right) {
   }
   move_stick(Side::kLeft, left);
   move_stick(Side::kRight, right);
-  walk();
-  move_hand(Side::kLeft);
-  move_hand(Side::kRight);
-  const Status status = world_.step(dt_);
+  const MapPlace<Scalar> asked_left = asked_of(Side::kLeft);
+  const MapPlace<Scalar> asked_right = asked_of(Side::kRight);
+  walk(asked_left.feet, asked_right.feet);
+  move_hand(Side::kLeft, asked_left);
+  move_hand(Side::kRight, asked_right);
+  const Status status = move_blades();
   if (status != Status::kOk) return status;
-  add_up();
-  if constexpr (Played::kTargets) {
-    const auto* left_blade = world_.get(at(Side::kLeft).blade);
-    const auto* right_blade = world_.get(at(Side::kRight).blade);
-    scoring_.judge({left_blade, right_blade}, settings_, {steps_, dt_}, scoring_.report);
-  }
   ++steps_;
   return Status::kOk;
+}
+
+/// The world's step, in which each blade stops at the other's body, and who touched whom in it.
+template <class SceneT>
+Status Duel<SceneT>::move_blades() {
+  if constexpr (Played::kTargets) {
+    std::array<Steel<Scalar>, 2> steel;
+    for (const Side side : {Side::kLeft, Side::kRight}) {  // Bound: 2
+      auto& blade = *world_.get(at(side).blade);
+      steel[index_of(side)] = scoring_.steel_for(side, blade);
+      blade.controller.steel = &steel[index_of(side)];
+    }
+    const Status status = world_.step(dt_);
+    std::array<const Actor<SceneType>*, 2> blades{};
+    std::array<Twist<Scalar>, 2> taken;
+    for (const Side side : {Side::kLeft, Side::kRight}) {  // Bound: 2
+      auto& blade = *world_.get(at(side).blade);
+      blade.controller.steel = nullptr;
+      blades[index_of(side)] = &blade;
+      taken[index_of(side)] = steel[index_of(side)].taken;
+    }
+    if (status != Status::kOk) return status;
+    add_up();
+    if (world_.report().time_held > Scalar(0)) carry_blades();
+    scoring_.judge(blades, taken, settings_, {steps_, dt_}, scoring_.report);
+    return status;
+  } else {
+    const Status status = world_.step(dt_);
+    if (status == Status::kOk) add_up();
+    return status;
+  }
 }
 
 template <class SceneT>
@@ -239,31 +267,27 @@ bool Duel<SceneT>::is_beaten([[maybe_unused]] Side side) const {
   return false;
 }
 
+/// What the map makes of a stick.
+template <class SceneT>
+MapPlace<typename Duel<SceneT>::Scalar> Duel<SceneT>::asked_of(Side side) const {
+  return place_on(at(side).map, at(side).stick.position());
+}
+
 /// What a device asks of the feet, -1 ... 1: by its second pair of axes, and by where the map has
 /// the first.
 template <class SceneT>
-typename Duel<SceneT>::Scalar Duel<SceneT>::feet_order(Side side) const {
-  if constexpr (Played::kFeet) {
-    const DuelSide& place = at(side);
-    const Scalar order = place.stick.feet().y() + feet_at(place.map, place.stick.position());
-    return clamp(order, Scalar(-1), is_beaten(side) ? Scalar(0) : Scalar(1));
-  }
-  return Scalar(0);
+typename Duel<SceneT>::Scalar Duel<SceneT>::feet_order(Side side, Scalar asked) const {
+  const Scalar order = at(side).stick.feet().y() + asked;
+  return clamp(order, Scalar(-1), is_beaten(side) ? Scalar(0) : Scalar(1));
 }
 
+/// @param left, right  what the map asks of their feet
 template <class SceneT>
-void Duel<SceneT>::walk() {
+void Duel<SceneT>::walk([[maybe_unused]] Scalar left, [[maybe_unused]] Scalar right) {
   if constexpr (Played::kFeet) {
-    const Vec2<Scalar> orders(feet_order(Side::kLeft), feet_order(Side::kRight));
+    const Vec2<Scalar> orders(feet_order(Side::kLeft, left), feet_order(Side::kRight, right));
     scoring_.walk(orders, settings_, dt_);
   }
-}
-
-/// The hand that a stick means, where the feet have carried the fencer.
-template <class SceneT>
-KeyedPose<typename Duel<SceneT>::Scalar> Duel<SceneT>::hand_at(Side side,
-                                                               const Vec2<Scalar>& stick) const {
-  return fencing::hand_at(at(side).map, stick, X_WF(side));
 }
 
 template <class SceneT>
@@ -273,15 +297,27 @@ Pose<typename Duel<SceneT>::Scalar> Duel<SceneT>::X_WF(Side side) const {
 }
 
 template <class SceneT>
-void Duel<SceneT>::move_hand(Side side) {
+void Duel<SceneT>::move_hand(Side side, const MapPlace<Scalar>& asked) {
   DuelSide& place = at(side);
-  place.hand = hand_at(side, place.stick.position());
+  place.hand = hand_at(asked, X_WF(side));
 
   auto& actor = *world_.get(place.blade);
   if constexpr (Played::kTargets) {
     scoring_.follow(side, {X_WF(side), place.hand.X_WH}, actor, dt_);
   }
   actor.controller.command(chained(place.hand.X_WH, place.weapon.X_HB), dt_);
+}
+
+/// Blades that the world held together stood while a body went on into one of them: it carries
+/// both, which stay as they are to each other.
+template <class SceneT>
+void Duel<SceneT>::carry_blades() {
+  if constexpr (Played::kTargets) {
+    for (const Side side : {Side::kLeft, Side::kRight}) {  // Bound: 2
+      const Vec3<Scalar> way_W = scoring_.way_out(side, blade_of(side));
+      for (DuelSide& place : places_) world_.get(place.blade)->body.X_WB.p_W += way_W;  // Bound: 2
+    }
+  }
 }
 
 template <class SceneT>

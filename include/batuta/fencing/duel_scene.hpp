@@ -54,9 +54,10 @@ constexpr DuelOptions two_fencers() {
 /// @tparam SearchT  how blades and touches are found: Advancement, or the paper's Stepping to
 ///   compare it with; its Scalar is the duel's
 template <auto kOptions = two_fencers, class SearchT = Advancement<float>>
-struct DuelScene : batuta::detail::SceneConstants<
-                       DuelOptions, kOptions, SearchT,
-                       FreeFlight<typename batuta::detail::SearchScalar<SearchT>::Type>, SweptBox> {
+struct DuelScene
+    : batuta::detail::SceneConstants<
+          DuelOptions, kOptions, SearchT,
+          FreeFlight<typename batuta::detail::SearchScalar<SearchT>::Type>, CoarseBox> {
   /// DuelOptions::grip.
   static constexpr bool kGrip = DuelScene::kStated.grip;
   /// DuelOptions::targets.
@@ -187,12 +188,37 @@ inline constexpr Scalar kNoBlow = Scalar(1);
 /// after the last but one is known as a whole only, and touches there are not certain.
 inline constexpr int kMostCorners = 8;
 
+/// Parts that a blade does not go into: the world has the weapon's own hand.
+inline constexpr PartMask kSteelParts = kAllParts & ~mask_of(BodyPart::kWeaponHand);
+
+/// What stops a blade in a step: the other fencer's body.
+template <class Scalar>
+struct Steel {
+  Target<Scalar>* body = nullptr;  ///< whose start and end of the step are known; outlives the step
+  Capsule<Scalar> blade_B;         ///< what does not go in
+  /// What it took of the plan with which the step began: a point goes into a body as fast as it
+  /// came.
+  Twist<Scalar> taken;
+
+  /// The motion that a carrier plans from t on, stopped at the body.
+  void stop(const Body<Scalar>& blade, Scalar t, PlannedMotion<Scalar>& planned) {
+    const Twist<Scalar> wanted = planned.motion.twist;
+    if (!body->stop(blade, blade_B, t, kSteelParts, planned.motion)) return;
+    planned.by_momentum = false;
+    if (t > Scalar(0)) return;
+    const Twist<Scalar>& left = planned.motion.twist;
+    taken.v_W = wanted.v_W - left.v_W;
+    taken.w_W = wanted.w_W - left.w_W;
+  }
+};
+
 /// The corners of a blade's way in the step.
 template <class Scalar, int N>
 struct Corners {
   FixedList<Waypoint<Scalar>, N> corners;  ///< in the order of time
   Scalar first_blow = kNoBlow<Scalar>;     ///< when the first blow of the step came, s
   bool is_cut = false;                     ///< there were more than N
+  Steel<Scalar>* steel = nullptr;          ///< within World::step() alone: what stops the blade
 
   /// The step begins.
   void begin() {
@@ -252,9 +278,13 @@ struct BladeController : CornersOf<SceneT> {
     }
   }
 
-  /// That of the carrier.
+  /// That of the carrier, stopped at the other's body.
   PlannedMotion<Scalar> plan(const Body<Scalar>& body, Scalar t, Scalar duration) const {
-    return carrier.plan(body, t, duration);
+    PlannedMotion<Scalar> planned = carrier.plan(body, t, duration);
+    if constexpr (SceneT::kTargets) {
+      if (this->steel != nullptr) this->steel->stop(body, t, planned);
+    }
+    return planned;
   }
   /// Keeps the corner, and tells the carrier.
   void on_contact(const Body<Scalar>& body, const Feedback<Scalar>& feedback) {

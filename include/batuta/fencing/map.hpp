@@ -53,6 +53,24 @@ struct FencerMap {
 template <class Scalar>
 Status validate(const FencerMap<Scalar>& map);
 
+/// What a stick means, for hand and feet; clamped at the rim. Where both are asked for, as in each
+/// step of a duel, the keys are looked at once.
+template <class Scalar>
+struct MapPlace {
+  batuta::detail::KeySurface<Scalar> surface;  ///< for hand_at()
+  /// What the feet are asked, -1 back ... 1 forward; 0 up to kNoOrder, continuous from there.
+  Scalar feet = 0;
+};
+
+/// @pre validate() says kOk; stick finite
+/// Bound: 16 keys are looked at, whatever the size of the map.
+template <class Scalar>
+MapPlace<Scalar> place_on(const FencerMap<Scalar>& map, const Vec2<Scalar>& stick);
+
+/// The hand of a place, in W, for a fencer who is somewhere. @pre X_WF finite
+template <class Scalar>
+KeyedPose<Scalar> hand_at(const MapPlace<Scalar>& place, const Pose<Scalar>& X_WF);
+
 /// The hand that a stick means, in F, and how it moves with the stick, axes of F. Clamped at the
 /// rim.
 /// @pre validate() says kOk; stick finite
@@ -67,7 +85,7 @@ template <class Scalar>
 KeyedPose<Scalar> hand_at(const FencerMap<Scalar>& map, const Vec2<Scalar>& stick,
                           const Pose<Scalar>& X_WF);
 
-/// What a stick asks of the feet, -1 back ... 1 forward; 0 up to kNoOrder, continuous from there.
+/// MapPlace::feet of a stick.
 /// @pre validate() says kOk; stick finite
 /// Bound: as above.
 template <class Scalar>

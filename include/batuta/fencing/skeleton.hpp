@@ -39,8 +39,10 @@ const char* name_of(BodyPart part);
 /// A bone of a fencer's build.
 template <class Scalar>
 struct Bone {
-  Vec3<Scalar> start_P = Vec3<Scalar>::Zero();  ///< where it begins, in the frame of its parent, m
-  Capsule<Scalar> capsule_J;                    ///< a limb: from the origin along +x
+  /// Where it begins, in the frame of its parent, m. The second bone of a limb, and the weapon
+  /// hand: where the bone before ends.
+  Vec3<Scalar> start_P = Vec3<Scalar>::Zero();
+  Capsule<Scalar> capsule_J;  ///< a limb's: from the origin along +x
 };
 
 /// What a limb of two bones reaches for, and where its middle joint gives way to.
@@ -74,8 +76,8 @@ struct FencerBuild {
 };
 
 /// @returns kOk | kInvalidArgument: not finite or beyond kLargestReach, a capsule that is not
-/// valid, a bone of a limb without length, a bend of zero, lunge_hand_x <= guard_hand_x,
-/// |lunge_lean| > 1, or a negative shoulder_give Bound: kBodyParts bones.
+/// valid, a bone of a limb without length or elsewhere than Bone says, a bend of zero, lunge_hand_x
+/// <= guard_hand_x, |lunge_lean| > 1, or a negative shoulder_give. Bound: kBodyParts bones.
 template <class Scalar>
 Status validate(const FencerBuild<Scalar>& build);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What a blade wants to hit: a moving body under a hierarchy of k-DOPs that is refitted each step
-// [Kavan §5, refs 10 and 16], and the search for the first touch. Frame W, SI units; times run from
-// 0 to the step's length.
+// What a blade wants to hit: a moving body under a hierarchy of k-DOPs that is refitted in each
+// step that asks for it [Kavan §5, refs 10 and 16], and the search for the first touch. Frame W, SI
+// units; times run from 0 to the step's length.
 
 #include "batuta/detection/search.hpp"
 #include "batuta/fencing/skeleton.hpp"
@@ -50,6 +50,11 @@ struct TouchSearch {
   bool certain() const { return found ? known_until >= t_free : complete; }
 };
 
+/// So deep a blade may press into a body, m: a jacket gives way as far as the tip of an epee does
+/// before it says that it touches (src/fencing/target.md, "Steel").
+template <class Scalar>
+inline constexpr Scalar kGive = Scalar(0.002F);
+
 /// One fencer's body over one step.
 /// Allocates: never. RAM in float: 1 kB.
 template <class Scalar>
@@ -58,19 +63,21 @@ class Target {
   /// The body stands still as given.
   void place(const BodyShape<Scalar>& shape_W);
 
-  /// The body goes to `shape_W` in `dt`: every bone with the constant twist of the shortest turn.
-  /// Refits the hierarchy.
+  /// The body goes to `shape_W` in `dt`: every bone with the constant twist of the shortest turn,
+  /// and the radius that it has in `shape_W`.
   /// @pre dt > 0; finite
-  /// Bound: one forward and one backward pass over kBodyParts bones.
+  /// Bound: one pass over kBodyParts bones.
   void move_to(const BodyShape<Scalar>& shape_W, Scalar dt);
 
   /// The first touch of a blade that moves over [from, from + blade.motion.duration] of the step.
+  /// The first blade that comes near in a step has the hierarchy refitted.
   /// @tparam Search  of detection/search.hpp
-  /// Bound: kBodyParts searches; no recursion, no stack.
+  /// Bound: kBodyParts searches, one pass over kBodyParts bones forward and one backward; no
+  /// recursion, no stack.
   template <class Search>
   TouchSearch<Scalar> find_touch(const MovingCapsule<Scalar>& blade, Scalar from,
                                  const typename Search::Options& options,
-                                 PartMask parts = kAllParts) const {
+                                 PartMask parts = kAllParts) {
     TouchSearch<Scalar> first;
     first.known_until = from + blade.motion.duration;
     first.complete = true;
@@ -86,45 +93,97 @@ class Target {
     return first;
   }
 
-  /// Where the body is at the end of the step.
+  /// A motion of a blade over [from, from + motion.duration] of the step that would end deeper than
+  /// kGive in a part becomes the one that does not: as by blows without a bounce, in which the body
+  /// does not give way. A blade that is deeper already comes out, at 1 m/s where it is deepest.
+  /// From a body that stands no energy comes but for that, and then no more than makes the blade's
+  /// speed greater by 1 m/s (target.md, "Energy").
+  /// @param blade    where the motion begins, and what resists it; its momenta are not looked at
+  /// @param blade_B  what may not go in
+  /// @returns whether the motion was changed; not where it is invalid or takes no time
+  /// Bound: 12 blows, before each one the hierarchy and kBodyParts gaps; for a blade that is not
+  /// near, one box.
+  bool stop(const Body<Scalar>& blade, const Capsule<Scalar>& blade_B, Scalar from, PartMask parts,
+            Motion<Scalar>& motion);
+
+  /// Where a blade that made its way otherwise than planned has come too deep, what brings it out,
+  /// W, m. @param X0_WB, X1_WB  at the start and at the end of the step
+  /// @pre the poses are finite, their rotations of unit length
+  /// Bound: one walk of the hierarchy, kBodyParts gaps.
+  Vec3<Scalar> way_out(const Capsule<Scalar>& blade_B, const Pose<Scalar>& X0_WB,
+                       const Pose<Scalar>& X1_WB, PartMask parts);
+
+  /// Where a part was at the start of the step. @pre one of the kBodyParts
+  Capsule<Scalar> start_of(BodyPart part) const {
+    const auto i = static_cast<std::size_t>(part);
+    BATUTA_ASSERT(i < kParts);
+    return {start_W_[i], shape_W_[i].radius};
+  }
+  /// Where it is at its end.
   const BodyShape<Scalar>& shape() const { return shape_W_; }
   /// The part's motion over the step; of duration 0 where the body has only been placed.
   /// @pre one of the kBodyParts
   MovingCapsule<Scalar> part(BodyPart part) const;
+  /// Holds the whole body during the whole step.
+  const Kdop<Scalar, kTargetK>& hull() const { return hulls_[0]; }
   /// Holds the part and all that it carries during the whole step. @pre one of the kBodyParts
-  const Kdop<Scalar, kTargetK>& hull(BodyPart part) const {
+  const Kdop<Scalar, kTargetK>& hull(BodyPart part) {
     BATUTA_ASSERT(static_cast<std::size_t>(part) < kParts);
+    fit();
     return hulls_[static_cast<std::size_t>(part)];
   }
 
   /// Its state, for record/archive.hpp.
   template <class ArchiveT>
   void archive(ArchiveT& ar) {
-    auto& [start_W, shape_W, dt, hulls] = *this;
-    ar(start_W, shape_W, dt, hulls);
+    auto& [start_W, shape_W, dt, ends, hulls, is_fitted] = *this;
+    ar(start_W, shape_W, dt, ends, hulls[0]);
+    is_fitted = is_fitted && !ar.reading();  // the same hulls come of the same shapes
   }
 
  private:
   static constexpr auto kParts = static_cast<std::size_t>(kBodyParts);
   using Hull = Kdop<Scalar, kTargetK>;
 
+  /// A blade where a motion of it begins and ends, W, and when.
+  struct BladeWay {
+    Capsule<Scalar> start;
+    Capsule<Scalar> end;
+    Scalar from = 0;
+    Scalar duration = 0;
+  };
+  /// Where a blade would end too deep.
+  struct Dent {
+    Contact<Scalar> contact;  ///< of the blade with the part, at the end of the motion
+    Scalar depth = 0;         ///< beyond what is allowed, m
+    BodyPart part = BodyPart::kPelvis;
+    bool began_deep = false;  ///< deeper than kGive when the motion begins
+  };
   struct PartSearch {
     SearchResult<Scalar> result;  ///< kInvalid at first
     Vec3<Scalar> origin_W = Vec3<Scalar>::Zero();
   };
 
   void go_to(const BodyShape<Scalar>& shape_W, Scalar dt);
+  Hull hull_of_all(const Aabb<Scalar>& ends) const;
+  void fit();
   Hull own_hull(std::size_t part) const;
-  PartMask parts_reached(const MovingCapsule<Scalar>& blade, PartMask wanted) const;
+  PartMask parts_reached(const MovingCapsule<Scalar>& blade, PartMask wanted);
   Result<MovingPair<Scalar>> pair_with(std::size_t part, const MovingCapsule<Scalar>& blade,
                                        Scalar from) const;
+  Capsule<Scalar> part_at(std::size_t part, Scalar t) const;
+  Dent dent_in(std::size_t part, const BladeWay& way) const;
+  Vec3<Scalar> velocity_of(BodyPart part, const Vec3<Scalar>& p_W) const;
+  Dent deepest_dent(const MovingCapsule<Scalar>& blade, Scalar from, PartMask parts);
   static void take(const PartSearch& search, BodyPart part, Scalar from,
                    TouchSearch<Scalar>& first);
 
-  BodyShape<Scalar> start_W_{};       ///< at the start of the step
-  BodyShape<Scalar> shape_W_{};       ///< at its end
-  Scalar dt_ = 0;                     ///< length of the step, s; 0: placed
-  std::array<Hull, kParts> hulls_{};  ///< with all that it carries
+  std::array<Segment<Scalar>, kParts> start_W_{};  ///< axes at the start of the step
+  BodyShape<Scalar> shape_W_{};                    ///< at its end
+  Scalar dt_ = 0;                                  ///< length of the step, s; 0: placed
+  Aabb<Scalar> ends_{{}, {}};         ///< of the ends of all axes, at the end of the step
+  std::array<Hull, kParts> hulls_{};  ///< with all that it carries; not fitted: of the body alone
+  bool is_fitted_ = false;
 };
 
 }  // namespace batuta::fencing

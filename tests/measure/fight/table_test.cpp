@@ -141,8 +141,9 @@ TEST(FightFigure, DrawsEveryKeyAndNamesWhatThereIs) {
 }
 
 /// The table of the fight with few tries, of the library's own map. With many: batuta-fight table.
+/// Fewer would not do: the worst of the pairs stands at 40 %, and 40 tries are off by 8 %.
 TEST(FightRows, OfTheLibrarysMapHold) {
-  constexpr Trials kFew = {40, 1};
+  constexpr Trials kFew = {120, 1};
   const Choices chosen = choices();
   const auto cases = all_cases(chosen);
   const Table table = table_of(cases, play_all(pair_with(nullptr), cases, chosen, kFew));

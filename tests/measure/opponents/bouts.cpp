@@ -29,6 +29,21 @@ double depth_in_weapon(const Duel<>& duel, Side side, const Weapon<float>& weapo
                   depth(blade, to_world(X_WH, weapon.hand_H)));
 }
 
+/// How deep this side's blade is in the other's trunk or head, and in a limb; the weapon hand is
+/// with the weapon.
+std::array<double, 2> depths_in_body(const Duel<>& duel, Side side) {
+  const Capsule<float> blade = duel.blade_W(side);
+  const BodyShape<float>& body = duel.body_W(other(side));
+  std::array<double, 2> deepest{};
+  for (std::size_t i = 0; i < body.size(); ++i) {
+    const auto part = static_cast<BodyPart>(i);
+    if (part == BodyPart::kWeaponHand) continue;
+    double& in = deepest[part <= BodyPart::kHead ? 0 : 1];
+    in = std::max(in, depth(blade, body[i]));
+  }
+  return deepest;
+}
+
 /// One bout, and who moves its sticks.
 class Match {
  public:
@@ -47,6 +62,7 @@ class Match {
         deepest = std::max(deepest,
                            depth_in_weapon(*duel_, side, fencers_[index_of(other(side))].weapon));
       }
+      note_bodies(tally);
     }
     tally.deepest = std::max(tally.deepest, deepest);
     if (deepest > kSeenDepth) ++tally.in_weapon;
@@ -78,6 +94,18 @@ class Match {
     if (duel_->step(&samples[0], &samples[1]) != Status::kOk) std::exit(2);
     exchange_ = duel_->bout().exchange;
     note_touches(before, control, tally);
+  }
+
+  void note_bodies(Tally& tally) const {
+    bool is_in = false;
+    for (const Side side : kSides) {
+      const auto [trunk, limb] = depths_in_body(*duel_, side);
+      tally.in_trunk = std::max(tally.in_trunk, trunk);
+      tally.in_limb = std::max(tally.in_limb, limb);
+      is_in = is_in || std::max(trunk, limb) > kPressed;
+    }
+    ++tally.steps;
+    if (is_in) ++tally.steps_in_body;
   }
 
   /// @param control  of both hands before the step
@@ -136,6 +164,10 @@ void Tally::add(const Tally& other) {
   seconds += other.seconds;
   in_weapon += other.in_weapon;
   deepest = std::max(deepest, other.deepest);
+  in_trunk = std::max(in_trunk, other.in_trunk);
+  in_limb = std::max(in_limb, other.in_limb);
+  steps += other.steps;
+  steps_in_body += other.steps_in_body;
   out_of_control += other.out_of_control;
 }
 

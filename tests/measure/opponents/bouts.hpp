@@ -9,6 +9,8 @@ namespace bouts {
 
 /// A blade this deep in a guard or a hand is inside, m: what one sees.
 inline constexpr double kSeenDepth = 0.0002;
+/// A blade this deep in a body is in it, m: a millimetre more than it may press.
+inline constexpr double kPressed = 0.003;
 /// A bout that is not over then is not counted as ended, s.
 inline constexpr double kLongest = 120;
 /// Intents there are.
@@ -23,8 +25,12 @@ struct Tally {
   std::array<std::array<int, kIntents>, 2> touches{};  ///< by player, by intent
   int doubles = 0;                                     ///< exchanges with two touches
   double seconds = 0;
-  int in_weapon = 0;       ///< bouts with a blade inside a guard or hand
-  double deepest = 0;      ///< of a blade in one, m
+  int in_weapon = 0;    ///< bouts with a blade inside a guard or hand
+  double deepest = 0;   ///< of a blade in one, m
+  double in_trunk = 0;  ///< deepest of a blade in a trunk or head, m
+  double in_limb = 0;   ///< in an arm or leg, m
+  int steps = 0;
+  int steps_in_body = 0;   ///< of these with a blade in a body deeper than kPressed
   int out_of_control = 0;  ///< touches by a hand without its weapon
 
   double share(int count) const { return 100.0 * count / bouts; }

@@ -18,11 +18,15 @@ class Pairings : public testing::Test {
   /// Whatever they do, none touches out of control, and no blade goes further into a guard or hand
   /// than this, m. That none is seen inside (kSeenDepth) does not hold yet: docs/fencing.md.
   static constexpr double kDeepest = 0.001;
+  /// Share of the steps in which a blade is in a body: between an arm that closes and the trunk, or
+  /// between a body and the other blade, mostly after a halt has been called.
+  static constexpr double kMostInBody = 0.02;
 
-  static Tally play(const std::string& first, const std::string& second) {
-    const Tally tally = play_pairing(first, second, kBouts, kSeed);
-    EXPECT_EQ(tally.bouts, kBouts);
+  static Tally play(const std::string& first, const std::string& second, int bouts = kBouts) {
+    const Tally tally = play_pairing(first, second, bouts, kSeed);
+    EXPECT_EQ(tally.bouts, bouts);
     EXPECT_LE(tally.deepest, kDeepest);
+    EXPECT_LE(tally.steps_in_body, kMostInBody * tally.steps) << first << " over " << second;
     EXPECT_EQ(tally.out_of_control, 0);
     return tally;
   }
@@ -36,7 +40,8 @@ TEST_F(Pairings, Club_BeatsNovice) {
 }
 
 TEST_F(Pairings, Master_BeatsClub) {
-  const Tally tally = play("master", "club");
+  constexpr int kMany = 200;  // 40 are off by 8 %, and a master wins two of three
+  const Tally tally = play("master", "club", kMany);
   EXPECT_GE(tally.share(tally.won), 65);
   EXPECT_LE(tally.share(tally.won), 90);
   EXPECT_GE(tally.share(tally.ended), 95);

@@ -13,11 +13,14 @@ using namespace bouts;
 using batuta::fencing::Intent;
 
 void print(const std::string& first, const std::string& second, const Tally& tally) {
-  std::printf("| %s over %s | %.1f | %.1f | %.1f | %.1f | %.0f | %.0f | %.0f | %.0f | %.3f |\n",
-              first.c_str(), second.c_str(), tally.share(tally.won), tally.share(tally.drawn),
-              tally.share(tally.ended), tally.seconds / tally.bouts, tally.kind(Intent::kAttack),
-              tally.kind(Intent::kRiposte), tally.kind(Intent::kCounter), tally.kind(Intent::kBeat),
-              1e3 * tally.deepest);
+  std::printf(
+      "| %s over %s | %.1f | %.1f | %.1f | %.1f | %.0f | %.0f | %.0f | %.0f | %.3f | %.1f | %.1f | "
+      "%.3f |\n",
+      first.c_str(), second.c_str(), tally.share(tally.won), tally.share(tally.drawn),
+      tally.share(tally.ended), tally.seconds / tally.bouts, tally.kind(Intent::kAttack),
+      tally.kind(Intent::kRiposte), tally.kind(Intent::kCounter), tally.kind(Intent::kBeat),
+      1e3 * tally.deepest, 1e3 * tally.in_trunk, 1e3 * tally.in_limb,
+      100.0 * tally.steps_in_body / tally.steps);
   std::fflush(stdout);
 }
 
@@ -42,8 +45,9 @@ int main(int count, char** words) {
   }
   std::printf(
       "| pairing | won %% | drawn %% | ended %% | s a bout | attack %% | riposte %% | counter %% | "
-      "beat %% | deepest mm |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | "
-      "---: |\n");
+      "beat %% | in a weapon mm | in a trunk mm | in a limb mm | steps in a body %% |\n| --- | "
+      "---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | "
+      "---: | ---: | ---: | ---: |\n");
   Tally all;
   for (const auto& [first, second] : pairings) {
     const Tally tally = play_pairing(first, second, bouts, seed);

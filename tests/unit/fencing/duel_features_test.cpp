@@ -175,6 +175,7 @@ TEST(DuelFeatures, BladesWithoutEvents_MoveAsThoseWithThem) {
       sway, counter_sway, 2000);
 }
 
+// From the step of the touch on, the body stops the blade, in a duel that has bodies.
 TEST(DuelFeatures, Drill_GoesOnWhereTheDuelEndsByATouch) {
   const auto full = configured<Full>();
   const auto drill = configured<Drill>();
@@ -182,7 +183,9 @@ TEST(DuelFeatures, Drill_GoesOnWhereTheDuelEndsByATouch) {
     ASSERT_LT(full->steps(), 1000U);
     advance(*full, lunge, guard);
     advance(*drill, lunge, guard);
-    ASSERT_EQ(blades(*full), blades(*drill));
+    if (full->bout().state == BoutState::kFencing) {
+      ASSERT_EQ(blades(*full), blades(*drill));
+    }
   }
   EXPECT_EQ(full->bout().state, BoutState::kTouched);
   for (int k = 0; k < 500; ++k) advance(*drill, lunge, guard);
@@ -214,7 +217,8 @@ TEST(DuelFeatures, WithoutGrip_ABladeThatNobodyStrikesFollowsTheHand) {
     advance(*stiff, lunge, guard);
     const auto X_WB = chained(stiff->hand(Side::kLeft).X_WH, body.value.X_HB);
     const Vec3<float> point = to_world(X_WB, body.value.blade_B).axis.b;
-    if (stiff->report().blows + stiff->report().rests > 0) break;
+    const bool is_touch = stiff->bout().state != BoutState::kFencing;
+    if (stiff->report().blows + stiff->report().rests > 0 || is_touch) break;
     ASSERT_LT((stiff->blade_W(Side::kLeft).axis.b - point).norm(), 1e-5F) << k;
   }
   EXPECT_GT(stiff->steps(), 100U);

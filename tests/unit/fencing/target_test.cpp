@@ -98,13 +98,15 @@ TEST(Target, MoveTo_CarriesEveryPartFromStartToEnd) {
 TEST(Target, Hulls_HoldTheMovingBodyAtEveryTime) {
   Dice dice(4);
   for (int n = 0; n < 50; ++n) {
-    const auto target = moving_target(dice);
+    auto target = moving_target(dice);
+    const Kdop<double, kTargetK> unfitted = target.hull();
     for (int p = 0; p < kBodyParts; ++p) {
       const auto& moving = target.part(static_cast<BodyPart>(p));
       for (int i = 0; i <= 20; ++i) {
         const auto c = to_world(pose_at(moving.motion, kStep * i / 20), moving.capsule_B);
         const V on_surface =
             c.axis.at(0.5 + 0.5 * dice.unit()) + c.radius * dice.vec().normalized();
+        ASSERT_TRUE(contains(unfitted, on_surface)) << p;
         for (int q = p; q >= 0; q = kBodyParent[static_cast<std::size_t>(q)]) {
           ASSERT_TRUE(contains(target.hull(static_cast<BodyPart>(q)), on_surface))
               << p << " in " << q;
@@ -122,7 +124,7 @@ TEST(FindTouch, RandomBlades_AgreeWithSamplingOfAllParts) {
   int touches = 0;
   int misses = 0;
   for (int n = 0; n < 400; ++n) {
-    const auto target = moving_target(dice);
+    auto target = moving_target(dice);
     const V hilt(1.25 + 0.3 * dice.unit(), 0.5 * dice.unit(), 1 + 0.8 * dice.unit());
     const V aim = V(0.3 * dice.unit(), 0.3 * dice.unit(), 1 + 0.7 * dice.unit()) - hilt;
     const auto blade =

@@ -37,17 +37,29 @@ class Referee {
   /// @pre finite; dt > 0
   void follow(Side side, const Stance<Scalar>& stance, const Blade& blade, Scalar dt);
 
+  /// What stops a fencer's blade in the coming step, after follow() of both.
+  Steel<Scalar> steel_for(Side side, const Blade& blade) {
+    return {&at(other(side)).target, part_of(blade, 0), {}};
+  }
+
+  /// What brings a fencer's blade out of the other's body after the world's step, W, m.
+  Vec3<Scalar> way_out(Side side, const Blade& blade) {
+    return at(other(side))
+        .target.way_out(part_of(blade, 0), at(side).start_WB, blade.body.X_WB, kSteelParts);
+  }
+
   /// The halt is over, both are on guard: the next exchange.
   void resume();
 
   /// After the world's step. Both blades are looked at before either touch is judged; the earlier
   /// one is noted first, the left one of two at once. In a halt nobody looks.
   /// @param blades  of the left and the right fencer, where they are now
+  /// @param taken   Steel::taken of both
   /// @param now     steps that were over before this one, and its length
   /// Bound: 2 (kMostCorners + 1) touch searches, and one more for each part that the point enters
   /// without a touch.
-  void judge(const std::array<const Blade*, 2>& blades, const Settings& settings,
-             const Moment<Scalar>& now, DuelReport& report);
+  void judge(const std::array<const Blade*, 2>& blades, const std::array<Twist<Scalar>, 2>& taken,
+             const Settings& settings, const Moment<Scalar>& now, DuelReport& report);
 
   const Bout<Scalar>& bout() const { return bout_; }
   const BodyShape<Scalar>& body_W(Side side) const { return at(side).target.shape(); }
@@ -65,8 +77,10 @@ class Referee {
  private:
   /// The point's way through one piece of a step.
   struct PointWay {
+    Capsule<Scalar> start_W;  ///< where it is at the start of the step
     MovingCapsule<Scalar> point;
     Scalar from = 0;               ///< s
+    Twist<Scalar> taken;           ///< Steel::taken
     detail::Command<Scalar> hand;  ///< what it has of the weapon
   };
 
@@ -87,11 +101,12 @@ class Referee {
 
   RefereeSide& at(Side side) { return places_[index_of(side)]; }
   const RefereeSide& at(Side side) const { return places_[index_of(side)]; }
-  TouchSearch<Scalar> touch_by(Side side, const Blade& blade, const Settings& settings, Scalar dt,
-                               DuelReport& report);
+  TouchSearch<Scalar> touch_by(Side side, const Blade& blade, const Twist<Scalar>& taken,
+                               const Settings& settings, Scalar dt, DuelReport& report);
   TouchSearch<Scalar> touch_in(Side side, const PointWay& way, const Settings& settings,
                                DuelReport& report);
   Scalar slip_of(Side side, const Blade& blade) const;
+  bool was_outside(Side side, const Capsule<Scalar>& point_W, BodyPart part) const;
   void close_all();
   void reopen(Side side, const Capsule<Scalar>& point_W);
   void note(Side by, const TouchSearch<Scalar>& search, const Settings& settings,

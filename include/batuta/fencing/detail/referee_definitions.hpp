@@ -81,7 +81,8 @@ void Referee<SceneT>::follow(Side side, const Stance<Scalar>& stance, const Blad
 }
 
 template <class SceneT>
-void Referee<SceneT>::judge(const std::array<const Blade*, 2>& blades, const Settings& settings,
+void Referee<SceneT>::judge(const std::array<const Blade*, 2>& blades,
+                            const std::array<Twist<Scalar>, 2>& taken, const Settings& settings,
                             const Moment<Scalar>& now, DuelReport& report) {
   if (bout_.state == BoutState::kHalt) {
     --bout_.halt_steps;  // not the last one: is_halt_over() came first
@@ -89,7 +90,8 @@ void Referee<SceneT>::judge(const std::array<const Blade*, 2>& blades, const Set
   }
   std::array<TouchSearch<Scalar>, 2> searches;
   for (std::size_t i = 0; i < searches.size(); ++i) {  // Bound: 2
-    searches[i] = touch_by(static_cast<Side>(i), *blades[i], settings, now.in_step, report);
+    searches[i] =
+        touch_by(static_cast<Side>(i), *blades[i], taken[i], settings, now.in_step, report);
   }
   const bool right_first =
       searches[1].found && (!searches[0].found || searches[1].t_free < searches[0].t_free);
@@ -103,12 +105,15 @@ void Referee<SceneT>::judge(const std::array<const Blade*, 2>& blades, const Set
 /// where contacts were answered to its end.
 template <class SceneT>
 TouchSearch<typename SceneT::Scalar> Referee<SceneT>::touch_by(Side side, const Blade& blade,
+                                                               const Twist<Scalar>& taken,
                                                                const Settings& settings, Scalar dt,
                                                                DuelReport& report) {
   const auto& corners = blade.controller.corners;
   const Capsule<Scalar> point_B = detail::point_of(part_of(blade, 0), settings.point_length);
   PointWay way;
-  reopen(side, to_world(at(side).start_WB, point_B));
+  way.start_W = to_world(at(side).start_WB, point_B);
+  reopen(side, way.start_W);
+  way.taken = taken;
   way.hand = {at(side).control, blade.controller.first_blow, slip_of(side, blade)};
   TouchSearch<Scalar> first;
   bool complete = true;
@@ -130,7 +135,6 @@ TouchSearch<typename SceneT::Scalar> Referee<SceneT>::touch_by(Side side, const 
     complete = complete && first.complete;
     start = end;
   }
-  reopen(side, to_world(blade.body.X_WB, point_B));
   first.complete = complete;
   first.known_until = known_until;
   const Scalar share = detail::share_of_point(part_of(blade, 0), settings.point_length);
@@ -156,7 +160,7 @@ template <class SceneT>
 TouchSearch<typename SceneT::Scalar> Referee<SceneT>::touch_in(Side side, const PointWay& way,
                                                                const Settings& settings,
                                                                DuelReport& report) {
-  const Target<Scalar>& target = at(other(side)).target;
+  Target<Scalar>& target = at(other(side)).target;
   TouchSearch<Scalar> search;
   for (int entry = 0; entry <= kBodyParts; ++entry) {  // Bound: kBodyParts + 1
     search = target.template find_touch<Search>(way.point, way.from, settings.touch,
@@ -166,23 +170,39 @@ TouchSearch<typename SceneT::Scalar> Referee<SceneT>::touch_in(Side side, const 
     report.budget_outs += search.budget_outs;
     report.searches_invalid += search.searches_invalid;
     if (!search.found) break;
-    const Scalar speed = detail::entry_speed(way.point, target.part(search.part), search, way.from);
-    if (detail::counts<SceneT>(settings, way.hand, search.t_free, speed)) break;
+    MovingCapsule<Scalar> wanted = way.point;
+    wanted.motion.twist.v_W += way.taken.v_W;
+    wanted.motion.twist.w_W += way.taken.w_W;
+    const Scalar speed = detail::entry_speed(wanted, target.part(search.part), search, way.from);
+    if (was_outside(side, way.start_W, search.part) &&
+        detail::counts<SceneT>(settings, way.hand, search.t_free, speed)) {
+      break;
+    }
     at(side).closed |= mask_of(search.part);
     search.found = false;
   }
   return search;
 }
 
-/// Parts that the point has left can be touched again.
+/// Whether point and part were apart when the step began: a search that ended without an answer may
+/// have let the point in unseen.
+/// @param point_W  where it was then
+template <class SceneT>
+bool Referee<SceneT>::was_outside(Side side, const Capsule<Scalar>& point_W, BodyPart part) const {
+  return capsule_gap(point_W, at(other(side)).target.start_of(part)).gap > Scalar(0);
+}
+
+/// Parts that the point had left when the step began can be touched again.
+/// @param point_W  where it was then
 template <class SceneT>
 void Referee<SceneT>::reopen(Side side, const Capsule<Scalar>& point_W) {
   PartMask& closed = at(side).closed;
-  const BodyShape<Scalar>& body = at(other(side)).target.shape();
-  for (std::size_t i = 0; closed != 0 && i < body.size(); ++i) {  // Bound: kBodyParts
-    const PartMask part = mask_of(static_cast<BodyPart>(i));
-    if ((closed & part) == 0) continue;
-    if (capsule_gap(point_W, body[i]).gap > detail::kPointIsOut<Scalar>) closed &= ~part;
+  const Target<Scalar>& target = at(other(side)).target;
+  for (int i = 0; closed != 0 && i < kBodyParts; ++i) {  // Bound: kBodyParts
+    const auto part = static_cast<BodyPart>(i);
+    if ((closed & mask_of(part)) == 0) continue;
+    const CapsuleGap<Scalar> gap = capsule_gap(point_W, target.start_of(part));
+    if (gap.gap > detail::kPointIsOut<Scalar>) closed &= ~mask_of(part);
   }
 }
 
