@@ -7,6 +7,10 @@
 namespace batuta::haptics {
 namespace {
 
+/// Of the length of a limited vector, which is a unit vector times the limit: coupling.md.
+template <class Scalar>
+constexpr Scalar kRoundedLimit = Scalar(1) - Scalar(8) * kRoundOff<Scalar>;
+
 /// Enough for axes that differ by twelve powers of ten: src/haptics/coupling.md.
 constexpr int kEasings = 12;
 
@@ -99,6 +103,12 @@ Wrench<Scalar> coupling_wrench(const CouplingSettings<Scalar>& settings,
 }
 
 template <class Scalar>
+bool is_at_limit(const CouplingSettings<Scalar>& settings, const Wrench<Scalar>& wrench) {
+  return length(wrench.force_W) >= kRoundedLimit<Scalar> * settings.max_force ||
+         length(wrench.moment_W) >= kRoundedLimit<Scalar> * settings.max_moment;
+}
+
+template <class Scalar>
 Scalar stored_energy(const CouplingSettings<Scalar>& settings, const Pose<Scalar>& commanded_W,
                      const Pose<Scalar>& actual_W) {
   const Stretch<Scalar> stretch = stretch_of<Scalar>({commanded_W, {}}, {actual_W, {}});
@@ -133,6 +143,7 @@ Result<Wrench<Scalar>> couple(const CouplingSettings<Scalar>& settings,
   template Status validate(const CouplingSettings<S>&);                                 \
   template Wrench<S> coupling_wrench(const CouplingSettings<S>&, const MovingFrame<S>&, \
                                      const MovingFrame<S>&);                            \
+  template bool is_at_limit(const CouplingSettings<S>&, const Wrench<S>&);              \
   template S stored_energy(const CouplingSettings<S>&, const Pose<S>&, const Pose<S>&); \
   template Result<Wrench<S>> couple(const CouplingSettings<S>&, const MovingFrame<S>&, Body<S>&, S);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)

@@ -37,7 +37,7 @@ Status HandForce<Scalar>::configure(const HandForceSettings<Scalar>& settings) {
 }
 
 template <class Scalar>
-Wrench<Scalar> HandForce<Scalar>::pull(const HandState<Scalar>& state, Scalar dt) const {
+Wrench<Scalar> HandForce<Scalar>::pull(const HandState<Scalar>& state, Scalar dt) {
   const auto moving = [dt, this](const Pose<Scalar>& before, const Pose<Scalar>& now) {
     MovingFrame<Scalar> frame = {now, {}};
     if (started_) frame.twist = motion_between(before, now, dt).twist;
@@ -45,30 +45,48 @@ Wrench<Scalar> HandForce<Scalar>::pull(const HandState<Scalar>& state, Scalar dt
   };
   const Wrench<Scalar> whole = coupling_wrench(
       coupling_, moving(commanded_W_, state.commanded.X_WH), moving(held_W_, state.held_W));
+  limited_ = is_at_limit(coupling_, whole);
   return {state.hold * whole.force_W, state.hold * whole.moment_W};
+}
+
+/// Of a step that is not felt, and of which nothing is kept.
+template <class Scalar>
+Vec2<Scalar> HandForce<Scalar>::invalid() {
+  invalid_ = true;
+  limited_ = false;
+  started_ = false;
+  stored_ = 0;
+  return Vec2<Scalar>::Zero();
+}
+
+/// What mixed() leaves out of the coupling, and what the pulse of the blow had to.
+template <class Scalar>
+void HandForce<Scalar>::compare(const Vec2<Scalar>& blow, const Vec2<Scalar>& coupling) {
+  const Scalar beyond =
+      (blow + coupling).cwiseAbs().maxCoeff() / transient_.max_force() - Scalar(1);
+  const Scalar most = max_of(transient_.excess(), beyond);
+  excess_ = clamp(most, Scalar(0), std::numeric_limits<Scalar>::max());
 }
 
 template <class Scalar>
 Vec2<Scalar> HandForce<Scalar>::advance(const HandState<Scalar>& state, Scalar dt) {
+  excess_ = 0;
+  limited_ = false;
+  invalid_ = false;
+  if (!is_finite_state(state)) return invalid();
   const StickJacobian<Scalar>& jacobian = state.commanded.jacobian;
-  Vec2<Scalar> coupling = Vec2<Scalar>::Zero();
-  bool finite = is_finite_state(state);
-  if (finite) {
-    coupling = stick_force(jacobian, pull(state, dt));
-    stored_ = state.hold * stored_energy(coupling_, state.commanded.X_WH, state.held_W);
-    finite = is_finite(coupling) && is_finite(stored_);
-  }
-  if (!finite) {
-    started_ = false;
-    stored_ = 0;
-    return Vec2<Scalar>::Zero();
-  }
-  (void)transient_.strike(
-      stick_force<Scalar>(jacobian, {state.blow.linear_W, state.blow.angular_W}));
+  const Vec2<Scalar> coupling = stick_force(jacobian, pull(state, dt));
+  stored_ = state.hold * stored_energy(coupling_, state.commanded.X_WH, state.held_W);
+  if (!is_finite(coupling) || !is_finite(stored_)) return invalid();
+  const Vec2<Scalar> impulse =
+      stick_force<Scalar>(jacobian, {state.blow.linear_W, state.blow.angular_W});
+  if (transient_.strike(impulse) != Status::kOk) return invalid();
   commanded_W_ = state.commanded.X_WH;
   held_W_ = state.held_W;
   started_ = true;
-  return mixed(transient_.advance(dt), coupling, transient_.max_force());
+  const Vec2<Scalar> blow = transient_.advance(dt);
+  compare(blow, coupling);
+  return mixed(blow, coupling, transient_.max_force());
 }
 
 #define BATUTA_INSTANTIATE(S)                            \

@@ -20,7 +20,8 @@ bool is_good(const StageSettings& settings) {
 /// Only what can be computed with: whatever is demanded has to be a number as a share, too.
 bool is_usable(const StageInput& input, const Vec2<float>& gain) {
   return is_finite(scaled(input.demanded, gain)) && is_finite(input.position) &&
-         is_finite(input.velocity) && input.allowed >= 0.0F && input.allowed <= 1.0F;
+         is_finite(input.velocity) && input.allowed >= 0.0F && input.allowed <= 1.0F &&
+         is_finite(input.excess) && input.excess >= 0.0F;
 }
 
 StageInput without_demand(Microseconds time) {
@@ -93,9 +94,9 @@ Status OutputStage::step(const StageInput& input) {
 /// Shares of the range, from the demand to the slew limit.
 Vec2<float> OutputStage::shaped(const StageInput& input) {
   const ForceShare force = clipped(scaled(input.demanded, gain_));
-  limits_.clipped = force.is_clipped();
+  limits_.clipped = force.is_clipped() || input.clipped;
   if (limits_.clipped) ++report_.clipped;
-  report_.worst_excess = max_of(report_.worst_excess, force.excess);
+  report_.worst_excess = max_of(report_.worst_excess, max_of(force.excess, input.excess));
   return {limited(axes_[0], force.share.x(), input.position.x(), input.velocity.x()),
           limited(axes_[1], force.share.y(), input.position.y(), input.velocity.y())};
 }

@@ -99,26 +99,27 @@ Scalar owed_damping(const PassivityObserver<Scalar>& observer) {
 }
 
 template <class Scalar>
-Result<Vec2<Scalar>> passive_force(const PassivityObserver<Scalar>& observer,
-                                   const Vec2<Scalar>& demanded) {
+Result<PassiveForce<Scalar>> passive_force(const PassivityObserver<Scalar>& observer,
+                                           const Vec2<Scalar>& demanded) {
   const Scalar damping = owed_damping(observer);
   Vec2<Scalar> force = demanded;
   if (damping > Scalar(0)) force -= damping / observer.settings().period * observer.moved();
   const Vec3<Scalar> flat(force.x(), force.y(), Scalar(0));  // its length at any scale
   const Scalar size = length(flat);
   if (!is_finite(force) || !is_finite(size)) {
-    return failure<Vec2<Scalar>>(Status::kInvalidArgument);
+    return failure<PassiveForce<Scalar>>(Status::kInvalidArgument);
   }
   const Scalar largest = observer.settings().largest_force;
-  if (size > largest) force = largest * unit(flat).template head<2>();
-  return success(force);
+  if (!(size > largest)) return success(PassiveForce<Scalar>{force, Scalar(0)});
+  const Scalar excess = min_of(size / largest - Scalar(1), std::numeric_limits<Scalar>::max());
+  return success(PassiveForce<Scalar>{largest * unit(flat).template head<2>(), excess});
 }
 
 #define BATUTA_INSTANTIATE(S)                                    \
   template Status validate(const PassivitySettings<S>&);         \
   template class PassivityObserver<S>;                           \
   template S owed_damping(const PassivityObserver<S>& observer); \
-  template Result<Vec2<S>> passive_force(const PassivityObserver<S>&, const Vec2<S>&);
+  template Result<PassiveForce<S>> passive_force(const PassivityObserver<S>&, const Vec2<S>&);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE
 

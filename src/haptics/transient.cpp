@@ -44,17 +44,28 @@ Status ImpactTransient<Scalar>::strike(const Vec2<Scalar>& impulse) {
 
 template <class Scalar>
 Vec2<Scalar> ImpactTransient<Scalar>::advance(Scalar dt) {
-  if (left_ == Vec2<Scalar>::Zero()) return left_;
+  if (left_ == Vec2<Scalar>::Zero()) {
+    excess_ = 0;
+    return left_;
+  }
   // To the nearest step: no sliver of a pulse is left for one more. What ends, ends exactly.
   const bool ends = !(settings_.duration - age_ > Scalar(1.5F) * dt);
   const Scalar time_left = ends ? dt : settings_.duration - age_;
   const Scalar most = settings_.max_force;
+  // What fits at its first step fits at all others, but for rounding; later levels grow by what was
+  // held back before, and are no measure of the blow.
+  if (age_ == Scalar(0)) {
+    excess_ = max_of(left_.cwiseAbs().maxCoeff() / time_left / most - Scalar(1), Scalar(0));
+  }
+  bool is_cut = false;
   Vec2<Scalar> force;
   for (int i = 0; i < 2; ++i) {  // Bound: the stick's coordinates
     const Scalar level = left_(i) / time_left;
     force(i) = clamp(level, -most, most);
+    is_cut = is_cut || force(i) != level;
     left_(i) = ends && force(i) == level ? Scalar(0) : left_(i) - dt * force(i);
   }
+  if (!is_cut) excess_ = 0;
   age_ += dt;
   if (ends && age_ + dt / 2 >= settings_.longest) {  // rounding may find the longest before the end
     lost_ += std::abs(left_.x()) + std::abs(left_.y());

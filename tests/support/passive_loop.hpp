@@ -46,7 +46,8 @@ class PassiveLoop {
                                             {static_cast<S>(bent), S(0)}, static_cast<S>(stored));
     BATUTA_ASSERT(status == Status::kOk);
     const Vec2<S> demanded(static_cast<S>(loop_.demanded()), S(0));
-    const Vec2<S> sent = way_.is_on ? haptics::passive_force(observer_, demanded).value : demanded;
+    const Vec2<S> sent =
+        way_.is_on ? haptics::passive_force(observer_, demanded).value.force : demanded;
     std::rotate(sent_.rbegin(), sent_.rbegin() + 1, sent_.rend());
     sent_[0] = static_cast<double>(sent.x());
   }

@@ -45,6 +45,11 @@ Wrench<Scalar> coupling_wrench(const CouplingSettings<Scalar>& settings,
                                const MovingFrame<Scalar>& commanded,
                                const MovingFrame<Scalar>& actual);
 
+/// Whether a wrench of coupling_wrench() is held at one of the two limits, or fits it exactly: to
+/// rounding, they are the same. Bound: no loop.
+template <class Scalar>
+bool is_at_limit(const CouplingSettings<Scalar>& settings, const Wrench<Scalar>& wrench);
+
 /// What the springs hold, J: coupling_wrench() without dampers is its slope, also where a limit
 /// holds. Infinite or NaN where a number is not finite. @pre as coupling_wrench()
 template <class Scalar>

@@ -41,6 +41,10 @@ struct StageInput {
   Vec2<float> demanded = Vec2<float>::Zero();  ///< N m for each unit of the stick
   Vec2<float> position = Vec2<float>::Zero();  ///< of the stick, units
   Vec2<float> velocity = Vec2<float>::Zero();  ///< of the stick, 1/s
+  /// What made the demand had to cut it already, as HandForce does and passive_force(): counted
+  /// with what is cut here.
+  bool clipped = false;
+  float excess = 0;            ///< >= 0: by how much of the range, at least
   float allowed = 1;           ///< share that a ramp of the demander's own leaves, 0 ... 1
   bool fresh_sample = false;   ///< the stick has said something new
   bool fresh_command = false;  ///< `demanded` was made for this step
@@ -48,7 +52,7 @@ struct StageInput {
 
 /// What held the force of a step back.
 struct StageLimits {
-  bool clipped = false;   ///< the demand did not fit the range
+  bool clipped = false;   ///< the demand did not fit the range, here or where it was made
   bool end_stop = false;  ///< the end stop pushed
   bool speed = false;     ///< the speed limiter took some
   bool slew = false;      ///< the force is still on its way to what it should be
@@ -58,7 +62,7 @@ struct StageLimits {
 /// Counts since configure(); they wrap (at 1 kHz after 49 days: look before, and configure() anew).
 struct StageReport {
   std::uint32_t steps = 0;             ///< made
-  std::uint32_t clipped = 0;           ///< steps whose demand did not fit
+  std::uint32_t clipped = 0;           ///< steps whose demand did not fit, here or where made
   float worst_excess = 0;              ///< the largest demand beyond the range, in ranges
   std::uint32_t invalid = 0;           ///< steps whose input could not be computed with: no demand
   std::uint32_t refused = 0;           ///< commands that the device did not take

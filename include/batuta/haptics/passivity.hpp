@@ -99,12 +99,19 @@ class PassivityObserver {
 template <class Scalar>
 Scalar owed_damping(const PassivityObserver<Scalar>& observer);
 
+/// What may be held.
+template <class Scalar>
+struct PassiveForce {
+  Vec2<Scalar> force = Vec2<Scalar>::Zero();  ///< J/u
+  Scalar excess = 0;  ///< by how much the sum was beyond largest_force, in these; 0: it fits
+};
+
 /// The demanded force with owed_damping() against the last motion, cut to largest_force with its
 /// direction kept. To be told to the observer as held once it was.
 /// @returns kOk | kInvalidArgument, with a force of zero: not finite, or the length of the sum is
 /// beyond Scalar
 template <class Scalar>
-Result<Vec2<Scalar>> passive_force(const PassivityObserver<Scalar>& observer,
-                                   const Vec2<Scalar>& demanded);
+Result<PassiveForce<Scalar>> passive_force(const PassivityObserver<Scalar>& observer,
+                                           const Vec2<Scalar>& demanded);
 
 }  // namespace batuta::haptics

@@ -47,6 +47,11 @@ class ImpactTransient {
 
   /// TransientSettings::max_force, of each coordinate.
   Scalar max_force() const { return settings_.max_force; }
+  /// Whether the last step's level was held back by max_force: it plays on for longer.
+  bool is_clipped() const { return excess_ > Scalar(0); }
+  /// Where it was: how far the pulse, as its last blow left it to be played evenly over
+  /// TransientSettings::duration, is beyond max_force, in max_force; else 0. May be infinite.
+  Scalar excess() const { return excess_; }
   /// Still to be played, N m s for each unit.
   const Vec2<Scalar>& left() const { return left_; }
   /// Let go since the start, because the actuator was not strong enough for long enough: sum of
@@ -58,6 +63,7 @@ class ImpactTransient {
   Vec2<Scalar> left_ = Vec2<Scalar>::Zero();
   Scalar age_ = 0;  ///< since the last blow, s
   Scalar lost_ = 0;
+  Scalar excess_ = 0;  ///< of the pulse, while it is held back
 };
 
 /// The blow first, of the rest as much as fits: blow + s rest with the largest s in [0, 1] that

@@ -11,6 +11,8 @@
 #include "batuta/haptics/duel_hand.hpp"
 #include "batuta/haptics/gain_advisor.hpp"
 #include "batuta/haptics/output_stage.hpp"
+#include "batuta/haptics/stick_gains.hpp"
+#include "programs/feel/measure.hpp"
 #include "shared/simulated/stick.hpp"
 
 namespace batuta {
@@ -44,21 +46,6 @@ DeviceProfile<float> profile(float period) {
   return of_device;
 }
 
-/// What springs of these stiffnesses at the hand are at the stick: J^T K J, of which no direction
-/// is stiffer than its largest sum of a row.
-float at_the_stick(const StickJacobian<float>& jacobian, float along, float about) {
-  const Eigen::Matrix2f K =
-      along * (jacobian.topRows<3>().transpose() * jacobian.topRows<3>()) +
-      about * (jacobian.bottomRows<3>().transpose() * jacobian.bottomRows<3>());
-  return K.cwiseAbs().rowwise().sum().maxCoeff();
-}
-
-Gains<float> at_the_stick(const StickJacobian<float>& jacobian,
-                          const CouplingSettings<float>& coupling) {
-  return {at_the_stick(jacobian, coupling.stiffness, coupling.turn_stiffness),
-          at_the_stick(jacobian, coupling.damping, coupling.turn_damping)};
-}
-
 const char* name_of(GainVerdict verdict) {
   switch (verdict) {
     case GainVerdict::kInside:
@@ -85,7 +72,9 @@ void tell(int ms, const port_simulated::SimulatedStick& stick) {
 }
 
 int usage(std::FILE* out = stderr) {
-  std::fprintf(out, "batuta-feel [stiffness of the coupling, N/m, >= 0; 100]\n");
+  std::fprintf(out,
+               "batuta-feel [stiffness of the coupling, N/m, >= 0; 100]\n"
+               "batuta-feel --measure\n");
   return out == stderr ? 2 : 0;
 }
 
@@ -112,6 +101,7 @@ class Loop {
   const Duel<>& duel() const { return duel_; }
   const port_simulated::SimulatedStick& stick() const { return stick_; }
   const OutputStage& stage() const { return stage_; }
+  const HandForceReport<float>& felt() const { return felt_report_; }
 
   /// What a firmware does each millisecond; the first line is what the world does in it.
   void tick(int ms) {
@@ -124,6 +114,9 @@ class Loop {
     input.position = duel_.stick(Side::kLeft).position();
     input.velocity = duel_.stick(Side::kLeft).velocity();
     input.demanded = felt_.advance(hand_state(duel_, Side::kLeft), duel_.dt());
+    felt_report_.take(felt_);
+    input.clipped = felt_.is_clipped();
+    input.excess = felt_.excess();
     input.fresh_sample = fresh;
     input.fresh_command = true;
     (void)stage_.step(input);
@@ -132,6 +125,7 @@ class Loop {
  private:
   Duel<> duel_;
   HandForce<float> felt_;
+  HandForceReport<float> felt_report_;
   port_simulated::SimulatedStick stick_;
   OutputStage stage_;
   bool good_ = false;
@@ -151,7 +145,7 @@ int run(float stiffness) {
   const HandForceSettings<float> feel = feel_of(stiffness);
   Loop loop(feel);
   if (!loop.is_good()) return usage();
-  const auto gains = at_the_stick(loop.duel().hand(Side::kLeft).jacobian, feel.coupling);
+  const auto gains = gains_at_stick(loop.duel().hand(Side::kLeft).jacobian, feel.coupling);
   const auto limit = largest_stiffness(profile(loop.duel().dt()), gains.damping);
   std::printf(
       "%g N/m at the hand are %.3g N m for each unit of the stick, of %.3g that it bears: %s\n",
@@ -163,8 +157,11 @@ int run(float stiffness) {
     if (ms % kTold == 0) tell(ms, loop.stick());
   }
   const StageReport& report = loop.stage().report();
-  std::printf("%u ms; clipped in %.1f %% of them\n", report.steps,
-              100.0 * static_cast<double>(report.clipped_share()));
+  std::printf(
+      "%u ms; clipped in %.1f %% of them, by %.3g ranges at most; the coupling at its own limit in "
+      "%.1f %%\n",
+      report.steps, 100.0 * static_cast<double>(report.clipped_share()),
+      static_cast<double>(report.worst_excess), 100.0 * loop.felt().limited / report.steps);
   return 0;
 }
 
@@ -175,6 +172,9 @@ int main(int count, char** words) {
   if (count > 2) return batuta::usage();
   if (count == 2 && std::strcmp(words[1], "--help") == 0) {
     return batuta::finish(batuta::usage(stdout));
+  }
+  if (count == 2 && std::strcmp(words[1], "--measure") == 0) {
+    return batuta::finish(batuta::measure());
   }
   char* end = nullptr;
   const float stiffness = count == 2 ? std::strtof(words[1], &end) : 100.0F;

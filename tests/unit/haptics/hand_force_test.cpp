@@ -117,6 +117,59 @@ TEST(HandForce, BlowAtTheLimit_LeavesTheCouplingNoRoom) {
   EXPECT_EQ(along.y(), 0);
 }
 
+// 0.02 m at 400 N/m are 8 N, of which 2 fit: beyond the range by 3 of them.
+TEST(HandForce, CouplingBeyondTheRange_IsToldAndCounted) {
+  HandForceSettings<double> settings;
+  settings.transient.max_force = 2;
+  HandForce<double> force = hand_force(settings);
+  HandForceReport<double> report;
+  State state = plain_state();
+  for (const double way : {0.0, 0.004, 0.02, 0.004}) {
+    state.held_W.p_W.x() = -way;
+    (void)force.advance(state, kStep);
+    report.take(force);
+  }
+  EXPECT_EQ(report.steps, 4U);
+  EXPECT_EQ(report.clipped, 3U);                // by the damper already on the first way
+  EXPECT_NEAR(report.worst_excess, 19, 1e-12);  // 8 N, and 2 N s/m at 16 m/s
+  EXPECT_EQ(report.limited, 0U);
+}
+
+TEST(HandForce, StiffHand_IsToldAsClippedAndAtItsOwnLimit) {
+  HandForceSettings<double> settings;
+  settings.coupling.stiffness = 1e9;
+  HandForce<double> force = hand_force(settings);
+  HandForceReport<double> report;
+  State state = plain_state();
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_LE(force.advance(state, kStep).cwiseAbs().maxCoeff(), 40);
+    report.take(force);
+    state.held_W.p_W.x() = -0.001;
+  }
+  EXPECT_EQ(report.clipped, 9U);
+  EXPECT_EQ(report.limited, 9U);
+  EXPECT_NEAR(report.worst_excess, 0.5, 1e-12);  // 60 N of 40
+}
+
+// 0.8 N m s in 4 ms are 200, of 40: beyond it by 4, and played for 20 ms.
+TEST(HandForce, BlowBeyondTheRange_IsClippedForAsLongAsItIsHeldBack) {
+  HandForce<double> force = hand_force();
+  HandForceReport<double> report;
+  State state = plain_state();
+  state.blow.linear_W.x() = -0.8;
+  (void)force.advance(state, kStep);
+  report.take(force);
+  EXPECT_NEAR(force.excess(), 4, 1e-6);  // 4 ms is a float
+  state.blow = {};
+  for (int i = 1; i < 30; ++i) {
+    (void)force.advance(state, kStep);
+    report.take(force);
+  }
+  EXPECT_FALSE(force.is_clipped());
+  EXPECT_EQ(report.clipped, 19U);  // what the 20th plays is left over, and fits
+  EXPECT_NEAR(report.worst_excess, 4, 1e-6);
+}
+
 TEST(HandForce, StateThatIsNotFinite_IsNotFeltAndNotKept) {
   HandForce<double> force = hand_force();
   State state = plain_state();
@@ -124,10 +177,24 @@ TEST(HandForce, StateThatIsNotFinite_IsNotFeltAndNotKept) {
   State bad = state;
   bad.held_W.p_W.x() = NAN;
   EXPECT_EQ(force.advance(bad, kStep), Vec2<double>::Zero());
+  EXPECT_TRUE(force.is_invalid());
   bad = state;
   bad.blow.angular_W.z() = INFINITY;
   EXPECT_EQ(force.advance(bad, kStep), Vec2<double>::Zero());
+  EXPECT_TRUE(force.is_invalid());
   EXPECT_EQ(force.advance(state, kStep), Vec2<double>::Zero());
+  EXPECT_FALSE(force.is_invalid());
+}
+
+// Each blow is a number, and their sum is none.
+TEST(HandForce, BlowsBeyondNumbers_AreNotFeltAndSaid) {
+  HandForce<double> force = hand_force();
+  State state = plain_state();
+  state.blow.linear_W.x() = 1e308;
+  (void)force.advance(state, kStep);
+  EXPECT_FALSE(force.is_invalid());
+  EXPECT_EQ(force.advance(state, kStep), Vec2<double>::Zero());
+  EXPECT_TRUE(force.is_invalid());
 }
 
 TEST(HandForce, SettingsOutOfRange_AreRefused) {

@@ -74,6 +74,8 @@ StageInput any_input() {
   input.position = {any_number(1.2F), any_number(1.2F)};
   input.velocity = {any_number(40), any_number(40)};
   input.allowed = any_allowed();
+  input.clipped = *rc::gen::inRange(0, 2) > 0;
+  input.excess = std::abs(any_number(3));
   input.fresh_sample = *rc::gen::inRange(0, 3) > 0;
   input.fresh_command = *rc::gen::inRange(0, 3) > 0;
   return input;
@@ -87,7 +89,7 @@ float largest(const Vec2<float>& v) {
 bool is_usable(const StageInput& input, const StageSettings& settings) {
   return is_finite(Vec2<float>(input.demanded.cwiseProduct(settings.gain))) &&
          is_finite(input.position) && is_finite(input.velocity) && input.allowed >= 0 &&
-         input.allowed <= 1;
+         input.allowed <= 1 && is_finite(input.excess);
 }
 
 /// The most that a share may change in a step: by the slew limit, and by the ramps, of which the

@@ -59,6 +59,25 @@ TEST(OutputStage, TooMuch_IsClippedInItsDirection_AndCounted) {
   EXPECT_EQ(rig.stage.report().worst_excess, 3.0F);
 }
 
+TEST(OutputStage, WhatWasCutBeforeTheStage_IsCountedWithWhatIsCutHere) {
+  StageRig rig(open_settings());
+  StageInput cut = alive({1, 0});
+  cut.clipped = true;
+  rig.run(25, alive({1, 0}));
+  rig.run(25, cut);
+  EXPECT_TRUE(rig.stage.limits().clipped);
+  EXPECT_EQ(rig.stage.report().worst_excess, 0.0F);
+  cut.excess = 7;
+  rig.run(25, cut);
+  cut.demanded.x() = 2;  // here as well: counted once
+  cut.excess = 0.5F;
+  rig.run(25, cut);
+  EXPECT_EQ(rig.stage.report().clipped, 75U);
+  EXPECT_EQ(rig.stage.report().worst_excess, 7.0F);
+  cut.excess = INFINITY;
+  EXPECT_EQ(rig.stage.step(cut), Status::kInvalidArgument);
+}
+
 /// Else a force of many ranges would push through the stop, and outlast the ramps.
 TEST(OutputStage, TooMuch_WinsAgainstNoLaterStep) {
   StageSettings settings = open_settings();

@@ -139,7 +139,7 @@ TYPED_TEST(Passive, Damping_TakesBackWhatIsOwedInOnePeriod) {
   EXPECT_EQ(d, S(1) / S(64));  // d way^2 / T = 4 d = 1 / 16
   const auto force = passive_force(observer, {S(3), S(2)});
   ASSERT_EQ(force.status, Status::kOk);
-  EXPECT_EQ(force.value, Vec2<S>(S(3) - S(1), S(2)));  // d way / T = 1
+  EXPECT_EQ(force.value.force, Vec2<S>(S(3) - S(1), S(2)));  // d way / T = 1
   // Going on like that, without the demanded force, the debt is paid.
   ASSERT_EQ(observer.observe({S(-1), S(0)}, {S(0.125), S(0)}), Status::kOk);
   EXPECT_EQ(observer.credit(), S(0));
@@ -153,7 +153,7 @@ TYPED_TEST(Passive, DebtOfAStickAtRest_Waits) {
   ASSERT_EQ(observer.observe({S(1), S(0)}, {S(0.5), S(0)}), Status::kOk);
   EXPECT_EQ(owed_damping(observer), S(0.5));  // the most: nothing is divided by no motion
   const auto force = passive_force(observer, {S(3), S(2)});
-  EXPECT_EQ(force.value, Vec2<S>(S(3), S(2)));
+  EXPECT_EQ(force.value.force, Vec2<S>(S(3), S(2)));
   EXPECT_EQ(observer.credit(), S(-0.5));
   // The least motion there is does not blow it up either.
   const S least = std::numeric_limits<S>::denorm_min();
@@ -165,9 +165,11 @@ TYPED_TEST(Passive, Force_IsCutWithItsDirectionKept) {
   using S = TypeParam;
   auto observer = observer_with(simple<S>());
   const auto force = passive_force(observer, {S(-300), S(400)});
-  EXPECT_NEAR(static_cast<double>(force.value.x()), -60, 1e-4);
-  EXPECT_NEAR(static_cast<double>(force.value.y()), 80, 1e-4);
-  EXPECT_EQ(passive_force(observer, {S(60), S(80)}).value, Vec2<S>(S(60), S(80)));
+  EXPECT_NEAR(static_cast<double>(force.value.force.x()), -60, 1e-4);
+  EXPECT_NEAR(static_cast<double>(force.value.force.y()), 80, 1e-4);
+  EXPECT_NEAR(static_cast<double>(force.value.excess), 4, 1e-6);  // 500 of 100
+  EXPECT_EQ(passive_force(observer, {S(60), S(80)}).value.excess, S(0));
+  EXPECT_EQ(passive_force(observer, {S(60), S(80)}).value.force, Vec2<S>(S(60), S(80)));
 }
 
 /// The promise: what went out beyond what came in and what the device took is at most the debt,
@@ -243,7 +245,7 @@ TYPED_TEST(Passive, NotConfigured_IsUnavailableAndGivesNoForce) {
   using S = TypeParam;
   PassivityObserver<S> observer;
   EXPECT_EQ(observer.observe({S(1), S(0)}, {S(1), S(0)}), Status::kUnavailable);
-  EXPECT_EQ(passive_force(observer, {S(1), S(1)}).value, Vec2<S>(S(0), S(0)));
+  EXPECT_EQ(passive_force(observer, {S(1), S(1)}).value.force, Vec2<S>(S(0), S(0)));
 }
 
 }  // namespace

@@ -60,6 +60,26 @@ TEST(ImpactTransient, AHardBlow_IsPlayedLongerAtTheActuatorsLimit) {
   EXPECT_NEAR(steps, 10, 1);  // 0.4 / 40 s, and rounding
 }
 
+// 4 ms of 40: 0.176 N m s are beyond it by 0.1, and take 4.4 ms.
+TEST(ImpactTransient, ClippedAndExcess_AgreeToTheEndOfThePulse) {
+  Transient transient = transient_of({});
+  ASSERT_EQ(transient.strike({0.176, 0}), Status::kOk);
+  for (int i = 0; i < 5; ++i) {
+    (void)transient.advance(kStep);
+    EXPECT_EQ(transient.is_clipped(), i < 4) << i;
+    EXPECT_NEAR(transient.excess(), i < 4 ? 0.1 : 0, 1e-6) << i;  // 4 ms is a float
+  }
+}
+
+// What would not fit in 4 ms fits in a step of 10.
+TEST(ImpactTransient, StepLongerThanThePulse_IsNotClippedWhereItFits) {
+  Transient transient = transient_of({});
+  ASSERT_EQ(transient.strike({0.3, 0}), Status::kOk);
+  EXPECT_NEAR(transient.advance(0.01).x(), 30, 1e-12);
+  EXPECT_FALSE(transient.is_clipped());
+  EXPECT_EQ(transient.excess(), 0);
+}
+
 TEST(ImpactTransient, TooHardABlow_SaysWhatWasLost) {
   Transient transient = transient_of({});
   ASSERT_EQ(transient.strike({-3, 0}), Status::kOk);
