@@ -295,6 +295,55 @@ def pid_seeds():
     return files
 
 
+CONTROL, PACKET, TIME, BUS, INPUT = range(5)
+PLUG, UNPLUG, SUSPEND, RESUME, ENUMERATE = (bytes([what]) for what in range(5))
+
+
+def usb_control(kind, request, value, index, length, data=b""):
+    return pid_record(CONTROL, struct.pack("<BBHHH", kind, request, value, index, length), data)
+
+
+def usb_report(kind, *parts):
+    """A SET_REPORT by control, with the report's number in its data as a driver sends it."""
+    data = b"".join(parts)
+    return usb_control(0x21, 9, kind << 8 | data[0], 0, len(data), data)
+
+
+def usb_time(milliseconds, x=128, y=128):
+    return pid_record(TIME, bytes([milliseconds, 1, x, y]))
+
+
+def usb_effect(kind, by_control):
+    """A host's effect of a kind from its making on, by control transfers or by packets; it plays."""
+    words = struct.pack
+    made = usb_report(3, b"\x21", bytes([kind]), words("<H", 0)) + usb_control(0xA1, 1, 0x0322, 0, 5)
+    parts = [b"\x11\x01" + bytes([kind]) + words("<HHHH", 0, 0, 0, 0) + b"\xff\x00\x04" + words("<HH", 4500, 0),
+             b"\x13\x01\x00" + words("<hhhHHH", 0, 9000, 9000, 9000, 9000, 0),
+             b"\x14\x01" + words("<HhHH", 9000, 0, 0, 40), b"\x15\x01" + words("<h", 9000),
+             b"\x16\x01" + words("<hh", -9000, 9000), b"\x1a\x01\x01\x01"]
+    return made + b"".join(usb_report(2, part) if by_control else pid_record(PACKET, part) for part in parts)
+
+
+def usb_seeds():
+    """Effects that are felt, a bus that comes and goes while they play, and requests of every kind."""
+    felt = usb_time(255) * 2 + pid_record(INPUT) + usb_time(9, 255, 0)
+    files = {f"effect_of_kind_{kind}": usb_effect(kind, kind % 2 == 0) + felt for kind in range(1, 12)}
+    plays = usb_effect(1, True) + felt
+    files["nothing"] = b""
+    files["unplugged"] = plays + pid_record(BUS, UNPLUG) + felt + pid_record(BUS, ENUMERATE) + plays
+    files["asleep"] = plays + pid_record(BUS, SUSPEND) + felt + pid_record(BUS, RESUME) + felt
+    files["reset"] = plays + pid_record(BUS, PLUG) + felt + pid_record(BUS, ENUMERATE) + felt
+    files["unconfigured"] = plays + usb_control(0, 9, 0, 0, 0) + felt + usb_control(0, 9, 1, 0, 0) + felt
+    files["descriptors"] = b"".join(usb_control(kind, 6, value, 0, 255) for kind, value in (
+        (0x80, 0x0100), (0x80, 0x0200), (0x80, 0x0300), (0x80, 0x0303), (0x80, 0x03EE), (0x80, 0x0600), (0x81, 0x2100), (0x81, 0x2200)))
+    files["every_request"] = b"".join(usb_control(kind | 0x80 * (request % 2), request, 0x0101, 0x81 if kind == 2 else 0, 64)
+                                      for kind in (0, 1, 2, 0x21, 0x40) for request in range(12))
+    files["short_of_data"] = usb_control(0x21, 9, 0x0211, 0, 64, b"\x11") + usb_control(0x21, 9, 0x0211, 0, 65, b"\x11")
+    files["halted"] = plays + usb_control(2, 3, 0, 1, 0) + plays + usb_control(2, 1, 0, 1, 0) + plays
+    files["silent_stick"] = plays + pid_record(TIME, b"\xff\x00")
+    return files
+
+
 def stick(x, y):
     return b"\x00" + share((1 + x) / 2) + share((1 + y) / 2)
 
@@ -375,7 +424,7 @@ def c_seeds():
 
 FUZZERS = {"c": c_seeds, "distance": distance_seeds, "duel": duel_seeds, "search": search_seeds,
            "impulse": impulse_seeds, "world": world_seeds, "keyframes": keyframes_seeds,
-           "recording": recording_seeds, "pid": pid_seeds, "laws": laws_seeds}
+           "recording": recording_seeds, "pid": pid_seeds, "usb": usb_seeds, "laws": laws_seeds}
 
 
 def differing(folder, files):

@@ -80,6 +80,11 @@ double RealPair::gap(double t) const {
   return least_distance(A.at(t), B.at(t)) - (A.radius() + B.radius());
 }
 
+double RealPair::error(double t) const {
+  constexpr double kRoundings = 64;
+  return kRoundings * kRoundOff<double> * (A.lengths(t) + B.lengths(t));
+}
+
 double RealPair::least_gap(double end) const {
   constexpr int kSamples = 16;
   constexpr int kRounds = 12;

@@ -52,6 +52,9 @@ struct RealPair {
 
   RealPair(const MovingCapsule<float>& a, const MovingCapsule<float>& b) : A(a), B(b) {}
   double gap(double t) const;
+  /// Of gap(t') for all t' to t, m: what both paths are rounded by in W, where they may travel far
+  /// together (each end is a sum of four terms, a distance one of their differences).
+  double error(double t) const;
   /// The least gap that samples over [0, end] and halvings about the best of them find.
   double least_gap(double end) const;
 };

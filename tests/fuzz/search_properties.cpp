@@ -97,7 +97,7 @@ void check_truth(const RealPair& real, const MovingPair<float>& pair, const Answ
                  const Options& options) {
   if (answer.outcome == Outcome::kInvalid) return;
   const double eps = detail::inflation_of(pair);
-  const double real_eps = eps * kRoundOff<double> / kU;
+  const double real_eps = eps * kRoundOff<double> / kU + real.error(answer.t_free);
   const double contact = static_cast<double>(contact_tolerance_of(pair, options)) + eps + real_eps;
   const double t_free = answer.t_free;
   if (answer.outcome == Outcome::kTouching) {

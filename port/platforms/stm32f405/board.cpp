@@ -5,6 +5,7 @@
 
 #include "platforms/cortex_m/fault.hpp"
 #include "platforms/stm32f405/drivers/restart_ledger.hpp"
+#include "platforms/stm32f405/interrupts.hpp"
 #include "platforms/stm32f405/memory_map.hpp"
 #include "platforms/stm32f405/park.hpp"
 
@@ -57,6 +58,30 @@ void connect_force_pins() {
   for (unsigned i = 0; i < kForcePins; ++i) {  // Bound: kForcePins
     set_pin_function(gpioc(), kFirstForcePin + i, kFunctionTim8);
   }
+}
+
+void start_guard(std::uint32_t priority) {
+  constexpr std::uint32_t kTickHz = 1000000;
+  tim7().psc = kClocks.timers1_hz() / kTickHz - 1U;
+  tim7().arr = 1000U - 1U;
+  tim7().egr = Tim::kEgrUg;
+  tim7().sr = ~Tim::kSrUif;
+  tim7().dier = Tim::kDierUie;
+  enable(Interrupt::kTim7, priority);
+  tim7().cr1 = Tim::kCr1Cen;
+}
+
+void connect_usb() {
+  static_assert(kClocks.usb_hz() == 48000000, "full speed takes no other clock");
+  rcc().ahb2enr |= Rcc::kAhb2enrOtgfs;
+  (void)rcc().ahb2enr;
+  set_pin_mode(gpioa(), kUsbVbusPin, PinMode::kInput);
+  set_pin_function(gpioa(), kUsbMinusPin, kFunctionOtgFs);
+  set_pin_function(gpioa(), kUsbPlusPin, kFunctionOtgFs);
+  // Motors have their own supply: without VBUS the board must not pull D+ up (USB 2.0, 7.1.5), and
+  // a cable that is pulled is known as that, not as a host that sleeps.
+  write_field(otg_fs().gccfg, OtgFs::kGccfgNovbussens | OtgFs::kGccfgVbusbsen,
+              OtgFs::kGccfgVbusbsen);
 }
 
 }  // namespace batuta::stm32f405

@@ -5,10 +5,11 @@
 
 #include "batuta/port/sample_builder.hpp"
 #include "platforms/stm32f405/drivers/clock_start.hpp"
-#include "platforms/stm32f405/drivers/stick_window.hpp"
 #include "platforms/stm32f405/registers/gpio.hpp"
+#include "shared/drivers/stick_window.hpp"
 
 namespace batuta::stm32f405 {
+using namespace drivers;  // what boards share
 
 /// 8 MHz / 4 * 168 / 2 = 168 MHz; APB1 42, APB2 84 MHz. 2 MHz into the PLL jitters least.
 inline constexpr ClockTree kClocks{8000000, 4, 168, 2, 7, 4, 2};
@@ -27,7 +28,10 @@ inline constexpr std::uint32_t kPulsePeriod = kClocks.timers2_hz() / kPulseHz;
 static_assert(kPulsePeriod * kPulseHz == kClocks.timers2_hz() && kPulsePeriod <= 65535, "");
 
 // Pins. Port A
-inline constexpr unsigned kBreakPin = 6;  ///< TIM8_BKIN: the emergency stop's loop, low: no force
+inline constexpr unsigned kBreakPin = 6;    ///< TIM8_BKIN: the emergency stop's loop, low: no force
+inline constexpr unsigned kUsbVbusPin = 9;  ///< OTG_FS_VBUS: whether a host's cable is plugged
+inline constexpr unsigned kUsbMinusPin = 11;
+inline constexpr unsigned kUsbPlusPin = 12;
 // Port B
 inline constexpr unsigned kTransmitPin = 6;  ///< USART1_TX
 inline constexpr unsigned kReceivePin = 7;   ///< USART1_RX
@@ -42,6 +46,7 @@ inline constexpr unsigned kStickXChannel = 10;
 inline constexpr unsigned kStickYChannel = 11;
 inline constexpr std::uint32_t kFunctionTim8 = 3;    ///< data sheet table 9
 inline constexpr std::uint32_t kFunctionUsart1 = 7;  ///< data sheet table 9
+inline constexpr std::uint32_t kFunctionOtgFs = 10;  ///< data sheet table 9
 
 /// Port C with the force pins as plain outputs, which are low: nothing ever sets them in ODR.
 inline constexpr std::uint32_t kPortCSafe =
@@ -66,5 +71,13 @@ void forget_restarts();
 /// Hands the force pins from their safe level to the timer.
 /// @pre the timer is configured, its outputs forced low
 void connect_force_pins();
+
+/// TIM7 once a millisecond, for the force guard, which no hanging loop keeps from acting.
+/// @param priority  of its interrupt
+void start_guard(std::uint32_t priority);
+
+/// Pins, clock and sense of VBUS of USB OTG FS; the rest is the USB stack's.
+/// @pre clock_state() is kRunning
+void connect_usb();
 
 }  // namespace batuta::stm32f405

@@ -7,7 +7,13 @@
 
 namespace batuta::stm32f405 {
 
-enum class Interrupt : std::uint32_t { kAdc = 18, kUsart1 = 37, kTim7 = 55, kDma2Stream0 = 56 };
+enum class Interrupt : std::uint32_t {
+  kAdc = 18,
+  kUsart1 = 37,
+  kTim7 = 55,
+  kDma2Stream0 = 56,
+  kOtgFs = 67,
+};
 inline constexpr std::size_t kInterrupts = 82;
 
 /// @param priority  0 (first) ... 15
@@ -20,3 +26,4 @@ extern "C" void batuta_on_adc();
 extern "C" void batuta_on_usart1();
 extern "C" void batuta_on_tim7();
 extern "C" void batuta_on_dma2_stream0();
+extern "C" void batuta_on_otg_fs();

@@ -9,9 +9,11 @@
 #include "platforms/stm32f405/registers/dma.hpp"
 #include "platforms/stm32f405/registers/gpio.hpp"
 #include "platforms/stm32f405/registers/iwdg.hpp"
+#include "platforms/stm32f405/registers/otg_fs.hpp"
 #include "platforms/stm32f405/registers/power_flash.hpp"
 #include "platforms/stm32f405/registers/rcc.hpp"
 #include "platforms/stm32f405/registers/tim.hpp"
+#include "platforms/stm32f405/registers/unique_id.hpp"
 #include "platforms/stm32f405/registers/usart.hpp"
 
 namespace batuta::stm32f405 {
@@ -22,6 +24,9 @@ Registers& registers_at(std::uintptr_t address) {
   return *reinterpret_cast<Registers*>(address);
 }
 
+inline const UniqueId& unique_id() {
+  return registers_at<UniqueId>(0x1FFF7A10U);
+}
 inline Tim& tim3() {
   return registers_at<Tim>(0x40000400U);
 }
@@ -63,6 +68,9 @@ inline FlashInterface& flash_interface() {
 }
 inline Dma& dma2() {
   return registers_at<Dma>(0x40026400U);
+}
+inline OtgFs& otg_fs() {
+  return registers_at<OtgFs>(0x50000000U);
 }
 
 }  // namespace batuta::stm32f405

@@ -12,6 +12,7 @@ BATUTA_WEAK_HANDLER(batuta_on_adc)
 BATUTA_WEAK_HANDLER(batuta_on_usart1)
 BATUTA_WEAK_HANDLER(batuta_on_tim7)
 BATUTA_WEAK_HANDLER(batuta_on_dma2_stream0)
+BATUTA_WEAK_HANDLER(batuta_on_otg_fs)
 
 namespace batuta::stm32f405 {
 namespace {
@@ -29,6 +30,7 @@ constexpr Table make_table() {
   table[index_of(Interrupt::kUsart1)] = batuta_on_usart1;
   table[index_of(Interrupt::kTim7)] = batuta_on_tim7;
   table[index_of(Interrupt::kDma2Stream0)] = batuta_on_dma2_stream0;
+  table[index_of(Interrupt::kOtgFs)] = batuta_on_otg_fs;
   return table;
 }
 

@@ -102,7 +102,8 @@ std::variant<Command, Exit> read_command_line(int argc, char** argv) {
       "collision does.\nExit status: 0; 1 if a line was invalid; 2 on wrong usage.",
       "batuta-answer");
   app.failure_message(one_line);
-  app.require_subcommand(0, 1);  // one, of which too_few() can say more
+  app.allow_windows_style_options(false);  // a word that begins with / is a path
+  app.require_subcommand(0, 1);            // one, of which too_few() can say more
   CLI::App* toc = app.add_subcommand("toc", "time of contact of two moving capsules");
   CLI::App* distance = app.add_subcommand("distance", "distance of two segments");
   CLI::App* impulse = app.add_subcommand("impulse", "collision of two bodies without friction");

@@ -2,86 +2,58 @@
 
 #include "programs/duel/json_line.hpp"
 
-#include <cinttypes>
-#include <cmath>
-
-#include "programs/duel/utf8.hpp"
+#include <array>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <string>
 
 namespace batuta::host {
-JsonLine::JsonLine(std::FILE* out, std::string_view type) : out_(out) {
-  std::fputs("{\"type\": ", out_);
-  write_string(type);
+namespace {
+
+/// The number that nine digits tell: it is written with as many.
+double with_nine_digits(double value) {
+  std::array<char, 32> digits{};
+  std::snprintf(digits.data(), digits.size(), "%.9g", value);
+  return std::strtod(digits.data(), nullptr);
+}
+
+}  // namespace
+
+JsonLine::JsonLine(std::FILE* out, std::string_view type)
+    : out_(out), object_(std::make_unique<nlohmann::ordered_json>()) {
+  text("type", type);
 }
 
 JsonLine::~JsonLine() {
-  std::fputs("}\n", out_);
+  using Json = nlohmann::ordered_json;
+  const std::string line = object_->dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+  std::fwrite(line.data(), 1, line.size(), out_);
 }
 
 JsonLine& JsonLine::text(const char* key, std::string_view value) {
-  write_key(key);
-  write_string(value);
+  (*object_)[key] = value;
   return *this;
 }
 
 JsonLine& JsonLine::number(const char* key, double value) {
-  write_key(key);
-  write_number(value);
+  (*object_)[key] = with_nine_digits(value);
   return *this;
 }
 
 JsonLine& JsonLine::count(const char* key, std::uint64_t value) {
-  write_key(key);
-  std::fprintf(out_, "%" PRIu64, value);
+  (*object_)[key] = value;
   return *this;
 }
 
 JsonLine& JsonLine::flag(const char* key, bool value) {
-  write_key(key);
-  std::fputs(value ? "true" : "false", out_);
+  (*object_)[key] = value;
   return *this;
 }
 
 JsonLine& JsonLine::vector(const char* key, const Vec3<float>& value) {
-  write_key(key);
-  for (int i = 0; i < 3; ++i) {
-    std::fputs(i == 0 ? "[" : ", ", out_);
-    write_number(static_cast<double>(value[i]));
-  }
-  std::fputc(']', out_);
+  auto& array = (*object_)[key];
+  for (const float number : value) array.push_back(with_nine_digits(static_cast<double>(number)));
   return *this;
-}
-
-void JsonLine::write_key(const char* key) {
-  std::fputs(", ", out_);
-  write_string(key);
-  std::fputs(": ", out_);
-}
-
-void JsonLine::write_string(std::string_view value) {
-  std::fputc('"', out_);
-  while (!value.empty()) {  // Bound: the bytes of the text
-    const std::size_t length = utf8_length(value);
-    const char c = value.front();
-    if (length == 0) {
-      std::fputs("\\ufffd", out_);
-    } else if (c == '"' || c == '\\') {
-      std::fprintf(out_, "\\%c", c);
-    } else if (static_cast<unsigned char>(c) < 0x20) {
-      std::fprintf(out_, "\\u%04x", static_cast<unsigned>(c));
-    } else {
-      std::fwrite(value.data(), 1, length, out_);
-    }
-    value.remove_prefix(length == 0 ? 1 : length);
-  }
-  std::fputc('"', out_);
-}
-
-void JsonLine::write_number(double value) {
-  if (std::isfinite(value)) {
-    std::fprintf(out_, "%.9g", value);
-  } else {
-    std::fputs("null", out_);
-  }
 }
 
 }  // namespace batuta::host

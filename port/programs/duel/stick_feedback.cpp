@@ -54,6 +54,8 @@ void StickFeedback::on_step(const DuelRunner& runner) {
     input.position = runner.duel().stick(side).position();
     input.velocity = runner.duel().stick(side).velocity();
     input.demanded = force.demanded;
+    input.clipped = force.limited;
+    input.excess = force.excess;
     input.allowed = force.allowed;
     input.fresh_sample = runner.bout().is_alive(side);
     input.fresh_command = true;

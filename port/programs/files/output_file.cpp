@@ -2,11 +2,15 @@
 
 #include "programs/files/output_file.hpp"
 
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+
+#ifdef _WIN32
+#include <process.h>
+#else
+#include <unistd.h>
+#endif
 
 namespace batuta::host {
 namespace {
@@ -15,6 +19,15 @@ using std::filesystem::path;
 
 std::string system_words() {
   return errno != 0 ? std::strerror(errno) : "failed";
+}
+
+/// Tells the files of two programs that run at once apart.
+std::string process_number() {
+#ifdef _WIN32
+  return std::to_string(_getpid());
+#else
+  return std::to_string(getpid());
+#endif
 }
 
 /// Links followed as far as there is something.
@@ -38,7 +51,7 @@ std::string OutputFile::open(const std::string& path) {
   discard();
   const std::filesystem::path place = resolved(path);
   place_ = place.string();
-  beside_ = is_special(place) ? "" : place_ + "." + std::to_string(getpid()) + ".part";
+  beside_ = is_special(place) ? "" : place_ + "." + process_number() + ".part";
   errno = 0;
   file_ = std::ofstream(beside_.empty() ? place_ : beside_, std::ios::binary | std::ios::trunc);
   return file_ ? "" : system_words();
@@ -49,8 +62,10 @@ std::string OutputFile::commit() {
   errno = 0;
   file_.close();  // fails where something could not be written, now or before
   std::string problem = file_ ? "" : system_words();
-  if (problem.empty() && !beside_.empty() && std::rename(beside_.c_str(), place_.c_str()) != 0) {
-    problem = system_words();
+  if (problem.empty() && !beside_.empty()) {
+    std::error_code error;
+    std::filesystem::rename(beside_, place_, error);  // on Windows, too, over what is there
+    if (error) problem = error.message();
   }
   if (problem.empty()) beside_.clear();
   discard();

@@ -52,6 +52,7 @@ void declare(CLI::App& app, Options& options) {
 CommandLine read_command_line(int count, char** words) {
   CommandLine line;
   CLI::App app(kAbout, "batuta-mass");
+  app.allow_windows_style_options(false);  // a word that begins with / is a path
   declare(app, line.options);
   try {
     app.parse(count, words);

@@ -2,6 +2,8 @@
 #include "programs/mass/report.hpp"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <vector>
 
 #include "batuta/mechanics/compound.hpp"
 
@@ -14,7 +16,6 @@ struct Style {
   const char* between;
 };
 constexpr Style kText = {"%.10g", "  "};
-constexpr Style kJson = {"%.17g", ", "};
 constexpr Style kCode = {"%#.9gF", ", "};  // with a point always, so that F may follow
 
 /// Rows follow each other; +0.0 turns -0 into 0.
@@ -92,10 +93,13 @@ void print_code(std::FILE* out, const MassProperties<double>& mass,
 }
 
 template <class Derived>
-void print_array(std::FILE* out, const char* key, const Eigen::MatrixBase<Derived>& numbers) {
-  std::fprintf(out, "\"%s\": [", key);
-  print(out, kJson, numbers);
-  std::fputs("], ", out);
+std::vector<double> array_of(const Eigen::MatrixBase<Derived>& numbers) {
+  std::vector<double> array;
+  array.reserve(static_cast<std::size_t>(numbers.size()));
+  for (int i = 0; i < numbers.size(); ++i) {  // Bound: 4 numbers
+    array.push_back(numbers[i] + 0.0);
+  }
+  return array;
 }
 
 }  // namespace
@@ -122,20 +126,21 @@ void print_text(std::FILE* out, const Mesh& mesh, const MeshMass& mass) {
 void print_json(std::FILE* out, const Mesh& mesh, const MeshMass& mass) {
   const MassProperties<double>& properties = mass.properties;
   const PrincipalFrame<double> frame = batuta::detail::settled_frame(properties);
-  std::fprintf(out, "{\"triangles\": %zu, \"vertices\": %zu, ", mesh.triangles.size(),
-               mesh.vertices.size());
-  std::fprintf(out, "\"density\": %.17g, \"mass\": %.17g, \"volume\": %.17g, \"area\": %.17g, ",
-               properties.mass / mass.volume, properties.mass, mass.volume, mass.area);
-  print_array(out, "center", properties.center_S);
-  print_array(out, "moments", frame.moments);
-  print_array(out, "axes", wxyz(frame.q_SB));
-  std::fputs("\"inertia\": [", out);
-  for (int i = 0; i < 3; ++i) {  // Bound: 3 rows
-    std::fputs(i == 0 ? "[" : ", [", out);
-    print(out, kJson, properties.inertia_S.row(i));
-    std::fputs("]", out);
-  }
-  std::fputs("]}\n", out);
+  const Mat3<double>& inertia_S = properties.inertia_S;
+  const nlohmann::ordered_json told = {
+      {"triangles", mesh.triangles.size()},
+      {"vertices", mesh.vertices.size()},
+      {"density", properties.mass / mass.volume},
+      {"mass", properties.mass},
+      {"volume", mass.volume},
+      {"area", mass.area},
+      {"center", array_of(properties.center_S)},
+      {"moments", array_of(frame.moments)},
+      {"axes", array_of(wxyz(frame.q_SB))},
+      {"inertia",
+       {array_of(inertia_S.row(0)), array_of(inertia_S.row(1)), array_of(inertia_S.row(2))}},
+  };
+  std::fprintf(out, "%s\n", told.dump().c_str());
 }
 
 }  // namespace batuta::mesh

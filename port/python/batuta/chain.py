@@ -51,7 +51,7 @@ class Chain:
             raise ValueError(f"batuta: pairs is not (P, 2) numbers of two links, 0 ... {links - 1}")
         self.pairs = pairs
 
-    def all_pairs(self, start, end, duration, margin=0.0, tolerance=1e-6, budget=64):
+    def all_pairs(self, start, end, duration, margin=0.0, tolerance=1e-6, budget=30):
         """Whether any pair touches while every link goes from one pose to another, and when first: proven, not sampled.
 
         start, end: pose (..., L, 7) of the links' frames at two control ticks. A whole path is one call: start = poses[:-1] and

@@ -114,7 +114,7 @@ def moving(capsule, pose, twist=(0, 0, 0, 0, 0, 0)):
     return np.concatenate([np.broadcast_to(part, shape + part.shape[-1:]).astype(scalar) for part in parts], axis=-1)
 
 
-def time_of_contact(A, B, duration, tolerance=1e-6, budget=64):
+def time_of_contact(A, B, duration, tolerance=1e-6, budget=30):
     """First contact of moving capsules A and B within the duration. None is missed, turning included: up to t_free the true gap is
     above 0, rounding of the search included.
 

@@ -235,7 +235,11 @@ void ApplicationOf<RivalT>::command_force(bool stepped) {
   input.time = watch_.begun();
   input.position = stick.position();
   if (stepped) input.velocity = stick.velocity();
-  if (stepped && !bout_.is_over()) input.demanded = force.demanded;
+  if (stepped && !bout_.is_over()) {
+    input.demanded = force.demanded;
+    input.clipped = force.limited;
+    input.excess = force.excess;
+  }
   input.allowed = force.allowed;
   input.fresh_sample = stepped && bout_.is_alive(own);
   input.fresh_command = stepped;

@@ -50,7 +50,12 @@ void StickForces::take(Side side, const Vec2<float>& demanded, bool fresh) {
   for (int i = 0; i < 2; ++i) {  // Bound: the stick's coordinates
     if (std::abs(felt[i]) < least) felt[i] = 0.0F;
   }
-  forces_[index_of(side)] = told(felt, ramp);
+  StickForce& force = forces_[index_of(side)];
+  force = told(felt, ramp);
+  // The hand's pulses and coupling come cut to the range.
+  const HandForce<float>& hand = hands_[index_of(side)];
+  force.limited = force.limited || hand.is_clipped();
+  force.excess = max_of(force.excess, hand.excess());
 }
 
 /// By the output stage's own first step, and its watchdog over the samples.
@@ -59,8 +64,9 @@ StickForce StickForces::told(const Vec2<float>& demanded, const ForceRamp& ramp)
   const bool usable = is_finite(whole);
   const ForceShare force = usable ? clipped(whole) : ForceShare{};
   const float left = ramp.share();
-  return {demanded,         left,       left * force.share, !usable || force.is_clipped(),
-          ramp.is_silent(), left < 1.0F};
+  return {
+      demanded,         left,       left * force.share, force.excess, !usable || force.is_clipped(),
+      ramp.is_silent(), left < 1.0F};
 }
 
 }  // namespace batuta::firmware

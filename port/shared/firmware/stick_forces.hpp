@@ -55,9 +55,10 @@ struct StickForce {
   Vec2<float> demanded = Vec2<float>::Zero();
   float allowed = 0;  ///< share that the silence of the samples leaves, 0 ... 1
   Vec2<float> share = Vec2<float>::Zero();  ///< of the actuator's range, each in [-1, 1]
-  bool limited = false;                     ///< the demand was larger than the range, or no number
-  bool silent = true;                       ///< no sample for too long, see RampSettings
-  bool ramped = false;                      ///< the share is less than what was demanded
+  float excess = 0;      ///< of the demand beyond the range, in ranges: for the stage's report
+  bool limited = false;  ///< the demand was larger than the range, or no number
+  bool silent = true;    ///< no sample for too long, see RampSettings
+  bool ramped = false;   ///< the share is less than what was demanded
 };
 
 class StickForces {
@@ -73,7 +74,8 @@ class StickForces {
     if (duel.bout().exchange != exchange_) leap(duel.bout().exchange);
     for (const fencing::Side side : {fencing::Side::kLeft, fencing::Side::kRight}) {  // Bound: 2
       haptics::HandForce<float>& hand = hands_[index_of(side)];
-      take(side, hand.advance(haptics::hand_state(duel, side), duel.dt()), fresh[index_of(side)]);
+      const Vec2<float> felt = hand.advance(haptics::hand_state(duel, side), duel.dt());
+      take(side, felt, fresh[index_of(side)]);
     }
     if (forces_[0].silent || forces_[1].silent) ++stale_steps_;
   }

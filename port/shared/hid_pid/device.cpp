@@ -225,7 +225,10 @@ Vec2<float> DeviceBase::force(const Stick& stick, Microseconds now) {
   const Vec2<float> sum = sum_of(metrics, step_us);
   if (!enabled_) return {0.0F, 0.0F};
   const float gain = static_cast<float>(gain_) / static_cast<float>(kFullGain);
-  return share_of(sum * gain, 1.0F);
+  const Vec2<float> whole = sum * gain;
+  Vec2<float> force = share_of(whole, 1.0F);
+  if (force != whole) ++counters_.clipped;
+  return force;
 }
 
 Vec2<float> DeviceBase::sum_of(const Metrics& metrics, std::uint32_t step_us) {
@@ -260,6 +263,11 @@ void DeviceBase::reset() {
   told_flags_ = false;
   loaded_block_ = 0;
   load_status_ = LoadStatus::kError;
+}
+
+void DeviceBase::forget_host() {
+  reset();
+  gain_ = kFullGain;
 }
 
 void DeviceBase::stop_all() {

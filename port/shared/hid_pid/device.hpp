@@ -48,6 +48,7 @@ inline constexpr int kVerdicts = 7;
 struct Counters {
   std::array<std::uint32_t, kVerdicts> reports{};  ///< by Verdict
   std::uint32_t bad_sticks = 0;                    ///< not finite: taken for one at rest
+  std::uint32_t clipped = 0;                       ///< forces whose sum was beyond the range
   std::uint32_t padded = 0;                        ///< reports taken that were longer, by zeros
 
   std::uint32_t count(Verdict verdict) const { return reports[static_cast<std::size_t>(verdict)]; }
@@ -92,8 +93,10 @@ class DeviceBase {
 
   /// What the host's DeviceControl reset does: frees all blocks, ends a pause, enables the
   /// actuators. The gain stays: hid-pidff resets before the first effect of a game, after the gain
-  /// was set. To be called when the host has gone, too: unmounted. Bound: the blocks.
+  /// was set. Bound: the blocks.
   void reset();
+  /// For a host that has gone, unmounted: a reset, and the gain is full again. Bound: the blocks.
+  void forget_host();
   /// Stops what plays, and keeps the blocks: for a host that sleeps. It knows its effects by their
   /// blocks when it wakes, and is not told of a reset. Bound: the blocks.
   void silence() { stop_all(); }

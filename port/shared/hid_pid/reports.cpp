@@ -139,7 +139,7 @@ void exchange(Fields& fields, PidState& report) {
   fields.flags(report.paused, report.actuators_enabled, none, report.actuator_override,
                report.actuator_power);
   fields.require(!none);
-  auto byte = static_cast<std::uint8_t>((report.block << 1U) | (report.playing ? 1U : 0U));
+  auto byte = static_cast<std::uint8_t>(2U * report.block + (report.playing ? 1U : 0U));
   fields.u8(byte);
   report.playing = byte % 2U != 0;
   report.block = static_cast<std::uint8_t>(byte >> 1U);

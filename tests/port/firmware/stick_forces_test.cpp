@@ -52,6 +52,18 @@ TEST_F(ABeat, PushesTheStickBackFromWhereItStruck_AndTheOtherAlong) {
   EXPECT_GT(forces.of(Side::kRight).share.x(), 0);
 }
 
+// The hand cuts its pulse to the range before the shares are made: it is marked all the same.
+TEST_F(ABeat, BlowBeyondTheRange_IsMarkedAsLimited) {
+  ASSERT_EQ(forces.configure({0.01F, {100, 1}}), Status::kOk);
+  for (step(); !has_blow() && duel->steps() < 150; step()) {
+    EXPECT_FALSE(forces.of(Side::kLeft).limited);
+  }
+  ASSERT_TRUE(has_blow());
+  EXPECT_TRUE(forces.of(Side::kLeft).limited);
+  EXPECT_GT(forces.of(Side::kLeft).excess, 1);
+  EXPECT_LE(forces.of(Side::kLeft).share.cwiseAbs().maxCoeff(), 1);
+}
+
 TEST_F(ABeat, BeforeTheFirstBlow_ThereIsNoForce) {
   ASSERT_EQ(forces.configure({}), Status::kOk);
   int quiet = 0;

@@ -38,26 +38,34 @@ TEST(JsonLine, MembersOfAllKinds) {
                   .flag("no", false)
                   .vector("p", {1, -2, 0.5F});
             }),
-            "{\"type\": \"touch\", \"by\": \"left\", \"time\": 0.25, \"n\": 18446744073709551615, "
-            "\"yes\": true, \"no\": false, \"p\": [1, -2, 0.5]}\n");
+            "{\"type\":\"touch\",\"by\":\"left\",\"time\":0.25,\"n\":18446744073709551615,"
+            "\"yes\":true,\"no\":false,\"p\":[1.0,-2.0,0.5]}\n");
 }
 
 TEST(JsonLine, TextIsEscaped) {
   EXPECT_EQ(line_with_text("a\"b\\c\n\t\x01"),
-            "{\"type\": \"t\", \"k\": \"a\\\"b\\\\c\\u000a\\u0009\\u0001\"}\n");
+            "{\"type\":\"t\",\"k\":\"a\\\"b\\\\c\\n\\t\\u0001\"}\n");
 }
 
 TEST(JsonLine, TextIsValidUtf8_WhateverTheNameOfADeviceIs) {
   EXPECT_EQ(line_with_text("\xC3\xBC\xE2\x82\xAC\xF0\x9F\xA4\xBA"),
-            "{\"type\": \"t\", \"k\": \"\xC3\xBC\xE2\x82\xAC\xF0\x9F\xA4\xBA\"}\n");
-  EXPECT_EQ(line_with_text("a\xFFz\xC3"), "{\"type\": \"t\", \"k\": \"a\\ufffdz\\ufffd\"}\n");
+            "{\"type\":\"t\",\"k\":\"\xC3\xBC\xE2\x82\xAC\xF0\x9F\xA4\xBA\"}\n");
+  EXPECT_EQ(line_with_text("a\xFFz\xC3"),
+            "{\"type\":\"t\",\"k\":\"a\xEF\xBF\xBDz\xEF\xBF\xBD\"}\n");
+}
+
+TEST(JsonLine, NumbersHaveTheDigitsOfAFloat) {
+  EXPECT_EQ(written([](std::FILE* file) {
+              JsonLine(file, "t").number("k", static_cast<double>(0.1F)).number("l", 1.0 / 3);
+            }),
+            "{\"type\":\"t\",\"k\":0.100000001,\"l\":0.333333333}\n");
 }
 
 TEST(JsonLine, NumbersThatJsonDoesNotKnow_AreNull) {
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double value : {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_EQ(written([&](std::FILE* file) { JsonLine(file, "t").number("k", value); }),
-              "{\"type\": \"t\", \"k\": null}\n");
+              "{\"type\":\"t\",\"k\":null}\n");
   }
 }
 

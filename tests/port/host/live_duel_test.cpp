@@ -142,8 +142,8 @@ TEST(LiveDuel, UnpluggedAmidTheBout_TheForceGoesSmoothly_TheDuelGoesOn_AndItIsCo
   EXPECT_TRUE(bout.steps_until([&] { return allowed() == 1.0F && place() == -1.0F; }, 50));
   EXPECT_EQ(bout.runner().tally().devices[0].refused, 0U);
   const std::string json = bout.end(true);
-  EXPECT_THAT(json, HasSubstr("\"left_unplugs\": 1,"));
-  EXPECT_THAT(json, HasSubstr("{\"type\": \"force\", \"side\": \"left\", \"kind\": \"force\""));
+  EXPECT_THAT(json, HasSubstr("\"left_unplugs\":1,"));
+  EXPECT_THAT(json, HasSubstr("{\"type\":\"force\",\"side\":\"left\",\"kind\":\"force\""));
   const std::string words = bout.end(false);
   EXPECT_THAT(words, HasSubstr(", unplugged 1 times"));
   EXPECT_THAT(words, HasSubstr("left   force: force; effects sent"));
@@ -172,7 +172,7 @@ TEST(LiveDuel, AStickThatRefusesItsSpring_IsReadOn_AndItIsToldOnce) {
   EXPECT_THAT(words, HasSubstr("left   force: force; effects sent"));
   EXPECT_THAT(words, HasSubstr("; not taken by the device: spring\n"));
   EXPECT_THAT(words, Not(HasSubstr("unplugged")));
-  EXPECT_THAT(bout.end(true), HasSubstr("\"left_out\": \"spring\""));
+  EXPECT_THAT(bout.end(true), HasSubstr("\"left_out\":\"spring\""));
 }
 
 TEST(LiveDuel, ABoutThatIsGivenUp_LeavesNoForce_WithoutWaitingForTheSilence) {

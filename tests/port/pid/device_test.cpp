@@ -34,6 +34,16 @@ std::int64_t playing_one(Session& session, double share) {
   return block;
 }
 
+TEST(PidControl, SumBeyondTheRange_IsClippedAndCounted) {
+  Session session;
+  (void)playing_one(session, 0.75);
+  (void)session.force(Stick());
+  EXPECT_EQ(session.device.counters().clipped, 0U);
+  (void)playing_one(session, 0.75);
+  EXPECT_EQ(session.force(Stick()), Vec2<float>(0.0F, 1.0F));
+  EXPECT_EQ(session.device.counters().clipped, 1U);
+}
+
 TEST(PidPool, Blocks_AreGivenLowestFirstUntilNoneIsFree) {
   Session session;
   EXPECT_EQ(status_of(session), 3) << "nothing was asked for";
@@ -82,6 +92,21 @@ TEST(PidPool, FreedBlock_IsSilentAndForgotten) {
   EXPECT_EQ(session.made(EffectType::kConstant), block);
   EXPECT_EQ(session.start(block), Status::kOk);
   EXPECT_EQ(session.force(), Vec2<float>(0.0F, 0.0F)) << "of the old one";
+}
+
+TEST(PidPool, HostThatHasGone_LeavesNothing) {
+  Session session;
+  playing_one(session, 0.5);
+  EXPECT_EQ(session.send(pid_usage(0x7D), {{pid_usage(0x7E), 51}}), Status::kOk);
+  EXPECT_NEAR(session.force().y(), 0.1F, 1e-6F);
+  session.device.reset();
+  playing_one(session, 0.5);
+  EXPECT_NEAR(session.force().y(), 0.1F, 1e-6F) << "hid-pidff sets the gain, and resets then";
+  session.device.forget_host();
+  EXPECT_EQ(session.device.playing(), 0);
+  EXPECT_EQ(session.force().y(), 0.0F);
+  playing_one(session, 0.5);
+  EXPECT_EQ(session.force().y(), 0.5F);
 }
 
 // A driver is not told that its device slept: what it made before is still there after.

@@ -27,20 +27,22 @@ void tud_hid_set_report_cb(uint8_t, uint8_t id, hid_report_type_t type, uint8_t 
 }
 
 void tud_umount_cb(void) {
-  effects.reset();
+  effects.forget_host();
 }
 void tud_suspend_cb(bool) {
   effects.silence();  // the host wakes with its effects where they were
 }
 
-// A state that has changed, or else where the stick is.
+// A state that has changed, or else where the stick is; that in every other report at least.
 static void tell_host(const batuta::InputSample& sample) {
+  static bool told_state = false;
   uint8_t bytes[8];
   pid::PidState state;
   const pid::Joystick stick = pid::joystick_of(sample);
   effects.tell_stick(stick);
   if (!tud_hid_ready()) return;
-  if (effects.next_state(state)) {
+  told_state = !told_state && effects.next_state(state);
+  if (told_state) {
     const int size = pid::encode(state, bytes, sizeof bytes);
     tud_hid_report(static_cast<uint8_t>(pid::PidState::kId), bytes, static_cast<uint16_t>(size));
   } else {

@@ -30,10 +30,11 @@ std::vector<Sent>& sent() {
 
 }  // namespace
 
-bool tud_hid_ready() {
+bool tud_hid_n_ready(std::uint8_t /*instance*/) {
   return true;
 }
-bool tud_hid_report(std::uint8_t report_id, void const* report, std::uint16_t len) {
+bool tud_hid_n_report(std::uint8_t /*instance*/, std::uint8_t report_id, void const* report,
+                      std::uint16_t len) {
   const auto* const bytes = static_cast<const std::uint8_t*>(report);
   sent().push_back({report_id, {bytes, bytes + len}});
   return true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The duty of a bridge against exact arithmetic.
 
-#include "platforms/stm32f405/drivers/bridge_duty.hpp"
+#include "shared/drivers/bridge_duty.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,7 @@
 #include "platforms/stm32f405/board.hpp"
 
 namespace batuta::stm32f405 {
+using namespace drivers;  // what boards share
 namespace {
 
 TEST(BridgeDuty, Ends_AreExact) {

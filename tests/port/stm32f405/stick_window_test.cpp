@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Sums of conversions, and what is a stick.
 
-#include "platforms/stm32f405/drivers/stick_window.hpp"
+#include "shared/drivers/stick_window.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 
 namespace batuta::stm32f405 {
+using namespace drivers;  // what boards share
 namespace {
 
 using Window = std::array<std::uint16_t, kWindowCounts>;

@@ -6,12 +6,13 @@
 
 #include "batuta/port/sample_builder.hpp"
 #include "platforms/stm32f405/drivers/latest.hpp"
-#include "platforms/stm32f405/drivers/stick_window.hpp"
 #include "platforms/stm32f405/registers/adc.hpp"
 #include "platforms/stm32f405/registers/dma.hpp"
 #include "platforms/stm32f405/registers/tim.hpp"
+#include "shared/drivers/stick_window.hpp"
 
 namespace batuta::stm32f405 {
+using namespace drivers;  // what boards share
 
 struct StickRegisters {
   Adc& adc;

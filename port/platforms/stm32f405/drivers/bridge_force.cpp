@@ -2,9 +2,10 @@
 
 #include "platforms/stm32f405/drivers/bridge_force.hpp"
 
-#include "platforms/stm32f405/drivers/bridge_duty.hpp"
+#include "shared/drivers/bridge_duty.hpp"
 
 namespace batuta::stm32f405 {
+using namespace drivers;  // what boards share
 
 void BridgeForce::configure(std::uint32_t period) {
   period_ = period;

@@ -45,18 +45,6 @@ void require(bool condition, std::uint32_t reason) {
                              reason);
 }
 
-/// TIM7 once a millisecond: the force guard, which no hanging loop keeps from acting.
-void start_guard() {
-  constexpr std::uint32_t kTickHz = 1000000;
-  tim7().psc = kClocks.timers1_hz() / kTickHz - 1U;
-  tim7().arr = 1000U - 1U;
-  tim7().egr = Tim::kEgrUg;
-  tim7().sr = ~Tim::kSrUif;
-  tim7().dier = Tim::kDierUie;
-  enable(Interrupt::kTim7, kGuard);
-  tim7().cr1 = Tim::kCr1Cen;
-}
-
 void start_devices() {
   cortex_m::start_systick(cortex_m::millisecond(kClocks.hclk_hz()));
   stream.start(brr_of(kClocks.pclk2_hz(), kBaud));
@@ -70,7 +58,7 @@ void start_devices() {
   stick.start(kStickXChannel, kStickYChannel, kClocks.timers1_hz());
   enable(Interrupt::kDma2Stream0, kStick);
   enable(Interrupt::kAdc, kStick);
-  start_guard();
+  start_guard(kGuard);
   // With an open emergency stop no command is taken; every step's report counts them. Once it is
   // closed it takes a reset.
   (void)force.arm();

@@ -43,6 +43,7 @@ struct Rcc {
   static constexpr std::uint32_t kAhb1enrGpiob = 1U << 1;
   static constexpr std::uint32_t kAhb1enrGpioc = 1U << 2;
   static constexpr std::uint32_t kAhb1enrDma2 = 1U << 22;
+  static constexpr std::uint32_t kAhb2enrOtgfs = 1U << 7;
   static constexpr std::uint32_t kApb1enrTim3 = 1U << 1;
   static constexpr std::uint32_t kApb1enrTim7 = 1U << 5;
   static constexpr std::uint32_t kApb1enrPwr = 1U << 28;
@@ -60,6 +61,7 @@ struct Rcc {
   static constexpr std::uint32_t kCsrLpwrrstf = 1U << 31;
 };
 static_assert(offsetof(Rcc, cfgr) == 0x08 && offsetof(Rcc, ahb1enr) == 0x30, "RM0090 7.3");
+static_assert(offsetof(Rcc, ahb2enr) == 0x34, "RM0090 7.3");
 static_assert(offsetof(Rcc, apb1enr) == 0x40 && offsetof(Rcc, apb2enr) == 0x44, "RM0090 7.3");
 static_assert(offsetof(Rcc, bdcr) == 0x70 && offsetof(Rcc, csr) == 0x74, "RM0090 7.3");
 

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace batuta::stm32f405 {
+namespace batuta::drivers {
 
 /// Compare values of the timer: 0 is low for good, `period` is high for good.
 struct BridgeDuty {
@@ -31,4 +31,4 @@ constexpr BridgeDuty bridge_duty(float force, std::uint32_t period) {
   return duty;
 }
 
-}  // namespace batuta::stm32f405
+}  // namespace batuta::drivers

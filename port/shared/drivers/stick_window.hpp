@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace batuta::stm32f405 {
+namespace batuta::drivers {
 
 /// Conversions of each axis in one reading: 16 of 12 bits fill 16 bits and take the noise down
 /// by 4.
@@ -14,7 +14,7 @@ inline constexpr int kAxes = 2;
 inline constexpr int kWindowCounts = kOversampling * kAxes;
 
 /// Conversions in this range are a stick. Its potentiometers are wired so that they cannot leave it
-/// (see stm32f405.md); a wiper that is off, or a supply that is, reads 0 or full scale.
+/// (see the board's note); a wiper that is off, or a supply that is, reads 0 or full scale.
 inline constexpr std::uint32_t kLowestCount = 64;
 inline constexpr std::uint32_t kHighestCount = 4031;
 
@@ -61,4 +61,4 @@ class Connection {
   std::uint32_t losses_ = 0;
 };
 
-}  // namespace batuta::stm32f405
+}  // namespace batuta::drivers
