@@ -30,6 +30,13 @@ SteppingOptions<float> few_steps() {
   return options;
 }
 
+/// As many as the longest of these queries takes (36), with room: every answer is one.
+AdvancementOptions<float> enough_evaluations() {
+  AdvancementOptions<float> options;
+  options.budget = 64;
+  return options;
+}
+
 template <class Search>
 void record_search(Recorder& recorder, Section section, std::uint32_t line,
                    const Result<MovingPair<float>>& pair, const typename Search::Options& options) {
@@ -48,10 +55,11 @@ void answer_query(Record& record, std::uint32_t line, Recorder& recorder) {
   const MovingCapsule<float> B = read_moving(record, duration);
   const auto pair = make_moving_pair(A, B);
   if (recorder.wants(Section::kToc, line)) {
-    record_search<Advancement<float>>(recorder, Section::kToc, line, pair, {});
+    record_search<Advancement<float>>(recorder, Section::kToc, line, pair, enough_evaluations());
   }
   if (recorder.wants(Section::kTranslation, line) && !turns(A) && !turns(B)) {
-    record_search<Translation<float>>(recorder, Section::kTranslation, line, pair, {});
+    record_search<Translation<float>>(recorder, Section::kTranslation, line, pair,
+                                      enough_evaluations());
   }
   if (recorder.wants(Section::kStepping, line)) {
     record_search<Stepping<float>>(recorder, Section::kStepping, line, pair, few_steps());

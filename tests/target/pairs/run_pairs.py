@@ -28,7 +28,7 @@ RESULTS = "results.json"
 LEAST_FLIGHT = 5000  # blocks of 100 steps: half a million of bodies of revolution, and as many of others
 LEAST_SCENES = 6000  # four scenes, 1,500 steps each
 # Toolchains that setup.sh does not install with the others: a pair without its compiler is told, and is no failure.
-OPTIONAL = {"emscripten": "web"}
+OPTIONAL = {"emscripten": "web", "mingw-w64": "packages"}
 RUN_TIMEOUT = 7200  # s; against hanging: no verdict
 
 Pair = collections.namedtuple("Pair", "name compiler flags toolchain port cpu board every")
@@ -79,7 +79,7 @@ class Trees:
             return
         words = ["cmake", "-S", ROOT, "-B", self.tree(pair), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
                  f"-DCMAKE_TOOLCHAIN_FILE={toolchain_of(pair)}", f"-DBATUTA_PORT={pair.port}",
-                 "-DBATUTA_WITH_DOUBLE=OFF"]
+                 "-DBATUTA_WITH_DOUBLE=OFF", "-DBATUTA_BUILD_PROGRAMS=OFF"]
         if pair.board:
             words += [f"-DBATUTA_CPU={pair.cpu}", f"-DBATUTA_BOARD={pair.board}"]
         else:  # nothing else is built there: each room as one source takes half the time
@@ -151,7 +151,7 @@ def missing_tool(pair, trees):
     if trees.is_configured(pair):
         return None
     with open(toolchain_of(pair), encoding="utf-8") as file:
-        named = re.findall(r"CMAKE_CXX_COMPILER\s+([^\s)]+)", file.read())
+        named = re.findall(r"(?:CMAKE_CXX_COMPILER|CMAKE_CROSSCOMPILING_EMULATOR)\s+([^\s)]+)", file.read())
     tools = [tool for tool in [pair.compiler, *named] if tool and "$" not in tool]
     return next((tool for tool in tools if shutil.which(tool) is None), None)
 
