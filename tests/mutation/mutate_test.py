@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """What is planted, and what is not; what becomes of it is tried on a small library of its own."""
+import collections
 import json
 import pathlib
 import subprocess
@@ -109,6 +110,37 @@ class Names(unittest.TestCase):
             self.assertTrue(any(name.startswith(start) for name in there), f"no such mutation any more: {start}")
 
 
+class Sample(unittest.TestCase):
+    found = {f"{file}: {i}": mutations.Mutation(file, 1, "operator", 0, 0, "a", "b")
+             for file, count in (("src/core/a.cpp", 90), ("include/batuta/core/a.hpp", 10), ("src/port/b.cpp", 3),
+                                 ("include/batuta/world/c.hpp", 50)) for i in range(count)}
+
+    def drawn(self, count, seed=1):
+        names = mutate.sample(self.found, mutate.options(["--count", str(count), "--seed", str(seed)]))
+        self.assertEqual(len(set(names)), len(names))
+        return collections.Counter(mutate.room_of(self.found[name].file) for name in names)
+
+    def test_each_room_has_as_many_or_all_it_has(self):
+        self.assertEqual(self.drawn(9), {"core": 3, "port": 3, "world": 3})
+        self.assertEqual(self.drawn(60), {"core": 20, "port": 3, "world": 20})
+        self.assertEqual(self.drawn(0), {"core": 100, "port": 3, "world": 50})
+
+    def test_a_part_of_it_is_even(self):
+        names = mutate.sample(self.found, mutate.options(["--count", "60"]))[:12]
+        rooms = collections.Counter(mutate.room_of(self.found[name].file) for name in names)
+        self.assertLessEqual(max(rooms.values()) - min(rooms.values()), 2)
+
+    def test_seed_decides(self):
+        draw = [mutate.sample(self.found, mutate.options(["--count", "30", "--seed", seed])) for seed in "112"]
+        self.assertEqual(draw[0], draw[1])
+        self.assertNotEqual(draw[0], draw[2])
+
+    def test_every_room_of_the_library_is_there(self):
+        root = mutate.HERE.parent.parent
+        folders = {path.name for base in ("src", "include/batuta") for path in (root / base).iterdir() if path.is_dir()}
+        self.assertEqual(set(mutate.STRONGER), folders)
+
+
 class Report(unittest.TestCase):
     results = {"src/core/a.cpp: x": ["killed", "T"], "src/core/a.cpp: y": ["alive", ""],
                "include/batuta/port/b.hpp: z": ["killed by stronger tests", "T"],
@@ -118,6 +150,8 @@ class Report(unittest.TestCase):
         table = mutate.tallies(self.results)
         self.assertEqual([mutate.share(table[room]) for room in ("core", "port")], [50.0, 100.0])
         self.assertAlmostEqual(mutate.share(table["all"]), 200 / 3)
+        self.assertEqual(mutate.least_share(self.results), 50.0)
+        self.assertEqual(mutate.least_share({}), 100.0)
 
     def test_survivors_have_their_reason(self):
         known = {"src/core/a.cpp: y": "the same answer"}

@@ -28,6 +28,9 @@ FAULTS = [
     Fault("momentum scaled in a hold", MOTION, "  add(all.linear_W, Scalar(1), own.linear_W);",
           "  add(all.linear_W, Scalar(1) + Scalar(1) / 1024, own.linear_W);", "Lasting/*Momentum*"),
     Fault("a weld without its spin", MOTION, "  add(all.angular_W, Scalar(1), own.angular_W);", "", "Lasting/*Momentum*"),
+    Fault("a weld that wins energy by its turn", MOTION,
+          "    if (gained <= rounding && (is_kept || i >= kEnough)) return motion;", "    if (i > 0) return motion;",
+          "Struck/*Energy*"),
     Fault("friction with the old normal impulse", "src/world/detail/contact_visit.cpp",
           "gain = relax_along(contact, point, A, B, gain);",
           "point.normal -= sides[k].change;\n"
