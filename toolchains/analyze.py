@@ -24,10 +24,14 @@ SOURCES = ("src", "port", "examples", "tests")  # of which every .cpp is in a co
 IN_NO_DATABASE = {
     "port/programs/live/open_sdl_absent.cpp": "is compiled where SDL is missing",
     "port/programs/duel/view/view_absent.cpp": "is compiled where SDL is missing",
+    "port/platforms/rp2040/trap.cpp": "is compiled inside the Pico SDK",
+    "port/platforms/rp2040/usb_stick/": "is compiled inside the Pico SDK, and for the cortex-m0plus",
     "tests/compile_fail/cases/": "must not compile",
+    "tests/port/rp2040/absent_pico.cpp": "is compiled for the cortex-m0plus",
     "tests/consumer/project/": "projects of their own, built by a test",
     "tests/measure/compile_time/": "are compiled by the test that times them",
     "tests/packages/arduino/core/": "a core of Arduino for the test of the archive, built by it",
+    "tests/port/kernel/": "is compiled where toolchains/setup.sh kernel has been",
 }
 # Configured, not built, for what is compiled for a board only. Their databases say what the host's does not know.
 CROSS_COMPILER = "arm-none-eabi-g++"
@@ -122,7 +126,8 @@ class Analysis:
         folder = self.build / "analysis"
         (folder / "cross").mkdir(parents=True, exist_ok=True)
         wanted = set(self.units_in(ANALYZED)) | {str(p) for p in files_in(self.source, CANARIES, (".cpp",))}
-        units = {unit["file"]: unit for unit in self.units if unit["file"] in wanted}  # each file once
+        units = {unit["file"]: dict(unit, command=GCC_ONLY.sub("", unit["command"]))
+                 for unit in self.units if unit["file"] in wanted}  # each file once
         boards = [unit for unit in self.cross if unit["file"] in wanted]
         (folder / "cross" / "compile_commands.json").write_text(json.dumps(boards, indent=1))
         units.update((unit["file"], dict(unit, command=for_clang(unit["command"]))) for unit in boards)

@@ -1,12 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Installs the Debian packages that the work on batuta needs. May be repeated: only what is missing is fetched.
-#   sh toolchains/setup.sh [duel|host|target|packages|all|web]     default: host
+#   sh toolchains/setup.sh [duel|host|target|packages|all|web|kernel]     default: host
 # Exit codes: 0 everything is there, 1 it could not be installed, 2 wrong use.
 set -u
 
 # What batuta-duel is built with; with the window of --view, which is SDL's.
-DUEL_PACKAGES="g++ cmake ninja-build pkg-config libeigen3-dev libevdev-dev libevemu-dev libsdl2-dev libcli11-dev"
+DUEL_PACKAGES="g++ cmake ninja-build pkg-config libeigen3-dev libevdev-dev libevemu-dev libsdl2-dev libcli11-dev nlohmann-json3-dev"
 HOST_PACKAGES="$DUEL_PACKAGES libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev \
 xvfb gnuplot-nox libbullet-dev libfcl-dev libode-dev libccd-dev \
 cppcheck clang clang-tidy clang-format libclang-rt-dev gcovr doxygen doxygen-awesome-css make python3 git"
@@ -19,19 +19,23 @@ python3-numpy python3-pip python3-setuptools python3-wheel g++-mingw-w64-x86-64-
 # What the page in the browser is built with, and the browser of its tests. Debian's npm comes only where there is no other.
 WEB_PACKAGES="g++ cmake ninja-build libeigen3-dev python3 emscripten nodejs chromium"
 WEB_MODULES="port/platforms/web"  # holds package.json and its lock; the modules go to build/node
+# What Linux's own driver is booted with, and the stick plugged into it.
+KERNEL_PACKAGES="g++ cmake ninja-build pkg-config libeigen3-dev libgtest-dev libgmock-dev librapidcheck-dev python3 \
+qemu-system-x86 busybox-static cpio libusbredirparser-dev"
 
 say() { printf '%s\n' "setup: $*"; }
 fail() { printf '%s\n' "setup: $*" >&2; exit 1; }
 
 usage() {
   cat <<'USAGE'
-usage: sh toolchains/setup.sh [duel|host|target|packages|all|web]
+usage: sh toolchains/setup.sh [duel|host|target|packages|all|web|kernel]
   duel    what the preset duel needs: compiler, CMake, Eigen, libraries for devices and the window; no tests
   host    compiler, CMake, libraries, test and analysis tools (default)
   target  cross compilers and emulators: Cortex-M boards; AArch64, ARMv7 and RISC-V for the same bits
   packages  what makes and tests archives for registries: lintian, Arduino's builder, Kconfig, Python, a compiler for Windows
   all     host and target
   web     emscripten, Chromium, and the modules of port/platforms/web/package-lock.json from npm into build/node
+  kernel  an emulator of a PC, and Debian's kernel with its modules for USB into build/kernel; it is not installed
 USAGE
 }
 
@@ -74,6 +78,29 @@ install_modules() {
     { rm -f "$root/build/node/package-lock.json"; fail "npm could not install the modules (is there a network?)"; }
 }
 
+download_kernel() {
+  name=$(apt-cache depends linux-image-amd64 | sed -n 's/^ *Depends: \(linux-image-[0-9].*\)/\1/p' | head -n 1)
+  rm -f linux-image-*.deb
+  [ -n "$name" ] && apt-get download -q "$name"
+}
+
+# Debian's present kernel: what an emulator boots, and of its modules those that USB and its sticks may need.
+unpack_kernel() {
+  root=$(cd "$(dirname "$0")/.." && pwd) || fail "where is this script?"
+  if [ -f "$root/build/kernel/package" ]; then
+    say "the kernel is in build/kernel: $(cat "$root/build/kernel/package")"
+    return
+  fi
+  mkdir -p "$root/build/kernel" && cd "$root/build/kernel" || fail "build/kernel cannot be written"
+  if ! download_kernel; then  # the list may name what the mirror has replaced
+    as_root apt-get update -q
+    download_kernel || fail "could not fetch the kernel that linux-image-amd64 names (is there a network, and is this Debian for amd64?)"
+  fi
+  dpkg-deb --fsys-tarfile linux-image-*.deb | tar -x --wildcards '*/boot/vmlinuz-*' '*/drivers/usb/*' '*/drivers/hid/*' '*/drivers/input/*' ||
+    fail "could not unpack the kernel"
+  ls linux-image-*.deb >package && rm -f linux-image-*.deb
+}
+
 [ $# -le 1 ] || { usage >&2; exit 2; }
 case "${1-host}" in
   duel) packages=$DUEL_PACKAGES ;;
@@ -85,6 +112,7 @@ case "${1-host}" in
     packages=$WEB_PACKAGES
     command -v npm >/dev/null 2>&1 || packages="$packages npm"
     ;;
+  kernel) packages=$KERNEL_PACKAGES ;;
   -h | --help | help) usage; exit 0 ;;
   *) printf '%s\n' "setup: unknown word: $1" >&2; usage >&2; exit 2 ;;
 esac
@@ -107,4 +135,5 @@ else
   done
 fi
 [ "${1-host}" != web ] || install_modules
+[ "${1-host}" != kernel ] || unpack_kernel
 say "done"

@@ -53,7 +53,7 @@ enum {
   BATUTA_SHORTEST_STEP_US = 100,   ///< of a duel, us
   BATUTA_LONGEST_STEP_US = 20000,  ///< of a duel, us
   BATUTA_MOST_TOUCHES = 99,        ///< that a bout can go to
-  BATUTA_WORLD_BYTES = 43008,      ///< batuta_world_size(), rounded up
+  BATUTA_WORLD_BYTES = 44032,      ///< batuta_world_size(), rounded up
   BATUTA_DUEL_BYTES = 7168         ///< batuta_duel_size(), rounded up
 };
 
@@ -108,7 +108,7 @@ typedef struct batuta_search_f {
   float duration;   ///< s, >= 0; neither turns by more than 2526 rad in it
   float tolerance;  ///< a gap of so much of the query's length counts as contact, 0 ... 1; 1e-6
                     ///< suits, and is raised to what float can resolve
-  uint32_t budget;  ///< most distance evaluations, up to 4096; 64 suits
+  uint32_t budget;  ///< most distance evaluations, up to 4096; 30 suits
 } batuta_search_f;
 
 /// The same in double.
@@ -116,7 +116,7 @@ typedef struct batuta_search_d {
   double duration;   ///< s, >= 0; neither turns by more than 2526 rad in it
   double tolerance;  ///< a gap of so much of the query's length counts as contact, 0 ... 1; 1e-6
                      ///< suits
-  uint32_t budget;   ///< most distance evaluations, up to 4096; 64 suits
+  uint32_t budget;   ///< most distance evaluations, up to 4096; 30 suits
 } batuta_search_d;
 
 /// When two moving capsules first touch.

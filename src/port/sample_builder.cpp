@@ -27,9 +27,10 @@ float deflection(const AxisCalibration& axis, std::int32_t counts) {
   const std::int64_t twice_half = std::int64_t{axis.max} - axis.min;
   const std::int64_t size = twice_off < 0 ? -twice_off : twice_off;
   if (size <= twice_flat) return 0.0F;
-  // size <= twice_half, and rounding is monotone: the quotient cannot exceed 1.
-  const float share =
-      static_cast<float>(size - twice_flat) / static_cast<float>(twice_half - twice_flat);
+  // size <= twice_half < 2^32, and rounding is monotone: the quotient cannot exceed 1. A part
+  // without an FPU makes a float of 64 bits by way of double.
+  const float share = static_cast<float>(static_cast<std::uint32_t>(size - twice_flat)) /
+                      static_cast<float>(static_cast<std::uint32_t>(twice_half - twice_flat));
   return (twice_off < 0) != axis.reversed ? -share : share;
 }
 

@@ -15,7 +15,7 @@ import makefile  # noqa: E402
 import project as names  # noqa: E402
 
 # What a build adds by itself and says nothing of the library: optimisation, warnings, debugging, paths, and double.
-OF_THE_BUILD = re.compile(r"-(?:O.?|W\S*|g\d?|pedantic\S*|I\S*|DNDEBUG|DBATUTA_WITH_DOUBLE=[01]|DBATUTA_ASSERT_LEVEL=\d|fdiagnostics\S*)$")
+OF_THE_BUILD = re.compile(r"-(?:O.?|W\S*|g\d?|pedantic\S*|I\S*|DNDEBUG|DBATUTA_WITH_DOUBLE=[01]|DBATUTA_ASSERT_LEVEL=\d|fdiagnostics\S*|-param=inline\S*)$")
 WITH_A_PATH = {"-isystem", "-o", "-c", "-include"}
 
 

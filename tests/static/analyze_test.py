@@ -62,6 +62,15 @@ class SourcesTest(unittest.TestCase):
         self.assertFalse(failed, told)
         self.assertIn("sources: 4, of which 3 are analysed", told)
 
+    def test_what_only_gcc_knows_is_not_told_to_clang(self):
+        with mock.patch.object(self, "units", lambda names, _, units=self.units: units(names, "g++ --param=x-growth=4")):
+            self.check()
+        commands = [unit["command"] for unit in
+                    json.loads((self.build / "analysis" / "compile_commands.json").read_text())]
+        of_host = [command for command in commands if "mps2" not in command]  # a board's go through for_clang()
+        self.assertTrue(of_host)
+        self.assertFalse([command for command in of_host if "--param" in command])
+
     def test_one_in_no_database_is_noticed_wherever_it_is(self):
         for name in ("src/core/lost.cpp", "port/platforms/host/lost.cpp", "tests/unit/lost_test.cpp", "port/platforms/stm32f405/lost.cpp"):
             with self.subTest(name=name):

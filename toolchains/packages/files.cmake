@@ -7,6 +7,7 @@ set(BATUTA_SOURCES
   src/port/sample_builder.cpp
   src/geometry/direction.cpp
   src/geometry/segment.cpp
+  src/geometry/segment_arrays.cpp
   src/geometry/capsule.cpp
   src/geometry/kdop.cpp
   src/mechanics/trigonometry.cpp
@@ -63,7 +64,11 @@ set(BATUTA_SOURCES
   src/haptics/force_share.cpp
   src/haptics/slew_limiter.cpp
   src/haptics/speed_limiter.cpp
+  src/haptics/stick_gains.cpp
   src/haptics/output_stage.cpp
+  src/haptics/encoder_grid.cpp
+  src/haptics/momentum_fit.cpp
+  src/haptics/device_measurement.cpp
   src/record/archive.cpp
   src/record/snapshot.cpp
   src/record/recorder.cpp

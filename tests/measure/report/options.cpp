@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "timing.hpp"
+
 namespace batuta::report {
 
 namespace {
@@ -37,6 +39,7 @@ std::uint64_t number(std::string_view text) {
 void read_mode(Options& options, const About& about, std::string_view text) {
   if (text == "tiny") {
     options.mode = Mode::kTiny;
+    allow_tries(0);
   } else if (text == "quick") {
     options.mode = Mode::kQuick;
   } else if (text == "full") {

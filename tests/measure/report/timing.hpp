@@ -90,6 +90,9 @@ double plain_segment_distance(const Segment<double>& A, const Segment<double>& B
 /// milliseconds: ask for it anew beside every group of measurements, for hosts change their pace.
 /// Every one is counted in baselines().
 double plain_ns();
+/// Further tries of plain_ns() for a calm baseline, of the whole program from now on: 0 where no
+/// time is looked at.
+void allow_tries(int tries);
 
 /// How the plain_ns() of this program went. What is measured in one that is not calm means nothing.
 struct BaselineCount {

@@ -12,13 +12,13 @@ static const float kB[BATUTA_MOVING_NUMBERS] = {0, 0, -0.45F, 0, 0, 0.45F, 0.005
 static const batuta_material kSteel = {7850, 0.6F, 0};
 static const float kNoGravity[3] = {0, 0, 0};
 
-static batuta_world world; /* static: 42 kB */
+static batuta_world world; /* static: 43 kB */
 static batuta_duel duel;
 
 static int tell_query(void) {
   float A[BATUTA_CAPSULE_NUMBERS] = {0, 0, 0.55F, 0, 0, 1.45F, 0.005F};
   float B[BATUTA_CAPSULE_NUMBERS] = {0.2F, 0, 0.85F, 0.2F, 0, 1.75F, 0.005F};
-  batuta_search_f search = {0.1F, 1e-6F, 64};
+  batuta_search_f search = {0.1F, 1e-6F, 30};
   batuta_closest_f closest;
   batuta_contact_f contact;
   if (batuta_closest_points_f(A, B, &closest) != BATUTA_OK) return 1;

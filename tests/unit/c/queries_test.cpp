@@ -174,7 +174,10 @@ TYPED_TEST(QueriesForC, TimeOfContact_OfEveryRow) {
     std::vector<Scalar> B;
     append(A, test::read_bits(row, "A"));
     append(B, test::read_bits(row, "B"));
-    const typename C::Search search = {static_cast<Scalar>(row.number("T")), Scalar(1e-6), 64};
+    AdvancementOptions<Scalar> ample;
+    ample.budget = 64;
+    const typename C::Search search = {static_cast<Scalar>(row.number("T")),
+                                       ample.contact_tolerance, ample.budget};
     typename C::Contact told;
     ASSERT_EQ(C::kTimeOfContact(A.data(), B.data(), &search, &told), BATUTA_OK);
     const test::ContactTruth truth = test::read_truth(row);
@@ -182,7 +185,7 @@ TYPED_TEST(QueriesForC, TimeOfContact_OfEveryRow) {
     contacts += truth.kind == test::kOnTheWay ? 1U : 0U;
     const auto pair = test::read_pair<Scalar>(row);
     ASSERT_TRUE(pair.ok());
-    expect_bits<Scalar>(told, search_advancement(pair.value, AdvancementOptions<Scalar>{}));
+    expect_bits<Scalar>(told, search_advancement(pair.value, ample));
   };
   ASSERT_GE(for_each_row("toc.csv", judge), kLeastRows);
   EXPECT_GE(contacts, kLeastRows / 2);
@@ -202,7 +205,7 @@ TYPED_TEST(QueriesForC, TimeOfContactMany_UpToTheFirstThatIsRefused) {
     A.insert(A.end(), {0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0});
     B.insert(B.end(), {1, 0, 0, 2, 0, 0, 0, -static_cast<Scalar>(i), 0, 0, 0, 0, 0});
   }
-  const typename C::Search search = {Scalar(1), Scalar(1e-6), 64};
+  const typename C::Search search = {Scalar(1), Scalar(1e-6), 30};
   std::vector<typename C::Contact> told(kCount);
   ASSERT_EQ(C::kTimeOfContactMany(A.data(), B.data(), kCount, &search, told.data()), kCount);
   EXPECT_EQ(told[0].outcome, BATUTA_FREE);

@@ -94,8 +94,9 @@ void archive(Archive& ar, Waypoint<Scalar>& waypoint) {
 
 template <class Scalar, int N>
 void archive(Archive& ar, Corners<Scalar, N>& way) {
-  auto& [corners, first_blow, is_cut] = way;
+  auto& [corners, first_blow, is_cut, steel] = way;
   ar(corners, first_blow, is_cut);
+  steel = ar.reading() ? nullptr : steel;  // between steps there is none
 }
 
 template <class SceneT>

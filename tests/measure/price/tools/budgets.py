@@ -39,7 +39,8 @@ KEPT = {
                 "duel.step.cycles.99.9%", "duel.step.cycles.max", "duel_stepping.step.99.9%",
                 *OF_OPPONENT, "opponent.step.99.9%"],
     "cortex-m7": WITH_FPU, "cortex-m33": WITH_FPU, "cortex-m55": WITH_FPU,
-    "stm32f405": [*each(("firmware",), "flash", "ram", "stack"), *OF_OPPONENT],
+    "stm32f405": [*each(("firmware", "usb_stick"), "flash", "ram", "stack"), *OF_OPPONENT],
+    "cortex-m0plus": each(("usb_stick",), "flash", "ram", "stack"),
 }
 
 # What is kept of what was reached: so much more may come with a new compiler or a small change.

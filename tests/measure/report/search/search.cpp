@@ -87,7 +87,7 @@ std::vector<Case> make_cases(test::Family family, Range range) {
 }
 
 int report_search(const Options& options) {
-  const Range range = share_of(options, pick(options, 12, 1000, 20000));
+  const Range range = share_of(options, pick(options, 6, 1000, 20000));
   const std::uint64_t slow_every = pick(options, 3, 25, 5);
   const std::uint64_t time_every = pick(options, 3, 10, 20);
   Table table(options, "search");
