@@ -14,6 +14,10 @@ double place_on(const RealAxis& axis, const Real3& point) {
   return dd > 0 ? std::clamp((point - axis.a).dot(d) / dd, 0.0, 1.0) : 0.0;
 }
 
+RealFrame going_with(const MovingCapsule<float>& moving) {
+  return {moving.motion.X_WB.p_W.cast<double>(), moving.motion.twist.v_W.cast<double>()};
+}
+
 }  // namespace
 
 RealAxis real(const Segment<float>& segment) {
@@ -45,13 +49,13 @@ double visible_length(const RealAxis& A, const RealAxis& B) {
   return std::max({(A.b - A.a).norm(), (B.b - B.a).norm(), (B.a - A.a).norm(), (B.b - A.b).norm()});
 }
 
-RealPath::RealPath(const MovingCapsule<float>& moving) {
+RealPath::RealPath(const MovingCapsule<float>& moving, const RealFrame& from) {
   const Pose<float>& X = moving.motion.X_WB;
   const Eigen::Quaterniond q = X.q_WB.cast<double>().normalized();
-  const Real3 center = X.p_W.cast<double>();
+  const Real3 center = X.p_W.cast<double>() - from.p;
   const Real3 w = moving.motion.twist.w_W.cast<double>();
   rate_ = w.norm();
-  v_ = moving.motion.twist.v_W.cast<double>();
+  v_ = moving.motion.twist.v_W.cast<double>() - from.v;
   radius_ = static_cast<double>(moving.capsule_B.radius);
   const auto end_of = [&](const Vec3<float>& end_B) -> End {
     const Real3 lever = q * end_B.cast<double>();
@@ -76,13 +80,11 @@ double RealPath::lengths(double t) const {
          radius_;
 }
 
-double RealPair::gap(double t) const {
-  return least_distance(A.at(t), B.at(t)) - (A.radius() + B.radius());
-}
+RealPair::RealPair(const MovingCapsule<float>& A, const MovingCapsule<float>& B)
+    : A_(A, going_with(B)), B_(B, going_with(B)) {}
 
-double RealPair::error(double t) const {
-  constexpr double kRoundings = 64;
-  return kRoundings * kRoundOff<double> * (A.lengths(t) + B.lengths(t));
+double RealPair::gap(double t) const {
+  return least_distance(A_.at(t), B_.at(t)) - (A_.radius() + B_.radius());
 }
 
 double RealPair::least_gap(double end) const {

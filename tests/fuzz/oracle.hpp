@@ -26,11 +26,17 @@ double least_distance(const RealAxis& A, const RealAxis& B);
 /// S of the error bounds of a distance (src/geometry/segment.md).
 double visible_length(const RealAxis& A, const RealAxis& B);
 
-/// A capsule on its way: its axis ends as centre + v t + along + cos(rate t) arm + sin(rate t)
-/// side.
+/// Where a frame starts in W, and how fast it goes on.
+struct RealFrame {
+  Real3 p = Real3::Zero();
+  Real3 v = Real3::Zero();
+};
+
+/// A capsule on its way, seen from a frame: its axis ends as centre + v t + along + cos(rate t) arm
+/// + sin(rate t) side.
 class RealPath {
  public:
-  explicit RealPath(const MovingCapsule<float>& moving);
+  explicit RealPath(const MovingCapsule<float>& moving, const RealFrame& from = {});
   RealAxis at(double t) const;
   double radius() const { return radius_; }
   /// |centre| + reach + radius + |v| t: the lengths that at(t) is rounded over.
@@ -46,17 +52,18 @@ class RealPath {
   double radius_ = 0;
 };
 
-struct RealPair {
-  RealPath A;
-  RealPath B;
-
-  RealPair(const MovingCapsule<float>& a, const MovingCapsule<float>& b) : A(a), B(b) {}
+/// Both seen from a frame that goes with B: a pair that travels far together is rounded by no more
+/// than one that stays.
+class RealPair {
+ public:
+  RealPair(const MovingCapsule<float>& A, const MovingCapsule<float>& B);
   double gap(double t) const;
-  /// Of gap(t') for all t' to t, m: what both paths are rounded by in W, where they may travel far
-  /// together (each end is a sum of four terms, a distance one of their differences).
-  double error(double t) const;
   /// The least gap that samples over [0, end] and halvings about the best of them find.
   double least_gap(double end) const;
+
+ private:
+  RealPath A_;
+  RealPath B_;
 };
 
 }  // namespace batuta::fuzz

@@ -97,7 +97,7 @@ void check_truth(const RealPair& real, const MovingPair<float>& pair, const Answ
                  const Options& options) {
   if (answer.outcome == Outcome::kInvalid) return;
   const double eps = detail::inflation_of(pair);
-  const double real_eps = eps * kRoundOff<double> / kU + real.error(answer.t_free);
+  const double real_eps = eps * kRoundOff<double> / kU;
   const double contact = static_cast<double>(contact_tolerance_of(pair, options)) + eps + real_eps;
   const double t_free = answer.t_free;
   if (answer.outcome == Outcome::kTouching) {
@@ -240,7 +240,7 @@ void check(Bytes bytes) {
   check_budget(question, pair, answer);
   check_other_ways(question, pair, answer, from == Numbers::kGrid);
   check_stepping(real, pair, bytes);
-  check_swept(question.B, real.B, bytes);
+  check_swept(question.B, RealPath(question.B), bytes);
   const bool boxes_meet = overlaps(swept_aabb(question.A), swept_aabb(question.B));
   if (!boxes_meet) {
     require(real.least_gap(static_cast<double>(pair.duration)) > 0, "boxes apart, capsules apart");
