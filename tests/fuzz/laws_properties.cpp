@@ -17,9 +17,9 @@ constexpr int kLawSteps = 6;
 /// taken out.
 enum class Open : std::uint8_t {
   kNothing,
-  /// A light ball between a heavy one that falls and one that stands: the heavy one is carried by
-  /// what is not, and bounces with the velocity that gravity gives it in the step.
-  kEnergyUnderGravity,
+  /// What lies on two others may rise by what gravity gives it in a step, m (g T)^2 of energy
+  /// (world.md, "The fall").
+  kEnergyOfLoads,
   kAnything,  ///< bodies that turn: not all laws are kept by all scenes yet, and none is run
 };
 
@@ -28,8 +28,13 @@ bool asks_all() {
   return asks;
 }
 
-bool is_open(const test::Breach& breach, Open open) {
-  return !asks_all() && open == Open::kEnergyUnderGravity && breach.law.rfind("energy", 0) == 0;
+/// Summed m (g T)^2, J.
+template <class SceneT>
+test::Real energy_of_loads(test::RandomRun<SceneT>& run) {
+  const auto fall = static_cast<test::Real>(run.gravity().norm() * run.dt());
+  test::Real energy = 0;
+  for (const test::SeenBody& body : run.seen()) energy += body.mass * fall * fall;
+  return energy;
 }
 
 template <const test::RandomKind& kKind>
@@ -39,7 +44,9 @@ void check(const test::Choices& choices, Open open) {
   test::RandomRun<SceneT> run{choices};
   for (const test::Found& found : test::run_scene(run, kLawSteps)) {
     const test::Breach& breach = found.breach;
-    if (is_open(breach, open)) continue;
+    const bool is_known = open == Open::kEnergyOfLoads && breach.law == "energy" &&
+                          breach.by <= breach.may_be + energy_of_loads(run);
+    if (is_known && !asks_all()) continue;
     std::fprintf(stderr, "%s, %s: %Lg, at most %Lg; step %d\n", breach.law.c_str(),
                  breach.what.c_str(), breach.by, breach.may_be, found.step);
     require(false, "a law of motion");
@@ -57,10 +64,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const test::Choices choices(data + 1, size - 1);
   switch (*data % 13) {
     case 0:
-      fuzz::check<test::kStraight>(choices, Open::kEnergyUnderGravity);
+      fuzz::check<test::kStraight>(choices, Open::kEnergyOfLoads);
       break;
     case 1:
-      fuzz::check<test::kSmallBalls>(choices, Open::kEnergyUnderGravity);
+      fuzz::check<test::kSmallBalls>(choices, Open::kEnergyOfLoads);
       break;
     case 2:
       fuzz::check<test::kSmallCramped>(choices, Open::kNothing);

@@ -17,5 +17,12 @@ using Struck =
                      Of<double, kBlowsCramped>, Of<float, kBlowsLed>, Of<double, kBlowsLed>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Struck, RandomScenes, Struck);
 
+// As RandomFound of bodies that do not turn (random_straight_test.cpp).
+TEST(RandomFound, WhatIsStruckWhileItLiesAndTurns_WinsNoEnergy) {
+  expect_no_gain<Of<float, kBlowsCramped>>({399, 551});
+  expect_no_gain<Of<double, kBlowsCramped>>({399, 564});
+  expect_no_gain<Of<double, kBlowsLed>>({82, 433, 594});
+}
+
 }  // namespace
 }  // namespace batuta::test

@@ -30,6 +30,19 @@ class RandomScenes : public ::testing::Test {
   }
 };
 
+/// Holds that no energy is won by the scenes of these seeds, which once did.
+template <class SceneT>
+void expect_no_gain(std::initializer_list<int> seeds) {
+  for (const int seed : seeds) {
+    RandomRun<SceneT> run{Choices(static_cast<std::uint64_t>(seed))};
+    for (const Found& found : run_scene(run, kRandomSteps)) {
+      EXPECT_NE(found.breach.law.rfind("energy", 0), 0U)
+          << "seed " << seed << ", step " << found.step << ": "
+          << static_cast<double>(found.breach.by);
+    }
+  }
+}
+
 TYPED_TEST_SUITE_P(RandomScenes);
 
 TYPED_TEST_P(RandomScenes, Momentum_IsKeptAndNumbersStayFinite) {

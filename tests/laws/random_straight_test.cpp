@@ -12,5 +12,14 @@ using Straight =
                      Of<double, kSmallBalls>, Of<float, kSmallCramped>, Of<double, kSmallCramped>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Straight, RandomScenes, Straight);
 
+// What lay on something, and was struck upwards in the same step, rose as if it weighed nothing;
+// and what lay on a light ball went with it when that was struck down.
+TEST(RandomFound, WhatIsStruckWhileItLies_WinsNoEnergy) {
+  expect_no_gain<Of<float, kStraight>>({264, 352});
+  expect_no_gain<Of<double, kStraight>>({264, 352});
+  expect_no_gain<Of<float, kSmallBalls>>({69, 70, 550, 590});
+  expect_no_gain<Of<double, kSmallBalls>>({69, 70, 550});
+}
+
 }  // namespace
 }  // namespace batuta::test

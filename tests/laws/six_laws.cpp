@@ -25,7 +25,8 @@ Sums sums_of(const Seen& seen, const Told& told) {
     sums.mass += body.mass;
     sums.momentum += body.p;
     sums.center += body.mass * body.x;
-    sums.energy += body.kinetic() - body.mass * told.g.dot(body.x);
+    // What is led stands (check_energy()), whatever the blows on it have summed up to.
+    if (!body.led) sums.energy += body.kinetic() - body.mass * told.g.dot(body.x);
     sums.soft += body.soft();
     sums.pushes += body.p.norm();
     sums.largest = std::max(sums.largest, body.p.norm());

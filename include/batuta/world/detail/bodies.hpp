@@ -23,12 +23,21 @@ using KinematicsOf =
 template <class SceneT>
 inline constexpr bool kLasts = SceneT::kResting == RestingContact::kSettling;
 
+/// A contact may take the load of what falls for the rest of a step (world.md, "The fall").
+template <class SceneT>
+inline constexpr bool kCarries = SceneT::kGravity && !kLasts<SceneT>;
+
 /// Of a body that falls.
 template <class Scalar>
 struct FallState {
   /// Its place on the parabola less that on the chord along which it goes, m.
   Vec3<Scalar> off_W = Vec3<Scalar>::Zero();
   bool loaded = false;  ///< something carries it: it goes with the velocity of the step's end
+};
+/// Of a body that falls, where contacts do not last.
+template <class Scalar>
+struct CarriedState {
+  Momentum<Scalar> support;  ///< by what carries it, per second, N and N m; 0: nothing does
 };
 /// Where the turn of a body may be the chord of a bent one, and contacts are answered.
 template <class SceneT>
@@ -85,7 +94,8 @@ class Bodies : public Proxies<SceneT> {
   /// What the step knows of a body besides the actor.
   struct BodyState : FeatureIf<SceneT::kGravity, FallState<Scalar>, 2>,
                      FeatureIf<kLasts<SceneT>, OpeningState<Scalar>, 3>,
-                     FeatureIf<kBends<SceneT>, BentState<Scalar>, 4> {
+                     FeatureIf<kBends<SceneT>, BentState<Scalar>, 4>,
+                     FeatureIf<kCarries<SceneT>, CarriedState<Scalar>, 5> {
     [[gnu::noinline]] BodyState() {}  // kept apart: some calls, and no copies
     typename Kinematics::PlanType plan;
     Scalar start = 0;           ///< in the step, s: the body's own pose is the one of this time
@@ -190,6 +200,7 @@ bool Bodies<SceneT>::begin(std::size_t slot) {
     state.off_W.setZero();
     state.loaded = false;
   }
+  if constexpr (kCarries<SceneT>) state.support = {};
   if constexpr (kLasts<SceneT>) {
     state.opening = {};
     state.moment_W.setZero();

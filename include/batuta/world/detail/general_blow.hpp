@@ -46,7 +46,8 @@ typename GeneralWorld<SceneT>::Sides GeneralWorld<SceneT>::sides_of(ProxyPair pa
 /// Adds an impulse. One that its controller moves first gets the momentum that goes with that, so
 /// that the impulse is added to what the body really has.
 template <class SceneT>
-void GeneralWorld<SceneT>::push(int proxy, const Momentum<Scalar>& change) {
+void GeneralWorld<SceneT>::push(int proxy, const Collider<Scalar>& side,
+                                const Momentum<Scalar>& change) {
   const std::size_t slot = BodiesT::body_of(proxy);
   auto& body = bodies_.actor(slot).body;
   if constexpr (!BodiesT::kIsFree) {
@@ -54,8 +55,8 @@ void GeneralWorld<SceneT>::push(int proxy, const Momentum<Scalar>& change) {
     if (!plan.by_momentum) body.momentum = momentum_of(body, plan.motion.twist);
   }
   for (int i = 0; i < 3; ++i) {  // Bound: 3; by component: expressions double the code
-    if (body.inverse_mass > Scalar(0)) body.momentum.linear_W[i] += change.linear_W[i];
-    if (!is_zero(body.inverse_moments)) body.momentum.angular_W[i] += change.angular_W[i];
+    if (side.inverse_mass > Scalar(0)) body.momentum.linear_W[i] += change.linear_W[i];
+    if (!is_zero(side.inverse_moments)) body.momentum.angular_W[i] += change.angular_W[i];
   }
 }
 
@@ -74,8 +75,8 @@ Result<Impulse<typename GeneralWorld<SceneT>::Scalar>> GeneralWorld<SceneT>::str
     hit = collision_impulse(sides.A, sides.B, contact, restitution);
   }
   if (!hit.ok()) return hit;
-  push(pair.first, hit.value.on_A);
-  push(pair.second, hit.value.on_B);
+  push(pair.first, sides.A, hit.value.on_A);
+  push(pair.second, sides.B, hit.value.on_B);
   return hit;
 }
 
@@ -89,26 +90,6 @@ typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::velocity_between(
     const std::size_t a = BodiesT::body_of(pair.first);
     const std::size_t b = BodiesT::body_of(pair.second);
     return contact.normal_BA_W.dot(bodies_.twist_now(a) - bodies_.twist_now(b));
-  }
-}
-
-/// Whether one of the two falls and the other does not, so that gravity would close the contact
-/// within the step: then what falls is carried for the rest of it.
-template <class SceneT>
-bool GeneralWorld<SceneT>::takes_load(ProxyPair pair, const Contact<Scalar>& contact) {
-  if constexpr (SceneT::kGravity && !kSolves) {
-    const std::size_t a = BodiesT::body_of(pair.first);
-    const std::size_t b = BodiesT::body_of(pair.second);
-    const bool falls_a = bodies_.falls(a);
-    if (falls_a == bodies_.falls(b)) return false;
-    const Scalar fall =
-        (bodies_.dt - bodies_.now) * contact.normal_BA_W.dot(bodies_.settings.gravity_W);
-    const Scalar at_end = velocity_between(pair, contact) + (falls_a ? fall : -fall);
-    if (!(at_end < Scalar(0))) return false;
-    bodies_.states[falls_a ? a : b].loaded = true;
-    return true;
-  } else {
-    return false;
   }
 }
 

@@ -3,6 +3,7 @@
 // GeneralWorld: what a contact is answered with. Included by general_world.hpp.
 
 #include "batuta/world/detail/general_blow.hpp"
+#include "batuta/world/detail/general_load.hpp"
 #include "batuta/world/detail/general_world.hpp"
 
 namespace batuta::detail {
@@ -122,6 +123,7 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
       return block(candidate, query, at);
     }
   }
+  const bool is_loads = !is_blow(pair, at.contact);
   const Sides sides = sides_of(pair);
   if constexpr (SceneT::kLineContact) {
     at.contact = pressure_contact(sides.A, sides.B, bodies_.shape_W(pair.first),
@@ -134,7 +136,7 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
   const bool touches = candidate.outcome == Outcome::kTouching && !(at.contact.gap > Scalar(0));
   result.is_overlap = kSolves ? at.contact.gap < -search_margin(bodies_, query, pair)
                               : touches || at.contact.gap < -query.contact_gap;
-  if (!strike_turning(pair, sides, at.contact, result)) {
+  if (!strike_turning(pair, sides, at.contact, is_loads, result)) {
     ++bodies_.report.resolutions_invalid;
     bodies_.weld(a, b, bodies_.dt);
     return;
@@ -146,21 +148,26 @@ void GeneralWorld<SceneT>::answer_turning(const CandidateType& candidate, const 
 /// The impulses of a contact. @returns false: one overflows, and nothing was given
 template <class SceneT>
 bool GeneralWorld<SceneT>::strike_turning(ProxyPair pair, const Sides& sides,
-                                          const Contact<Scalar>& contact, Answer<Scalar>& result) {
+                                          const Contact<Scalar>& contact, bool is_loads,
+                                          Answer<Scalar>& result) {
   const bool collides = result.kind == ContactKind::kColliding;
   if (collides || kSolves) {
     // A pair that comes again and again in a step is between others, and settles.
-    const bool bounces = collides && answers_of_pair_ <= max_of(SceneT::kMaxSeparations / 2, 1);
+    const bool bounces =
+        collides && !is_loads && answers_of_pair_ <= max_of(SceneT::kMaxSeparations / 2, 1);
     const auto hit = strike(pair, sides, contact, bounces ? restitution_of(pair) : Scalar(0));
     if (!hit.ok()) return false;
     result.impulse = hit.value.magnitude;
     result.impulse_A_W = hit.value.on_A.linear_W;
+    if (is_loads) note_supports(pair, hit.value.on_A, hit.value.on_B);
   }
-  if (!kSolves && takes_load(pair, contact)) {
-    const auto press = strike(pair, sides_of(pair), contact, Scalar(0));
+  const int carried = takes_load(pair, contact);
+  if (carried != kNobody) {
+    const auto press = strike(pair, sides_of_load(pair, carried), contact, Scalar(0));
     if (press.ok()) {
       result.impulse += press.value.magnitude;
       result.impulse_A_W += press.value.on_A.linear_W;
+      note_support(carried, carried == pair.first ? press.value.on_A : press.value.on_B);
     }
   }
   return true;
@@ -353,9 +360,10 @@ void GeneralWorld<SceneT>::answer_straight(const CandidateType& candidate) {
       BodiesT::Kinematics::nearest(bodies_.actor(a), BodiesT::part_at(pair.first), bodies_.actor(b),
                                    BodiesT::part_at(pair.second));
   const Vec3<Scalar>& normal_W = at.contact.normal_BA_W;
-  auto hit = strike_straight(a, b, normal_W, restitution_of(pair));
-  if (takes_load(pair, at.contact)) {
-    hit.impulse += strike_straight(a, b, normal_W, Scalar(0)).impulse;
+  const bool is_loads = !is_blow(pair, at.contact);
+  auto hit = strike_straight(a, b, normal_W, is_loads ? Scalar(0) : restitution_of(pair));
+  if constexpr (kCarries<SceneT>) {
+    hit.impulse += load_straight(pair, at.contact, is_loads ? hit.impulse : Scalar(0));
   }
   Answer<Scalar> result;
   result.kind = ContactKind::kColliding;

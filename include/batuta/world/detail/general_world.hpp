@@ -28,6 +28,7 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   using Search = typename SceneT::Search;
   /// A body with what the scene's features ask of it.
   using ActorType = Actor<SceneT>;
+  using BodyType = decltype(ActorType::body);
   /// Names a body of this world.
   using BodyId = Handle<ActorType>;
   /// A FixedList of ContactEvent.
@@ -151,7 +152,7 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   void resolve_contact(const CandidateType& candidate, bool is_own_time);
   void answer_turning(const CandidateType& candidate, const PairQuery& query);
   bool strike_turning(ProxyPair pair, const Sides& sides, const Contact<Scalar>& contact,
-                      Answer<Scalar>& result);
+                      bool is_loads, Answer<Scalar>& result);
   void finish_turning(ProxyPair pair, const PairQuery& query, const Contact<Scalar>& contact,
                       const Answer<Scalar>& result);
   void finish_lasting(ProxyPair pair, const PairQuery& query, const Contact<Scalar>& contact,
@@ -169,7 +170,21 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   Scalar restitution_of(ProxyPair pair) const;
   // Kept apart: some calls, and no copies.
   [[gnu::noinline]] Sides sides_of(ProxyPair pair) const;
-  [[gnu::noinline]] void push(int proxy, const Momentum<Scalar>& change);
+  [[gnu::noinline]] void push(int proxy, const Collider<Scalar>& side,
+                              const Momentum<Scalar>& change);
+  // Who carries what falls: general_load.hpp.
+  static constexpr int kNobody = -1;
+  /// Roundings in the velocity of a pair of which one or both are carried.
+  static constexpr Scalar kLoadRoundings = 16;
+  bool is_blow(ProxyPair pair, const Contact<Scalar>& contact);
+  int takes_load(ProxyPair pair, const Contact<Scalar>& contact);
+  Sides sides_of_load(ProxyPair pair, int carried) const;
+  Scalar load_straight(ProxyPair pair, const Contact<Scalar>& contact, Scalar pressed);
+  void note_supports(ProxyPair pair, const Momentum<Scalar>& on_A, const Momentum<Scalar>& on_B);
+  void note_support(int proxy, const Momentum<Scalar>& impulse);
+  Momentum<Scalar> release(std::size_t slot);
+  void restore(std::size_t slot, const BodyType& body, const Momentum<Scalar>& support);
+  Scalar speeds_at(std::size_t slot, const Vec3<Scalar>& point_W) const;
   StraightHit<Scalar> strike_straight(std::size_t a, std::size_t b, const Vec3<Scalar>& normal_BA_W,
                                       Scalar restitution);
   Result<Impulse<Scalar>> strike(ProxyPair pair, const Sides& sides, const Contact<Scalar>& contact,
@@ -179,7 +194,6 @@ class GeneralWorld : private RepeatsOf<SceneT> {
     return relative_velocity(contact, sides.A.X_WB, sides.A.twist, sides.B.X_WB, sides.B.twist);
   }
   Scalar velocity_between(ProxyPair pair, const Contact<Scalar>& contact) const;
-  bool takes_load(ProxyPair pair, const Contact<Scalar>& contact);
   bool is_due(ProxyPair pair);
   void answer_ties(ProxyPair last);
   void pass_on();

@@ -75,11 +75,15 @@ void SmallWorld<SceneT>::hit(std::size_t a, std::size_t b) {
     restitution = pair_restitution(A.restitution, B.restitution);
   }
   const Vec3<Scalar> normal_W = Kinematics::normal_BA(A, B);
-  auto hit = strike(a, b, normal_W, restitution);
+  bool is_loads = false;
+  if constexpr (SceneT::kGravity) is_loads = !is_blow(a, b, normal_W);
+  auto hit = strike(a, b, normal_W, is_loads ? Scalar(0) : restitution);
   if constexpr (SceneT::kGravity) {
-    if (takes_load(a, b, normal_W)) {
-      hit.impulse += strike(a, b, normal_W, Scalar(0)).impulse;
+    if (is_loads) {
+      note_support(a, hit.impulse, normal_W);
+      note_support(b, -hit.impulse, normal_W);
     }
+    hit.impulse += take_load(a, b, normal_W);
   }
   if (hit.impulse > Scalar(0)) ++report_.collisions;
 }
@@ -107,15 +111,76 @@ StraightHit<typename SmallWorld<SceneT>::Scalar> SmallWorld<SceneT>::strike(
   }
 }
 
-/// As GeneralWorld: gravity would close the contact within the step.
+/// As GeneralWorld: where gravity would close the contact within the step, what falls is carried.
+/// @returns the impulse of that, N s, or 0
 template <class SceneT>
-bool SmallWorld<SceneT>::takes_load(std::size_t a, std::size_t b, const Vec3<Scalar>& normal_W) {
+typename SmallWorld<SceneT>::Scalar SmallWorld<SceneT>::take_load(std::size_t a, std::size_t b,
+                                                                  const Vec3<Scalar>& normal_W) {
   const bool falls_a = falls(a);
-  if (falls_a == falls(b)) return false;
-  const Vec3<Scalar> end_W = velocity_of(actors_.at(a).body) - velocity_of(actors_.at(b).body);
-  if (!(normal_W.dot(end_W) < Scalar(0))) return false;
-  falls_.loaded[falls_a ? a : b] = true;
-  return true;
+  if (falls_a == falls(b)) return 0;
+  StraightBody<Scalar>& A = actors_.at(a).body;
+  StraightBody<Scalar>& B = actors_.at(b).body;
+  const Scalar at_end = normal_W.dot(velocity_of(A) - velocity_of(B));
+  if (!(at_end < Scalar(0))) return 0;
+  const std::size_t slot = falls_a ? a : b;
+  falls_.loaded[slot] = true;
+  StraightBody<Scalar>& body = falls_a ? A : B;
+  const Scalar impulse = -at_end / body.inverse_mass;
+  const Scalar along = falls_a ? impulse : -impulse;
+  body.momentum_W += along * normal_W;
+  note_support(slot, along, normal_W);
+  return impulse;
+}
+
+/// As GeneralWorld. @param impulse  along the normal
+template <class SceneT>
+void SmallWorld<SceneT>::note_support(std::size_t slot, Scalar impulse,
+                                      const Vec3<Scalar>& normal_W) {
+  if (falls_.loaded[slot]) falls_.support_W[slot] += (impulse / left_) * normal_W;
+}
+
+template <class SceneT>
+Vec3<typename SmallWorld<SceneT>::Scalar> SmallWorld<SceneT>::velocity_now(std::size_t slot) const {
+  const Vec3<Scalar> v_W = velocity_of(actors_.at(slot).body);
+  return falls(slot) ? Vec3<Scalar>(v_W - left_ * settings_.gravity_W) : v_W;
+}
+
+/// As GeneralWorld: what is carried falls, and its support gives no more. @returns what that gave
+template <class SceneT>
+Vec3<typename SmallWorld<SceneT>::Scalar> SmallWorld<SceneT>::release(std::size_t slot) {
+  const Vec3<Scalar> support_W = falls_.support_W[slot];
+  if (is_zero(support_W)) return support_W;
+  actors_.at(slot).body.momentum_W -= left_ * support_W;
+  falls_.loaded[slot] = false;
+  falls_.support_W[slot].setZero();
+  return support_W;
+}
+
+/// As GeneralWorld: whether a contact is a blow, before which who is carried falls.
+template <class SceneT>
+bool SmallWorld<SceneT>::is_blow(std::size_t a, std::size_t b, const Vec3<Scalar>& normal_W) {
+  if (is_zero(falls_.support_W[a]) && is_zero(falls_.support_W[b])) return true;
+  const Vec3<Scalar> momentum_A_W = actors_.at(a).body.momentum_W;
+  const Vec3<Scalar> momentum_B_W = actors_.at(b).body.momentum_W;
+  const Vec3<Scalar> of_A_W = release(a);
+  const Vec3<Scalar> of_B_W = release(b);
+  const Vec3<Scalar> v_A_W = velocity_now(a);
+  const Vec3<Scalar> v_B_W = velocity_now(b);
+  const Scalar scale = length(v_A_W) + length(v_B_W) + left_ * length(settings_.gravity_W);
+  const Scalar rounding = kLoadRoundings * kRoundOff<Scalar> * scale;
+  if (normal_W.dot(v_A_W - v_B_W) < -rounding) return true;
+  restore(a, momentum_A_W, of_A_W);
+  restore(b, momentum_B_W, of_B_W);
+  return false;
+}
+
+template <class SceneT>
+void SmallWorld<SceneT>::restore(std::size_t slot, const Vec3<Scalar>& momentum_W,
+                                 const Vec3<Scalar>& support_W) {
+  if (is_zero(support_W)) return;
+  actors_.at(slot).body.momentum_W = momentum_W;
+  falls_.support_W[slot] = support_W;
+  falls_.loaded[slot] = true;
 }
 
 }  // namespace batuta::detail

@@ -91,6 +91,7 @@ class SmallWorld {
   struct Falls {
     std::array<Scalar, kSlots> lag{};
     std::array<bool, kSlots> loaded{};
+    std::array<Vec3<Scalar>, kSlots> support_W;  ///< as CarriedState
   };
 
   /// Of a group that falls: lag times mass.
@@ -136,7 +137,15 @@ class SmallWorld {
     return inverse_mass_[slot] > Scalar(0) && !falls_.loaded[slot];
   }
   void lag(std::size_t slot, Scalar elapsed);
-  bool takes_load(std::size_t a, std::size_t b, const Vec3<Scalar>& normal_W);
+  Vec3<Scalar> velocity_now(std::size_t slot) const;
+  bool is_blow(std::size_t a, std::size_t b, const Vec3<Scalar>& normal_W);
+  Scalar take_load(std::size_t a, std::size_t b, const Vec3<Scalar>& normal_W);
+  void note_support(std::size_t slot, Scalar impulse, const Vec3<Scalar>& normal_W);
+  Vec3<Scalar> release(std::size_t slot);
+  void restore(std::size_t slot, const Vec3<Scalar>& momentum_W, const Vec3<Scalar>& support_W);
+
+  /// As GeneralWorld.
+  static constexpr Scalar kLoadRoundings = 16;
 
   // What is used most comes first: small offsets make short instructions.
   Scalar left_ = 0;  ///< of the step, s
@@ -191,6 +200,7 @@ void SmallWorld<SceneT>::begin_body(std::size_t slot) {
   if constexpr (SceneT::kGravity) {
     falls_.lag[slot] = 0;
     falls_.loaded[slot] = false;
+    falls_.support_W[slot].setZero();
   }
   ActorType* const actor = actors_.at_index(slot);
   if (actor == nullptr) return;
