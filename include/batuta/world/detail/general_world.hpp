@@ -28,7 +28,6 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   using Search = typename SceneT::Search;
   /// A body with what the scene's features ask of it.
   using ActorType = Actor<SceneT>;
-  using BodyType = decltype(ActorType::body);
   /// Names a body of this world.
   using BodyId = Handle<ActorType>;
   /// A FixedList of ContactEvent.
@@ -116,6 +115,7 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   using Kinematics = typename BodiesT::Kinematics;
   using PairQuery = typename PairsT::PairQuery;
   using CandidateType = typename PairsT::CandidateType;
+  using BodyType = decltype(ActorType::body);
   static constexpr std::size_t kSlots = BodiesT::kSlots;
   static constexpr bool kSolves = kLasts<SceneT>;
   static constexpr int kTies = 32;  ///< most contacts that are answered in one round
