@@ -67,8 +67,8 @@ typename GeneralWorld<SceneT>::Sides GeneralWorld<SceneT>::sides_of_load(ProxyPa
   Sides sides = sides_of(pair);
   if constexpr (kCarries<SceneT>) {
     const bool is_A = carried == pair.first;
-    auto& carrier = is_A ? sides.B : sides.A;
     if (bodies_.states[BodiesT::body_of(is_A ? pair.second : pair.first)].loaded) {
+      auto& carrier = is_A ? sides.B : sides.A;
       carrier.inverse_mass = 0;
       carrier.inverse_moments.setZero();
     }
