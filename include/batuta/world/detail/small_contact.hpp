@@ -136,7 +136,8 @@ typename SmallWorld<SceneT>::Scalar SmallWorld<SceneT>::take_load(std::size_t a,
 template <class SceneT>
 void SmallWorld<SceneT>::note_support(std::size_t slot, Scalar impulse,
                                       const Vec3<Scalar>& normal_W) {
-  if (falls_.loaded[slot]) falls_.support_W[slot] += (impulse / left_) * normal_W;
+  if (!falls_.loaded[slot] || !(left_ > Scalar(0))) return;
+  falls_.support_W[slot] += (impulse / left_) * normal_W;
 }
 
 template <class SceneT>
