@@ -54,6 +54,7 @@ class Welds {
   void settle(Group group);
   void settle_turning(const BodyState& whole);
   void settle_straight(const BodyState& whole);
+  static void start_fall(BodyState& state, const GroupSums<SceneT>& sums, bool is_led);
   bool is_pushed_in(Group group, std::size_t slot) const;
   void end_fall(std::size_t slot);
 
@@ -164,6 +165,16 @@ template <class SceneT>
   return motion;
 }
 
+/// A body of a group falls as all of it do.
+template <class SceneT>
+[[gnu::cold]] void Welds<SceneT>::start_fall(BodyState& state, const GroupSums<SceneT>& sums,
+                                             bool is_led) {
+  state.off_W.setZero();
+  if (!is_led) state.off_W = sums.off_W / sums.group.mass;
+  state.loaded = !sums.falls || is_led;
+  if constexpr (kCarries<SceneT>) state.support = {};  // of the group, and no longer its own
+}
+
 /// Gives all of a group one motion.
 template <class SceneT>
 [[gnu::cold]] void Welds<SceneT>::start_group(const GroupSums<SceneT>& sums, Group name,
@@ -185,12 +196,7 @@ template <class SceneT>
     end_course(bodies_, slot, bodies_.dt);
     state.start = bodies_.now;
     state.plan.motion = Kinematics::seat(motion, bodies_.actor(slot).body);
-    if constexpr (SceneT::kGravity) {
-      state.off_W.setZero();
-      if (!is_led) state.off_W = sums.off_W / sums.group.mass;
-      state.loaded = !sums.falls || is_led;
-      if constexpr (kCarries<SceneT>) state.support = {};  // of the group, and no longer its own
-    }
+    if constexpr (SceneT::kGravity) start_fall(state, sums, is_led);
     state.changed = true;
   }
   bodies_.is_changed = true;
