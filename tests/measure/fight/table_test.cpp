@@ -6,7 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <sstream>
+#include <string>
 
 #include "fencers.hpp"
 #include "figure.hpp"
@@ -138,6 +141,9 @@ TEST(FightFigure, DrawsEveryKeyAndNamesWhatThereIs) {
   EXPECT_GE(times("feet go back"), 2);
   EXPECT_EQ(times("feet advance"), 0);
   EXPECT_EQ(times("</svg>"), 1);
+  std::ifstream shown(BATUTA_FIGHT_PICTURE);
+  EXPECT_EQ(picture, std::string(std::istreambuf_iterator<char>(shown), {}))
+      << "docs/fencing_map.svg is of another map: batuta-fight figure docs/fencing_map.svg";
 }
 
 /// The table of the fight with few tries, of the library's own map. With many: batuta-fight table.

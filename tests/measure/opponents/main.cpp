@@ -37,10 +37,11 @@ int main(int count, char** words) {
   if (count == 5) {
     pairings = {{words[3], words[4]}};
   } else {
-    pairings = {{"club", "novice"}, {"master", "club"}, {"club", "club"}};
+    pairings = {{"club", "novice"},   {"master", "club"},   {"club", "club"},
+                {"master", "novice"}, {"novice", "novice"}, {"master", "master"}};
     for (const std::string& loop : names_of_loops()) {
-      pairings.push_back({loop, "club"});
-      pairings.push_back({loop, "master"});
+      for (const char* opponent : {"novice", "club", "master"})
+        pairings.push_back({loop, opponent});
     }
   }
   std::printf(

@@ -143,6 +143,7 @@ def json_lines(_):
                 "persist", "end", "smallest_gap", "deepest_overlap", "events_not_recorded", "budget_outs",
                 "host_ns_per_step_mean", "host_ns_per_step_max", "result", "touch_by", "touch_part", "touch_time"):
         check(key in summary, key)
+    check(objects(run("--json", "--seconds", "0.1"))[0]["touches"] == 5, "a bout is to five touches")
     contacts = [line for line in first if line["type"] == "contact"]
     count = {event: sum(line["event"] == event for line in contacts) for event in ("begin", "persist", "end")}
     check(summary["begin"] == count["begin"] and summary["end"] == count["end"], count)

@@ -86,6 +86,34 @@ TEST(ManyLimits, CrowdThatClosesInWithLittleRoom_NeverOverlaps) {
   EXPECT_GT(dropped, 0U);
 }
 
+/// As many bodies as a world takes, in room for half of the pairs of a row of them.
+constexpr int kMostBodies = 65534;
+constexpr SceneOptions long_row() {
+  SceneOptions scene = straight_spheres();
+  scene.engine = Engine::kGeneral;
+  scene.max_bodies = kMostBodies;
+  scene.max_pairs = kMostBodies / 2;
+  scene.response = false;
+  scene.restitution = false;
+  return scene;
+}
+
+// Its capsules taken two at a time are more than 32 bits count.
+TEST(ManyLimits, AsManyBodiesAsThereMayBe_TellEachPairThatHasNoRoom) {
+  using Row = Scene<long_row, Spheres<float>>;
+  auto world = std::make_unique<World<Row>>();
+  for (int i = 0; i < kMostBodies; ++i) {
+    Actor<Row> actor;
+    actor.capsule_B.radius = 0.5625F;  // each reaches into its two neighbours
+    actor.body = make_straight_body<float>({static_cast<float>(i), 0, 0}, 1).value;
+    ASSERT_EQ(world->add(actor).status, Status::kOk);
+  }
+  ASSERT_EQ(world->step(1e-3F), Status::kOk);
+  EXPECT_EQ(world->report().pairs_dropped, kMostBodies - 1 - kMostBodies / 2);
+  EXPECT_EQ(world->report().overlaps_at_start, kMostBodies / 2);
+  EXPECT_FALSE(world->report().complete());
+}
+
 /// With little room for everything, so that limits are met as well.
 template <RestingContact kRests, int kParts>
 constexpr SceneOptions small_options() {

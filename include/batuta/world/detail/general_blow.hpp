@@ -120,7 +120,10 @@ void GeneralWorld<SceneT>::strike_neighbour(ProxyPair pair) {
       capsule_gap(bodies_.shape_W(pair.first), bodies_.shape_W(pair.second));
   const Nearest<Scalar> at = {contact_from(gap, zero<Scalar>()), gap.axes.s, gap.axes.u};
   const auto hit = strike(pair, sides_of(pair), at.contact, restitution_of(pair));
-  if (!hit.ok()) return;
+  if (!hit.ok()) {
+    ++bodies_.report.resolutions_invalid;
+    return;
+  }
   Answer<Scalar> result;
   result.kind = ContactKind::kColliding;
   result.v_rel = hit.value.v_rel;

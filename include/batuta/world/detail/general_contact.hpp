@@ -164,11 +164,10 @@ bool GeneralWorld<SceneT>::strike_turning(ProxyPair pair, const Sides& sides,
   const int carried = takes_load(pair, contact);
   if (carried != kNobody) {
     const auto press = strike(pair, sides_of_load(pair, carried), contact, Scalar(0));
-    if (press.ok()) {
-      result.impulse += press.value.magnitude;
-      result.impulse_A_W += press.value.on_A.linear_W;
-      note_support(carried, carried == pair.first ? press.value.on_A : press.value.on_B);
-    }
+    if (!press.ok()) ++bodies_.report.resolutions_invalid;
+    result.impulse += press.value.magnitude;  // nothing where it is not valid
+    result.impulse_A_W += press.value.on_A.linear_W;
+    note_support(carried, carried == pair.first ? press.value.on_A : press.value.on_B);
   }
   return true;
 }

@@ -3,6 +3,8 @@
 // Pairs: which may meet in the rest of a step, when, and which is first (src/world/world.md,
 // "Pairs"). One of the five that make a step (general_world.hpp).
 
+#include <cstdint>
+
 #include "batuta/geometry/direction.hpp"
 #include "batuta/world/detail/bodies.hpp"
 #include "batuta/world/detail/pair_lengths.hpp"
@@ -80,9 +82,9 @@ class Pairs : private SeedsOf<SceneT> {
   FixedList<CandidateType, SceneT::kMaxPairs> candidates;
 
  private:
-  /// There may be more pairs than candidates.
+  /// There may be more pairs than candidates. In 64 bits: the product of two counts to 65,535.
   static constexpr bool kCanOverflow =
-      SceneT::kMaxPairs < BodiesT::kProxies * (BodiesT::kProxies - 1) / 2;
+      SceneT::kMaxPairs < std::int64_t{BodiesT::kProxies} * (BodiesT::kProxies - 1) / 2;
 
   void plan(BodiesT& bodies, std::size_t slot, bool is_begin);
   void drop_changed(const BodiesT& bodies);
