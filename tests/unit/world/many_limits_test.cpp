@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "batuta/world/scenes.hpp"
 #include "crowd.hpp"
 
 namespace batuta {
@@ -93,6 +94,7 @@ constexpr SceneOptions long_row() {
   scene.engine = Engine::kGeneral;
   scene.max_bodies = kMostBodies;
   scene.max_pairs = kMostBodies / 2;
+  scene.max_events = 1;
   scene.response = false;
   scene.restitution = false;
   return scene;
@@ -104,14 +106,13 @@ TEST(ManyLimits, AsManyBodiesAsThereMayBe_TellEachPairThatHasNoRoom) {
   auto world = std::make_unique<World<Row>>();
   for (int i = 0; i < kMostBodies; ++i) {
     Actor<Row> actor;
-    actor.capsule_B.radius = 0.5625F;  // each reaches into its two neighbours
+    actor.radius = 0.5625F;  // each reaches into its two neighbours
     actor.body = make_straight_body<float>({static_cast<float>(i), 0, 0}, 1).value;
     ASSERT_EQ(world->add(actor).status, Status::kOk);
   }
   ASSERT_EQ(world->step(1e-3F), Status::kOk);
   EXPECT_EQ(world->report().pairs_dropped, kMostBodies - 1 - kMostBodies / 2);
-  EXPECT_EQ(world->report().overlaps_at_start, kMostBodies / 2);
-  EXPECT_FALSE(world->report().complete());
+  EXPECT_EQ(world->report().pairs, kMostBodies / 2);
 }
 
 /// With little room for everything, so that limits are met as well.
