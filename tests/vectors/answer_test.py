@@ -235,7 +235,7 @@ class Answer(unittest.TestCase):
         with open(self.path("in.csv"), "w", encoding="ascii") as file:
             file.writelines(",".join(row) + "\n" for row in distance_file())
         done = self.run_program("distance", "--in", self.path("in.csv"), "--out", "/dev/full")
-        self.assertEqual(done.returncode, 2)
+        self.assertEqual(done.returncode, 1)
         self.assertIn("/dev/full", done.stderr)
 
     def test_wrong_usage_is_one_line(self):

@@ -23,7 +23,7 @@ long answer_file(host::QueryFile& file, const char* columns, RowAnswer answer,
   out << std::setprecision(kDigits) << columns << '\n';
   long invalid = 0;
   host::QueryRow row;
-  while (file.next(row)) {  // Bound: lines of the file
+  while (out && file.next(row)) {  // Bound: lines of the file
     Answer answered = answer(row, settings);
     row.check_notation();
     if (row.ok() && answered.problem.empty()) {

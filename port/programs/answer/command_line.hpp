@@ -27,7 +27,7 @@ struct Exit {
 };
 
 /// Wrong usage is an answer too.
-inline constexpr int kExitInvalidLines = 1;
+inline constexpr int kExitIncomplete = 1;  ///< a line was invalid, or the answers are not written
 inline constexpr int kExitUsage = 2;
 
 /// The command, or the exit status after help (0) or one line about what is wrong (kExitUsage) was

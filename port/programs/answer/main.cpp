@@ -9,6 +9,7 @@
 #include "answer_file.hpp"
 #include "command_line.hpp"
 #include "programs/files/output_file.hpp"
+#include "programs/files/standard_output.hpp"
 
 namespace {
 
@@ -17,9 +18,9 @@ namespace host = batuta::host;
 
 constexpr const char* kStandardStream = "-";
 
-int fail(const std::string& what) {
+int fail(const std::string& what, int exit_code = kExitUsage) {
   std::cerr << "batuta-answer: " << what << '\n';
-  return kExitUsage;
+  return exit_code;
 }
 
 std::string last_system_error() {
@@ -40,12 +41,10 @@ class Answers {
     return told(command, file_.open(command.out));
   }
   std::ostream& stream() { return to_file_ ? file_.stream() : std::cout; }
-  /// @returns an empty text | why not all of them are there
+  /// @returns an empty text | why not all of them are in the file; main() looks after standard
+  /// output
   std::string commit(const Command& command) {
-    if (to_file_) return told(command, file_.commit());
-    errno = 0;
-    std::cout.flush();
-    return told(command, std::cout ? "" : last_system_error());
+    return to_file_ ? told(command, file_.commit()) : "";
   }
 
  private:
@@ -77,14 +76,19 @@ int run(const Command& command) {
   const long invalid =
       answer_file(queries, kind.columns, answer, command.search, answers.stream(), std::cerr);
   problem = answers.commit(command);
-  if (!problem.empty()) return fail(problem);
-  return invalid == 0 ? 0 : kExitInvalidLines;
+  if (!problem.empty()) return fail(problem, kExitIncomplete);
+  return invalid == 0 ? 0 : kExitIncomplete;
+}
+
+int run_program(int argc, char** argv) {
+  const auto asked = read_command_line(argc, argv);
+  if (const auto* exit = std::get_if<Exit>(&asked)) return exit->status;
+  return run(std::get<Command>(asked));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const auto asked = read_command_line(argc, argv);
-  if (const auto* exit = std::get_if<Exit>(&asked)) return exit->status;
-  return run(std::get<Command>(asked));
+  host::begin_output();
+  return host::finish_output("batuta-answer", run_program(argc, argv));
 }

@@ -27,6 +27,7 @@
 #include "programs/duel/view/replay_show.hpp"
 #include "programs/duel/view/view.hpp"
 #include "programs/files/output_file.hpp"
+#include "programs/files/standard_output.hpp"
 
 namespace batuta::host {
 using namespace fencing;
@@ -110,7 +111,7 @@ bool run(DuelRunner& runner, const Observers& observers, const Options& options,
   while (going_on) {  // Bound: the steps up to runner.limit()
     if (!make_step(runner, observers, device, going_on)) return false;
     if (options.realtime) std::fflush(stdout);
-    going_on = going_on && pacing.wait();
+    going_on = going_on && !is_output_lost() && pacing.wait();
   }
   return true;
 }
@@ -161,7 +162,6 @@ std::string open_files(const Options& options, Outputs& outputs) {
 /// A bout that is over stays in sight until its viewer has seen enough.
 BoutEnd end_in_sight(const Outputs& outputs) {
   if (!outputs.view) return BoutEnd::kOver;
-  std::fflush(stdout);
   return wait_for_wish(*outputs.controls()) == ViewWish::kRestart ? BoutEnd::kAgain
                                                                   : BoutEnd::kOver;
 }
@@ -197,6 +197,8 @@ BoutEnd play_bout(const Options& options, DeviceSetup& setup, Outputs& outputs) 
   }
   const BoutEnd end = ended ? BoutEnd::kOver : give_up_on(*device);
   if (end != BoutEnd::kDeviceLost) conclude(*runner, observers, device, options.json);
+  std::fflush(stdout);
+  if (is_output_lost()) return BoutEnd::kFailed;  // which main() tells
   return end == BoutEnd::kOver ? end_in_sight(outputs) : end;
 }
 
@@ -226,7 +228,7 @@ std::string open_window(const Options& options, const ViewNames& names, Outputs&
   return opened.error;
 }
 
-/// Whether all that was to be written is.
+/// Whether all files that were to be written are.
 int finish(const Options& options, Outputs& outputs) {
   for (const auto& [path, file] : outputs.pictures(options)) {  // Bound: 2
     if (path->empty()) continue;
@@ -235,8 +237,7 @@ int finish(const Options& options, Outputs& outputs) {
   }
   if (!options.record.empty() && !outputs.record.close())
     return complain(kExitFailure, options.record + ": cannot be written");
-  const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
-  return written ? kExitOk : complain(kExitFailure, "the output cannot be written");
+  return kExitOk;
 }
 
 /// @returns null: there is none, for a reason that has been told unless it is the usual one
@@ -325,11 +326,7 @@ int play_again(const Options& options) {
   return kExitOk;
 }
 
-}  // namespace
-}  // namespace batuta::host
-
-int main(int count, char** words) {
-  using namespace batuta::host;
+int run_program(int count, char** words) {
   try {
     const auto line = read_command_line(count, words);
     if (!line.run) return line.exit_code;
@@ -337,4 +334,12 @@ int main(int count, char** words) {
   } catch (const std::exception& problem) {
     return complain(kExitFailure, problem.what());
   }
+}
+
+}  // namespace
+}  // namespace batuta::host
+
+int main(int count, char** words) {
+  batuta::host::begin_output();
+  return batuta::host::finish_output("batuta-duel", batuta::host::run_program(count, words));
 }

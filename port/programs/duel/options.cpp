@@ -80,10 +80,10 @@ a force, a line of the type "force" how well it came through.
 With --replay no source is opened: the samples come from the file, and after every step the state
 of the duel is compared with the recorded one. A recording made on another machine must agree.
 
-Exit codes: 0 the bout ran; 1 something failed on the way, such as writing the picture, a device
-            that does not answer, or one that computes other bits, or a replay that parts from
-            its recording, or a recording that goes on behind its end; 2 wrong usage, or a source
-            or recording that cannot be read)";
+Exit codes: 0 the bout ran; 1 something failed on the way, such as writing the picture or the
+            log, a device that does not answer, or one that computes other bits, or a replay that
+            parts from its recording, or a recording that goes on behind its end; 2 wrong usage,
+            or a source or recording that cannot be read)";
 
 /// The length of a bout, whose steps of 1 ms are counted in 32 bits.
 std::string seconds_of_a_bout(const std::string& words) {

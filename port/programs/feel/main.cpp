@@ -13,6 +13,7 @@
 #include "batuta/haptics/output_stage.hpp"
 #include "batuta/haptics/stick_gains.hpp"
 #include "programs/feel/measure.hpp"
+#include "programs/files/standard_output.hpp"
 #include "shared/simulated/stick.hpp"
 
 namespace batuta {
@@ -76,13 +77,6 @@ int usage(std::FILE* out = stderr) {
                "batuta-feel [stiffness of the coupling, N/m, >= 0; 100]\n"
                "batuta-feel --measure\n");
   return out == stderr ? 2 : 0;
-}
-
-/// What was printed may be lost: in a full disk, or in what nobody reads.
-int finish(int exit_code) {
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
-  std::fprintf(stderr, "batuta-feel: the output cannot be written\n");
-  return 1;
 }
 
 /// Duel, felt force and output stage about the simulated stick.
@@ -165,18 +159,19 @@ int run(float stiffness) {
   return 0;
 }
 
+int run_program(int count, char** words) {
+  if (count > 2) return usage();
+  if (count == 2 && std::strcmp(words[1], "--help") == 0) return usage(stdout);
+  if (count == 2 && std::strcmp(words[1], "--measure") == 0) return measure();
+  char* end = nullptr;
+  const float stiffness = count == 2 ? std::strtof(words[1], &end) : 100.0F;
+  return end == nullptr || *end == '\0' ? run(stiffness) : usage();
+}
+
 }  // namespace
 }  // namespace batuta
 
 int main(int count, char** words) {
-  if (count > 2) return batuta::usage();
-  if (count == 2 && std::strcmp(words[1], "--help") == 0) {
-    return batuta::finish(batuta::usage(stdout));
-  }
-  if (count == 2 && std::strcmp(words[1], "--measure") == 0) {
-    return batuta::finish(batuta::measure());
-  }
-  char* end = nullptr;
-  const float stiffness = count == 2 ? std::strtof(words[1], &end) : 100.0F;
-  return end == nullptr || *end == '\0' ? batuta::finish(batuta::run(stiffness)) : batuta::usage();
+  batuta::host::begin_output();
+  return batuta::host::finish_output("batuta-feel", batuta::run_program(count, words));
 }

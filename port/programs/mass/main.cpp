@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "batuta/mechanics/compound.hpp"
+#include "programs/files/standard_output.hpp"
 #include "programs/mass/mesh_file.hpp"
 #include "programs/mass/options.hpp"
 #include "programs/mass/report.hpp"
@@ -52,18 +53,22 @@ int run(const Options& options) {
   } else {
     print_text(stdout, mesh, mass);
   }
-  const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
-  return written ? kExitOk : complain(kExitRefused, "the output cannot be written");
+  return kExitOk;
+}
+
+int run_program(int count, char** words) {
+  try {
+    const auto line = read_command_line(count, words);
+    return line.run ? run(line.options) : line.exit_code;
+  } catch (const std::exception& problem) {
+    return complain(kExitRefused, problem.what());
+  }
 }
 
 }  // namespace
 }  // namespace batuta::mesh
 
 int main(int count, char** words) {
-  try {
-    const auto line = batuta::mesh::read_command_line(count, words);
-    return line.run ? batuta::mesh::run(line.options) : line.exit_code;
-  } catch (const std::exception& problem) {
-    return batuta::mesh::complain(batuta::mesh::kExitRefused, problem.what());
-  }
+  batuta::host::begin_output();
+  return batuta::host::finish_output("batuta-mass", batuta::mesh::run_program(count, words));
 }
