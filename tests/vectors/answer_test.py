@@ -6,6 +6,7 @@ usage: answer_test.py PROGRAM
 import csv
 import math
 import os
+import shutil
 import struct
 import subprocess
 import sys
@@ -68,9 +69,9 @@ class Answer(unittest.TestCase):
     def path(self, name):
         return os.path.join(self.folder.name, name)
 
-    def run_program(self, *arguments, text=None):
-        return subprocess.run([PROGRAM, *arguments], input=text, capture_output=True, text=True,
-                              check=False, timeout=600)
+    def run_program(self, *arguments, text=None, stdin=None):
+        return subprocess.run([PROGRAM, *arguments], input=text, stdin=stdin, capture_output=True,
+                              text=True, check=False, timeout=600)
 
     def ask(self, kind, rows, *options, status=0):
         with open(self.path("in.csv"), "w", encoding="ascii") as file:
@@ -228,6 +229,25 @@ class Answer(unittest.TestCase):
         with open(queries, encoding="ascii") as file:
             self.assertEqual(file.read(), text)
         self.assertEqual(sorted(os.listdir(self.folder.name)), ["link.csv", "queries.csv"])
+
+    def test_questions_from_standard_input_are_not_written_over(self):
+        text = "".join(",".join(row) + "\n" for row in distance_file())
+        queries, link = self.path("queries.csv"), self.path("link.csv")
+        with open(queries, "w", encoding="ascii") as file:
+            file.write(text)
+        os.symlink(queries, link)
+        for out in queries, link:
+            with open(queries, encoding="ascii") as asked:
+                done = self.run_program("distance", "--in", "-", "--out", out, stdin=asked)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("is read by --in", done.stderr)
+        with open(queries, encoding="ascii") as file:
+            self.assertEqual(file.read(), text)
+        copy = self.path("copy.csv")
+        shutil.copy(queries, copy)
+        with open(queries, encoding="ascii") as asked:
+            done = self.run_program("distance", "--in", "-", "--out", copy, stdin=asked)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
 
     def test_a_full_device_is_told(self):
         if not os.path.exists("/dev/full"):

@@ -34,10 +34,8 @@ class Answers {
   std::string open(const Command& command) {
     to_file_ = command.out != kStandardStream;
     if (!to_file_) return {};
-    if (command.in != kStandardStream) {
-      std::string clash = host::clash_of({{"--in", command.in}}, {{"--out", command.out}});
-      if (!clash.empty()) return clash;
-    }
+    std::string clash = host::clash_of(inputs_of(command), {{"--out", command.out}});
+    if (!clash.empty()) return clash;
     return told(command, file_.open(command.out));
   }
   std::ostream& stream() { return to_file_ ? file_.stream() : std::cout; }
@@ -50,6 +48,12 @@ class Answers {
  private:
   static std::string told(const Command& command, const std::string& problem) {
     return problem.empty() ? "" : "cannot write " + command.out + ": " + problem;
+  }
+  /// What is read, where it has a name: standard input that of --out, if it is that file.
+  static std::vector<host::NamedFile> inputs_of(const Command& command) {
+    if (command.in != kStandardStream) return {{"--in", command.in}};
+    if (host::is_standard_input(command.out)) return {{"--in", command.out}};
+    return {};
   }
 
   bool to_file_ = false;

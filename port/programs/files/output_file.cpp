@@ -9,6 +9,7 @@
 #ifdef _WIN32
 #include <process.h>
 #else
+#include <sys/stat.h>
 #include <unistd.h>
 #endif
 
@@ -83,6 +84,19 @@ bool are_same_file(const std::string& one, const std::string& other) {
   std::error_code error;
   const bool linked = std::filesystem::equivalent(one, other, error);
   return (!error && linked) || resolved(one) == resolved(other);
+}
+
+bool is_standard_input(const std::string& path) {
+#ifdef _WIN32
+  (void)path;
+  return false;
+#else
+  struct stat input = {};
+  struct stat named = {};
+  return fstat(STDIN_FILENO, &input) == 0 && S_ISREG(input.st_mode) &&
+         stat(path.c_str(), &named) == 0 && input.st_dev == named.st_dev &&
+         input.st_ino == named.st_ino;
+#endif
 }
 
 std::string clash_of(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {

@@ -46,6 +46,10 @@ struct NamedFile {
 /// Whether two paths are one file, also by a link, or would be.
 bool are_same_file(const std::string& one, const std::string& other);
 
+/// Whether standard input is this file. Not told on Windows, where a file that is read cannot be
+/// replaced.
+bool is_standard_input(const std::string& path);
+
 /// @returns an empty text | which output is also read, or written by another option, in one line.
 ///   A pipe, a terminal or /dev/null may be so often as one likes.
 std::string clash_of(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
