@@ -13,22 +13,22 @@ namespace batuta::host {
 using namespace fencing;
 namespace {
 
-/// @returns whether the watcher broke it off
 template <class DuelType>
-bool play_on(Player& player, DuelType& duel, ReplayWatcher* watcher, Playback& answer) {
+void play_on(Player& player, DuelType& duel, ReplayWatcher* watcher, Replay& result) {
   const SeenDuelOf<DuelType> seen(duel);
+  Playback& answer = result.answer;
   answer = player.begin<DuelInput>(duel);
-  const bool began = answer == Playback::kReady || answer == Playback::kStep;
-  if (began && watcher != nullptr) watcher->on_start(seen);
+  result.began = answer == Playback::kReady || answer == Playback::kStep;
+  if (result.began && watcher != nullptr) watcher->on_start(seen);
   while (answer == Playback::kReady || answer == Playback::kStep) {  // Bound: the file
     DuelInput input;
     answer = player.next(input, duel);
     if (answer != Playback::kStep) continue;
     // What the duel says to a step is part of its state, and compared with it.
     (void)duel.step(input.at(Side::kLeft), input.at(Side::kRight));
-    if (watcher != nullptr && !watcher->on_step(seen)) return true;
+    result.broken_off = watcher != nullptr && !watcher->on_step(seen);
+    if (result.broken_off) return;
   }
-  return false;
 }
 
 /// @param version  of the recording's format; 0: not known
@@ -65,6 +65,13 @@ std::string why_not(Playback answer, int version) {
   return "is damaged here";
 }
 
+std::string why_not_begun(Playback answer, int version) {
+  const bool cut = answer == Playback::kCut || answer == Playback::kWaiting;
+  if (cut) return "ends before its first step";
+  return answer == Playback::kDamaged ? "is damaged before its first step"
+                                      : why_not(answer, version);
+}
+
 template <class DuelType>
 Replay replay_with(SearchKind search, const std::string& path, ReplayWatcher* watcher) {
   Replay result;
@@ -77,7 +84,7 @@ Replay replay_with(SearchKind search, const std::string& path, ReplayWatcher* wa
   std::vector<std::uint8_t> buffer(static_cast<std::size_t>(kBuffer));
   Player player(file, buffer.data(), kBuffer);
   const auto duel = std::make_unique<DuelType>();
-  result.broken_off = play_on(player, *duel, watcher, result.answer);
+  play_on(player, *duel, watcher, result);
   std::uint8_t behind = 0;  // a player asks for nothing that stands behind the end mark
   result.goes_on = result.answer == Playback::kEnd && file.read(&behind, 1) > 0;
   result.steps = player.steps();
@@ -99,6 +106,7 @@ Replay replay(const std::string& path, ReplayWatcher* watcher) {
 
 std::string words_for(const Replay& replay) {
   if (!replay.error.empty()) return replay.error;
+  if (!replay.began) return replay.path + ": it " + why_not_begun(replay.answer, replay.version);
   const std::string file = replay.path + ": ";
   const std::string steps = std::to_string(replay.steps) + " steps, ";
   const std::string hashes =

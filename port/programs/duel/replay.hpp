@@ -15,6 +15,7 @@ struct Replay {
   SearchKind search = SearchKind::kAdvancement;  ///< with which it was recorded
   std::string error;                             ///< of the file; empty: it could be opened
   Playback answer = Playback::kWaiting;
+  bool began = false;        ///< the duel stood as at the start of the recording
   bool goes_on = false;      ///< behind its end mark
   bool broken_off = false;   ///< by who watched it
   std::uint32_t steps = 0;   ///< made

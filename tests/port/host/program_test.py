@@ -224,6 +224,12 @@ def replay(folder):
     body = whole[run_at:run_at + 3] + b"\1" + whole[run_at + 4:run_at + 17]
     older = body + zlib.crc32(body).to_bytes(4, "little") + whole[run_at + 21:]
     refuses(["--replay", altered("older", whole[:run_at] + older)], 2, "version 1", "version 2")
+    for name in "foreign", "other", "older":
+        told = run("--replay", os.path.join(folder, name)).stderr
+        check("hashes" not in told and "steps" not in told, told)
+    refuses(["--replay", altered("head", whole[:run_at])], 1, "ends before its first step")
+    spoilt_start = whole[:run_at - 5] + bytes([whole[run_at - 5] ^ 1]) + whole[run_at - 4:]
+    refuses(["--replay", altered("start", spoilt_start)], 1, "damaged before its first step")
     paper = os.path.join(folder, "paper.batuta")
     check(run("--search", "stepping", "--touches", "2", "--seconds", "3", "--record", paper).returncode == 0, "stepping")
     again = run("--replay", paper)
