@@ -191,7 +191,7 @@ TEST(FightKeys, LungesPointAtTheirSpots) {
 TEST(FightKnobs, AreReadAndRefused) {
   const Knobs knobs = committed();
   const std::string path = testing::TempDir() + "/knobs.txt";
-  ASSERT_TRUE(knobs.save(path));
+  ASSERT_EQ(knobs.save(path), "");
   Knobs again;
   ASSERT_EQ(again.load(path), "");
   std::string all;
@@ -206,6 +206,7 @@ TEST(FightKnobs, AreReadAndRefused) {
   EXPECT_NE(again.parse(all.replace(all.find("=1"), 2, "=x")), "");
   EXPECT_EQ(again[0], 1) << "what was refused changes nothing";
   EXPECT_NE(again.load("/nowhere"), "");
+  EXPECT_NE(knobs.save(testing::TempDir() + "/nowhere/knobs.txt"), "");
 }
 
 TEST(FightSearch, MovesFewKnobsAndOnlyThoseItMay) {

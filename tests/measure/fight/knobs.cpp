@@ -7,6 +7,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "programs/files/output_file.hpp"
+
 namespace fight {
 namespace {
 
@@ -104,14 +106,15 @@ std::string Knobs::load(const std::string& path) {
   return wrong.empty() ? wrong : path + ": " + wrong;
 }
 
-bool Knobs::save(const std::string& path) const {
-  std::FILE* file = std::fopen(path.c_str(), "w");
-  if (file == nullptr) return false;
-  std::fprintf(file, "# What the keys of the map are made of (knobs.hpp); batuta-fight search\n");
+std::string Knobs::save(const std::string& path) const {
+  batuta::host::OutputFile file;
+  const std::string wrong = file.open(path);
+  if (!wrong.empty()) return wrong;
+  file.stream() << "# What the keys of the map are made of (knobs.hpp); batuta-fight search\n";
   for (std::size_t i = 0; i < values_.size(); ++i) {
-    std::fprintf(file, "%s=%.6g\n", knobs()[i].name.c_str(), values_[i]);
+    file.stream() << knobs()[i].name << '=' << values_[i] << '\n';  // 6 digits
   }
-  return std::fclose(file) == 0;
+  return file.commit();
 }
 
 double& Knobs::at(const std::string& name) {

@@ -24,8 +24,9 @@ class Knobs {
   std::string load(const std::string& path);
   /// Takes name=value lines; # begins a remark. @returns what is wrong with them; empty: nothing
   std::string parse(const std::string& text);
-  /// Writes a file that load() reads. @returns whether it was written
-  bool save(const std::string& path) const;
+  /// Writes a file that load() reads; it takes its place when it is whole.
+  /// @returns what is wrong with that; empty: nothing
+  std::string save(const std::string& path) const;
 
   /// @pre one of the names
   double at(const std::string& name) const;

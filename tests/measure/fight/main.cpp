@@ -4,11 +4,12 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <string>
 
 #include "fencers.hpp"
 #include "figure.hpp"
+#include "programs/files/output_file.hpp"
+#include "programs/files/standard_output.hpp"
 #include "search.hpp"
 #include "table.hpp"
 
@@ -121,21 +122,36 @@ int climb(const Words& words) {
 
 int draw(const Words& words) {
   if (!words.are(1, 1)) return refuse(kUsage);
-  std::ofstream file(words.text(0));
-  draw_map(batuta::fencing::first_fencer<float>(), file);
-  file.close();
-  return file ? 0 : refuse(std::string(words.text(0)) + ": cannot be written");
+  const std::string path = words.text(0);
+  batuta::host::OutputFile file;
+  std::string wrong = file.open(path);
+  if (wrong.empty()) {
+    draw_map(batuta::fencing::first_fencer<float>(), file.stream());
+    wrong = file.commit();
+  }
+  return wrong.empty() ? 0 : refuse(path + ": cannot be written: " + wrong);
 }
 
-}  // namespace
+int help() {
+  std::printf("%s\n", kUsage);
+  return 0;
+}
 
-int main(int count, char** words) {
+int run_program(int count, char** words) {
   const std::string command = count > 1 ? words[1] : "";
   const Words rest(count, words);
+  if (command == "--help") return help();
   if (command == "map") return print_map(rest);
   if (command == "table") return print_table(rest);
   if (command == "ripostes") return print_ripostes(rest);
   if (command == "search") return climb(rest);
   if (command == "figure") return draw(rest);
   return refuse(kUsage);
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  batuta::host::begin_output();
+  return batuta::host::finish_output("batuta-fight", run_program(count, words));
 }

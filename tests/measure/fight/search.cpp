@@ -62,7 +62,8 @@ std::string search(const SearchOrder& order) {
     if (!is_better) continue;
     best = next;
     seen = found;
-    if (!best.save(order.path)) return order.path + ": cannot be written";
+    const std::string unwritten = best.save(order.path);
+    if (!unwritten.empty()) return order.path + ": cannot be written: " + unwritten;
   }
   return {};
 }

@@ -5,8 +5,10 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 
 #include "bouts.hpp"
+#include "programs/files/standard_output.hpp"
 
 namespace {
 using namespace bouts;
@@ -24,14 +26,15 @@ void print(const std::string& first, const std::string& second, const Tally& tal
   std::fflush(stdout);
 }
 
-}  // namespace
+int usage(std::FILE* out) {
+  std::fprintf(out, "usage: batuta-opponents BOUTS SEED [FIRST SECOND]\n");
+  return out == stderr ? 2 : 0;
+}
 
-int main(int count, char** words) {
+int run_program(int count, char** words) {
+  if (count == 2 && std::strcmp(words[1], "--help") == 0) return usage(stdout);
   const int bouts = count > 2 ? std::atoi(words[1]) : 0;
-  if (bouts <= 0 || (count != 3 && count != 5)) {
-    std::fprintf(stderr, "usage: batuta-opponents BOUTS SEED [FIRST SECOND]\n");
-    return 2;
-  }
+  if (bouts <= 0 || (count != 3 && count != 5)) return usage(stderr);
   const auto seed = static_cast<std::uint32_t>(std::strtoul(words[2], nullptr, 10));
   std::vector<std::array<std::string, 2>> pairings;
   if (count == 5) {
@@ -51,6 +54,7 @@ int main(int count, char** words) {
       "---: | ---: | ---: | ---: |\n");
   Tally all;
   for (const auto& [first, second] : pairings) {
+    if (batuta::host::is_output_lost()) break;
     const Tally tally = play_pairing(first, second, bouts, seed);
     print(first, second, tally);
     all.add(tally);
@@ -58,4 +62,11 @@ int main(int count, char** words) {
   std::printf("\n%d bouts: %d with a blade in a guard or hand, %d touches out of control\n",
               all.bouts, all.in_weapon, all.out_of_control);
   return all.in_weapon + all.out_of_control > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  batuta::host::begin_output();
+  return batuta::host::finish_output("batuta-opponents", run_program(count, words));
 }
