@@ -15,7 +15,7 @@ using test::Crowd;
 using test::CrowdRun;
 
 /// From N bodies to 2 N, for each N, of a sparse crowd; in hundredths.
-constexpr std::uint64_t kMostGrowth = 230;
+constexpr std::uint64_t kMostGrowth = 220;
 constexpr int kStepsOfRun = 10;
 /// In all runs of a crowd together: two bodies that happen to be near each other must not decide.
 constexpr std::uint64_t kBodiesOfRuns = 512;
