@@ -9,7 +9,7 @@ TITLE = "Cost against the number of bodies"
 FILES = ["growth"]
 
 CROWDS = ["sparse", "dense", "worst"]
-MOST_GROWTH = 2.3  # of a sparse crowd, from N to 2 N
+MOST_GROWTH = 2.2  # of a sparse crowd, from N to 2 N
 PART = "growth_m4f.csv"  # instructions on a part, if they were counted (tests/measure/growth)
 
 
@@ -75,8 +75,8 @@ def _verdict(rows):
 TEXT = """Capsules in flight at up to 1 m/s and 5 rad/s, 1 ms a step, in float; each world has room for just so many
 bodies, and for eight pairs for each of them. *Sparse*: half a metre to the next one, capsules 0.24 m long; few meet.
 *Dense*: 0.2 m to the next one; each has several neighbours. *Worst*: 2 m long, side by side along the diagonal of space,
-so that all boxes overlap: from 18 bodies on there are more pairs than room for them, and their bodies are held for the
-step where they were proven free, counted, and safe. Times are those of this host alone.
+so that all boxes overlap: from 18 bodies on there are more pairs than room for them, and their bodies go on
+together from where they were proven free, counted, and safe. Times are those of this host alone.
 """
 
 

@@ -203,12 +203,12 @@ KEYFRAME_HEADER = ["truth", "keys per axis", "place, largest", "turn, largest", 
 
 SEPARATION_TEXT = """### Separation distance D
 
-Resting contacts are pushed apart to D and held for f(D) (src/response/separation.md). Capsules 1 m long and 1 cm thick are stepped
+Resting contacts are pushed apart to D and go on together for f(D) (src/response/separation.md). Capsules 1 m long and 1 cm thick are stepped
 by 1 ms; what is drawn is seen after half a second. *Rest*, *slide*: a rod under its weight across one post, lying or sliding
 along it. *Bridge*: a rod that slides along two posts, three bodies, which the paper leaves out. *Press*: two hands press
 crossed blades together and draw them along each other. A resting contact keeps its momentum, so weight adds up until the
-contact counts as a blow (0.05 m/s here). Bodies are held as a whole, so D costs slide along the contact too; a hand makes up for
-it, and where it is held for most of a step it overshoots. Times are multiples of one plain segment-segment distance in double.
+contact counts as a blow (0.05 m/s here). The two go on as one body, so D costs slide along the contact too; a hand makes up for
+it, and where that takes most of a step it overshoots. Times are multiples of one plain segment-segment distance in double.
 In float, D is raised to what rounding allows (src/world/detail/margin.md); contacts that end and begin anew tell that it was.
 """
 
@@ -217,7 +217,7 @@ RESTING_TEXT = """
 
 A rod, 1.02 m long and 2 cm thick, lies under its weight on two posts, across them or in the groove between them, with friction 0.5,
 and is stepped by 1 ms. *Settling* (`RestingContact::kSettling`): what is left of an approach is taken out without restitution
-and the gap is restored to D. *Micro-collisions*, the alternative that the paper names (Mirtich and Canny): the same world with
+and the gap is kept near D / 2. *Micro-collisions*, the alternative that the paper names (Mirtich and Canny): the same world with
 `RestingContact::kNone`, every contact an impulse, with restitution 0 and 0.5. A settled rod falls through D again and again: D is
 its jitter and most of its drift, and the longer fall saves searches. Below what a body falls in a step or two (0.02 mm) a
 smaller D brings nothing, and micro-collisions are as good for a single rod. A D of half the rod's thickness lifts it out of the groove:
