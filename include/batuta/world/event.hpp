@@ -50,7 +50,9 @@ struct StepReport {
   /// searches pass over none.
   std::uint32_t overlaps_at_start = 0;
   Scalar deepest_overlap = 0;  ///< of these, m
-  std::uint32_t asleep = 0;    ///< bodies for which is_asleep() is true
+  /// Bodies for which is_asleep() is true after the step; what configure(), remove() or restore()
+  /// change of that is counted at the end of the next one.
+  std::uint32_t asleep = 0;
   /// Pairs that went on together for the rest of the step because further answers would not have
   /// parted them: they used up SceneOptions::max_separations (kSettling), or were deeper in each
   /// other than the margin of the search even after their shift, for nobody made room. The first

@@ -29,8 +29,8 @@ enum class Engine : std::uint8_t {
 enum class RestingContact : std::uint8_t {
   /// Nothing special: every approaching contact gets an impulse, however slow.
   kNone,
-  /// The paper's: the bodies are moved apart to D and held for f(D). For bodies that a hand or a
-  /// grip moves.
+  /// The paper's: the bodies are moved apart to D and go on together for f(D). For bodies that a
+  /// hand or a grip moves.
   kSeparation,
   /// For bodies that lie on each other: contacts that last are solved together before anybody
   /// moves, group by group; blows are answered one by one, and passed on through the group. A pair

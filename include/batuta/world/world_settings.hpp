@@ -33,8 +33,8 @@ struct SearchOf {
 /// Tolerances of contacts that rest, and of when a contact ends.
 template <class Scalar>
 struct RestSettings {
-  /// eps_r [Kavan §4], m/s, > 0. With gravity, what a body gains by falling for two steps or
-  /// through 4 D counts as rest as well.
+  /// eps_r [Kavan §4], m/s, > 0. Under kSettling with gravity, what a body gains by falling for a
+  /// step counts as rest as well; under kNone all that approaches collides.
   Scalar rest_speed = Scalar(0.01);
   Scalar separation = Scalar(1e-4);  ///< D [Kavan §4.2], m, > 0; a contact ends beyond 2 D
   Scalar min_separation_time = Scalar(1e-4);  ///< least f(D), s, > 0
