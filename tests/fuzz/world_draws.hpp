@@ -142,7 +142,6 @@ struct Load {
   bool lossless = true;           ///< all bounce back, nobody rubs
   double energy = 0;
   double soft = 0;       ///< the energy if each turned about its softest axis
-  double spin = 0;       ///< the fastest, rad/s
   double sharpness = 1;  ///< how much a rounding of a lever counts: 1 + 2 |r| sqrt(m / J)
 
   /// Nobody is faster without more energy.
@@ -170,7 +169,6 @@ inline void add_body(Load& load, const Body<float>& body, double reach) {
   const Real3 inverse = body.inverse_moments.cast<double>();
   const Eigen::Quaterniond q = body.X_WB.q_WB.cast<double>().normalized();
   load.energy += 0.5 * inverse.dot((q.conjugate() * b).cwiseAbs2());
-  load.spin = std::max(load.spin, inverse.cwiseProduct(q.conjugate() * b).norm());
   load.soft += 0.5 * inverse.maxCoeff() * b.squaredNorm();
   const Real3 c = body.X_WB.p_W.cast<double>();
   load.angular += c.cross(body.momentum.linear_W.cast<double>()) + b;

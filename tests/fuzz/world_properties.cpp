@@ -206,11 +206,7 @@ void check_conserved(const World<SceneT>& world, const Load& before, float dt, d
     const Load after = load_of(world);
     const double blows = 1 + report.collisions + report.separations;
     const double slack = 64 * kU * blows * after.sharpness * std::max(before.soft, after.soft);
-    // The turn of those who go on together: of third order (world.md, "Together").
-    const double turn = std::max(before.spin, after.spin) * static_cast<double>(dt);
-    const double welded =
-        report.time_held > 0 ? turn * turn * std::max(before.soft, after.soft) : 0;
-    require(after.energy <= before.energy + slack + welded, "energy does not grow");
+    require(after.energy <= before.energy + slack, "energy does not grow");
     if (!moves_all(report)) return;
     // Where contacts last, a light body that comes back at once to one that struck it does not
     // bounce once more.
