@@ -20,23 +20,29 @@ constexpr SceneOptions switched() {
   scene.sleep = kSleeps;
   return scene;
 }
-template <bool kSleeps, bool kTells>
-using Switched = Scene<switched<kSleeps, kTells>>;
+template <bool kSleeps, bool kTells, class S = float>
+using Switched = Scene<switched<kSleeps, kTells>, Advancement<S>>;
+
+template <class S>
+class SwitchesOf : public ::testing::Test {};
+using Scalars = ::testing::Types<float, double>;
+TYPED_TEST_SUITE(SwitchesOf, Scalars);
 
 /// Two rails and bars that fall on them and on each other.
 template <class SceneT>
 std::unique_ptr<World<SceneT>> heap() {
+  using S = typename SceneT::Scalar;
   auto world = std::make_unique<World<SceneT>>();
   for (const double x : {-0.1, 0.1}) {
     auto rail = test::fixed_rod<SceneT>(1, 0.03, {x, 0, -0.03}, test::along_y());
-    rail.friction = 0.5F;
+    rail.friction = S(0.5);
     EXPECT_TRUE(world->add(rail).ok());
   }
   for (int i = 0; i < 10; ++i) {
     auto bar = test::solid_rod<SceneT>(0.4, 0.02, {0.01 * i, 0.013 * (i % 3), 0.05 + 0.06 * i},
                                        i % 2 == 0 ? test::along_x() : test::along_y(), 700);
-    bar.friction = 0.5F;
-    bar.restitution = 0.3F;
+    bar.friction = S(0.5);
+    bar.restitution = S(0.3);
     EXPECT_TRUE(world->add(bar).ok());
   }
   return world;
@@ -54,32 +60,36 @@ void expect_same_bits(const World<P>& world, const World<Q>& other, int step) {
   }
 }
 
-TEST(Switches, EventsOnOrOff_SameBits) {
-  const auto told = heap<Switched<false, true>>();
-  const auto silent = heap<Switched<false, false>>();
-  std::uint32_t blows = 0;
-  for (int i = 0; i < 1000; ++i) {
-    ASSERT_EQ(told->step(1e-3F), Status::kOk);
-    ASSERT_EQ(silent->step(1e-3F), Status::kOk);
-    blows += told->report().collisions;
-    expect_same_bits(*told, *silent, i);
-    if (HasFatalFailure()) return;
+TYPED_TEST(SwitchesOf, EventsOnOrOff_SameBits) {
+  for (const double dt : {1e-3, 1.0 / 60}) {
+    const auto told = heap<Switched<false, true, TypeParam>>();
+    const auto silent = heap<Switched<false, false, TypeParam>>();
+    std::uint32_t blows = 0;
+    for (int i = 0; i * dt < 1; ++i) {
+      ASSERT_EQ(told->step(static_cast<TypeParam>(dt)), Status::kOk);
+      ASSERT_EQ(silent->step(static_cast<TypeParam>(dt)), Status::kOk);
+      blows += told->report().collisions;
+      expect_same_bits(*told, *silent, i);
+      if (this->HasFatalFailure()) return;
+    }
+    EXPECT_GT(blows, 10U) << dt;
   }
-  EXPECT_GT(blows, 10U);
 }
 
-TEST(Switches, SleepBeforeAnybodySleeps_SameBits) {
-  const auto sleepy = heap<Switched<true, true>>();
-  const auto awake = heap<Switched<false, true>>();
-  int steps = 0;
-  for (; steps < 3000; ++steps) {
-    ASSERT_EQ(sleepy->step(1e-3F), Status::kOk);
-    ASSERT_EQ(awake->step(1e-3F), Status::kOk);
-    if (sleepy->report().asleep > 0) break;
-    expect_same_bits(*sleepy, *awake, steps);
-    if (HasFatalFailure()) return;
+TYPED_TEST(SwitchesOf, SleepBeforeAnybodySleeps_SameBits) {
+  for (const double dt : {1e-3, 1.0 / 60}) {
+    const auto sleepy = heap<Switched<true, true, TypeParam>>();
+    const auto awake = heap<Switched<false, true, TypeParam>>();
+    int steps = 0;
+    for (; steps * dt < 3; ++steps) {
+      ASSERT_EQ(sleepy->step(static_cast<TypeParam>(dt)), Status::kOk);
+      ASSERT_EQ(awake->step(static_cast<TypeParam>(dt)), Status::kOk);
+      if (sleepy->report().asleep > 0) break;
+      expect_same_bits(*sleepy, *awake, steps);
+      if (this->HasFatalFailure()) return;
+    }
+    EXPECT_GT(steps * dt, 0.2) << dt;
   }
-  EXPECT_GT(steps, 200);
 }
 
 /// Bars side by side on two rails, asleep.
