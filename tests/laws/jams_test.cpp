@@ -2,7 +2,8 @@
 // Bodies that hold each other: what jams is told, and comes free again.
 #include <gtest/gtest.h>
 
-#include "law_worlds.hpp"
+#include "closed_sets.hpp"
+#include "seen_world.hpp"
 
 namespace batuta {
 namespace {
@@ -120,6 +121,42 @@ TYPED_TEST(Jams, PairPutIntoEachOther_IsOpened) {
   for (int i = 0; i < 20; ++i) ASSERT_EQ(world->step(TypeParam(0.001F)), Status::kOk);
   EXPECT_GT(test::smallest_gap(*world), -1e-6);
   EXPECT_NEAR(test::sums_of(*world).momentum.norm(), 0, 1e-9);
+}
+
+/// What a step tells is the depth at its start or, where it has moved them, one between that and
+/// the depth at its end; to what the search cannot tell from contact (margin.md), of 2 m at most.
+template <class SceneT>
+void tell_depth(World<SceneT>& world) {
+  using S = typename SceneT::Scalar;
+  const double margin = 2 * (1e-6 + 72 * static_cast<double>(kRoundOff<S>)) * 2;
+  const auto overlap = [&world] {
+    return static_cast<double>(test::true_overlap(std::as_const(world)));
+  };
+  double was = overlap();
+  EXPECT_GT(was, 2 * margin) << "or nothing is seen";
+  for (int i = 0; i < 20; ++i) {
+    ASSERT_EQ(world.step(S(1e-3)), Status::kOk);
+    const double is = overlap();
+    const double told = static_cast<double>(world.report().deepest_overlap);
+    EXPECT_GE(told, was - margin) << i;
+    EXPECT_LE(told, max_of(was, is) + margin) << i;
+    was = is;
+  }
+}
+
+// Prongs of a fork, each so deep in the rod between them.
+TYPED_TEST(Jams, CompoundsInEachOther_AreToldAsDeepAsTheyAre) {
+  const auto tell = [](auto world) {
+    for (const double depth : {1e-4, 1e-3}) {
+      world = std::make_unique<typename decltype(world)::element_type>();
+      test::add_fork(*world, -2 * depth, 0);
+      tell_depth(*world);
+    }
+  };
+  tell(std::unique_ptr<World<test::LawScene<TypeParam, RestingContact::kNone, test::kCompound>>>());
+  tell(std::unique_ptr<
+       World<test::LawScene<TypeParam, RestingContact::kSeparation, test::kCompound>>>());
+  tell(std::unique_ptr<World<Settling<TypeParam, test::kCompound>>>());
 }
 
 }  // namespace

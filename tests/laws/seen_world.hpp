@@ -133,4 +133,24 @@ SeenBody see(const Actor<SceneT>& actor) {
   return seen;
 }
 
+/// How deep any two bodies are in each other, all parts of both; 0: nowhere, m.
+template <class SceneT>
+Real true_overlap(const World<SceneT>& world) {
+  Seen seen;
+  for (int i = 0; i < SceneT::kMaxBodies; ++i) {
+    const auto* actor = world.get(world.id_at(static_cast<std::uint16_t>(i)));
+    if (actor != nullptr) seen.push_back(see(*actor));
+  }
+  Real deepest = 0;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (seen[i].led && seen[k].led) continue;
+      for (const SeenPart& A : seen[i].parts) {
+        for (const SeenPart& B : seen[k].parts) deepest = std::max(deepest, -gap_of(A, B));
+      }
+    }
+  }
+  return deepest;
+}
+
 }  // namespace batuta::test
