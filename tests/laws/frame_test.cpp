@@ -4,7 +4,7 @@
 // the sum at the start.
 #include <gtest/gtest.h>
 
-#include "law_worlds.hpp"
+#include "closed_sets.hpp"
 
 namespace batuta {
 namespace {
@@ -43,36 +43,107 @@ Vector place_of(const World<SceneT>& world, std::uint16_t slot) {
   return world.get(world.id_at(slot))->body.X_WB.p_W.template cast<double>();
 }
 
-/// Until the third contact: contacts amplify rounding.
+template <class T>
+struct Is {
+  using Type = T;
+};
+
+/// A set and what it has answered.
 template <class SceneT>
-void fly_beside(bool are_balls, double dt) {
-  using S = typename SceneT::Scalar;
-  const double share = std::is_same_v<S, float> ? 1e-5 : 1e-10;
-  const auto rests = closing_set<SceneT>(are_balls, 0);
-  const auto flies = closing_set<SceneT>(are_balls, kSpeed);
-  long contacts = 0;
+struct Flock {
+  std::unique_ptr<World<SceneT>> world;
+  long contacts = 0;  ///< blows and separations
+  long seen = 0;      ///< these, and contacts that lasted
+
+  void step(double dt) {
+    ASSERT_EQ(world->step(static_cast<typename SceneT::Scalar>(dt)), Status::kOk);
+    const auto& report = world->report();
+    contacts += report.collisions + report.separations;
+    seen = max_of(seen, contacts + world->events().size());
+  }
+  /// From the first body to another one.
+  Vector way_to(std::uint16_t slot) const {
+    return place_of(std::as_const(*world), slot) - place_of(std::as_const(*world), 0);
+  }
+};
+
+/// The same set, made by make(speed), at rest and flying along x. Compared until its third blow or
+/// separation: each amplifies what rounding has made of the one before.
+template <class SceneT, class Make>
+void fly_beside(const Make& make, double dt) {
+  const double share = std::is_same_v<typename SceneT::Scalar, float> ? 1e-5 : 1e-10;
+  Flock<SceneT> rests{make(0)};
+  Flock<SceneT> flies{make(kSpeed)};
   const int count = static_cast<int>(std::lround(0.5 / dt));
-  for (int i = 0; i < count && contacts < 3; ++i) {
-    ASSERT_EQ(rests->step(static_cast<S>(dt)), Status::kOk);
-    ASSERT_EQ(flies->step(static_cast<S>(dt)), Status::kOk);
-    contacts += max_of(rests->report().collisions, flies->report().collisions);
-    for (std::uint16_t k = 1; k < 4; ++k) {
-      const Vector at_rest =
-          place_of(std::as_const(*rests), k) - place_of(std::as_const(*rests), 0);
-      const Vector flying = place_of(std::as_const(*flies), k) - place_of(std::as_const(*flies), 0);
-      ASSERT_LE((flying - at_rest).norm(), share * kSpeed * dt * (i + 1)) << k << ", step " << i;
+  for (int i = 0; i < count; ++i) {
+    rests.step(dt);
+    flies.step(dt);
+    if (max_of(rests.contacts, flies.contacts) >= 3) break;
+    for (std::uint16_t k = 1; k < rests.world->size(); ++k) {
+      const Vector off = flies.way_to(k) - rests.way_to(k);
+      ASSERT_LE(off.norm(), share * kSpeed * dt * (i + 1)) << k << ", step " << i;
     }
   }
-  EXPECT_GE(contacts, 1) << "or nothing is seen";
+  EXPECT_GE(min_of(rests.seen, flies.seen), 1) << "or nothing is seen";
 }
 
 TYPED_TEST(Frame, SetsThatFly_DoWhatTheyDoAtRest) {
+  const auto compare = [](auto scene, bool are_balls, double dt) {
+    using SceneT = typename decltype(scene)::Type;
+    fly_beside<SceneT>([&](double speed) { return closing_set<SceneT>(are_balls, speed); }, dt);
+  };
   for (const bool are_balls : {true, false}) {
     for (const double dt : {1e-3, 1e-2, 1.0 / 60}) {
       SCOPED_TRACE(::testing::Message() << are_balls << ' ' << dt);
-      fly_beside<LawScene<TypeParam, RestingContact::kSettling, test::kFloating>>(are_balls, dt);
-      fly_beside<LawScene<TypeParam, RestingContact::kSeparation, test::kFloating>>(are_balls, dt);
-      fly_beside<LawScene<TypeParam, RestingContact::kNone, test::kFloating>>(are_balls, dt);
+      compare(Is<LawScene<TypeParam, RestingContact::kSettling, test::kFloating>>{}, are_balls, dt);
+      compare(Is<LawScene<TypeParam, RestingContact::kSeparation, test::kFloating>>{}, are_balls,
+              dt);
+      compare(Is<LawScene<TypeParam, RestingContact::kNone, test::kFloating>>{}, are_balls, dt);
+    }
+  }
+}
+
+TYPED_TEST(Frame, JammedForkThatFlies_DoesWhatItDoesAtRest) {
+  const auto compare = [](auto scene, double room, double dt) {
+    using SceneT = typename decltype(scene)::Type;
+    const auto make = [room](double speed) {
+      auto world = std::make_unique<World<SceneT>>();
+      test::add_fork(*world, room, speed);
+      return world;
+    };
+    fly_beside<SceneT>(make, dt);
+  };
+  for (const double room : {1e-3, 3e-3, 1e-2}) {
+    for (const double dt : {1e-3, 1e-2, 1.0 / 60}) {
+      SCOPED_TRACE(::testing::Message() << room << ' ' << dt);
+      compare(Is<LawScene<TypeParam, RestingContact::kSettling, test::kCompound>>{}, room, dt);
+      compare(Is<LawScene<TypeParam, RestingContact::kSeparation, test::kCompound>>{}, room, dt);
+      compare(Is<LawScene<TypeParam, RestingContact::kNone, test::kCompound>>{}, room, dt);
+    }
+  }
+}
+
+TYPED_TEST(Frame, ClusterThatFliesAndFalls_DoesWhatItDoesAtRest) {
+  const auto compare = [](auto scene, bool are_balls, double noise, double dt) {
+    using SceneT = typename decltype(scene)::Type;
+    const auto make = [&](double speed) {
+      auto world = std::make_unique<World<SceneT>>();
+      test::add_cluster(*world, are_balls, noise, speed);
+      return world;
+    };
+    fly_beside<SceneT>(make, dt);
+  };
+  for (const bool are_balls : {true, false}) {
+    for (const double noise : {5e-3, 0.1}) {
+      for (const double dt : {1e-3, 1e-2}) {
+        SCOPED_TRACE(::testing::Message() << are_balls << ' ' << noise << ' ' << dt);
+        compare(Is<LawScene<TypeParam, RestingContact::kSettling, test::kFalling>>{}, are_balls,
+                noise, dt);
+        compare(Is<LawScene<TypeParam, RestingContact::kSeparation, test::kFalling>>{}, are_balls,
+                noise, dt);
+        compare(Is<LawScene<TypeParam, RestingContact::kNone, test::kFalling>>{}, are_balls, noise,
+                dt);
+      }
     }
   }
 }
