@@ -29,7 +29,6 @@ struct Flight {
   double time = 0;
   long contacts = 0;
   long steps = 0;
-  long incomplete = 0;
   double overlap = 0;  ///< after the last step, m
   double deepest = 0;  ///< after any step, m
 
@@ -43,7 +42,6 @@ struct Flight {
       time += static_cast<double>(static_cast<S>(dt));
       ++steps;
       contacts += world->report().collisions;
-      incomplete += world->report().complete() ? 0 : 1;
       see_overlap();
       if (::testing::Test::HasFatalFailure()) return;
       if (SceneT::kGravity) continue;
