@@ -24,7 +24,7 @@ struct LabBody {
   float radius = 0;
 };
 
-/// What is asked and what is answered, in the order that page/lab_bridge.js repeats.
+/// What is asked and what is answered, in the order that page/lab_search.js repeats.
 struct Lab {
   std::array<LabBody, 2> bodies{};
   float duration = 0;   ///< s
