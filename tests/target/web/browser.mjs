@@ -42,13 +42,19 @@ export async function open(more = []) {
   return chromium.launch({ executablePath: kChromium, args: ["--no-sandbox", ...gl, ...more] });
 }
 
-/** A page of the site. What its console says of errors is collected. */
+const kWithinPage = ["data:", "blob:"];
+
+/** A page of the site. What its console says of errors is collected, and what it asks of anyone but its own server. */
 export async function visit(browser, url, options = {}, before = null) {
   const context = await browser.newContext({ acceptDownloads: true, viewport: { width: 900, height: 900 }, ...options });
   const page = await context.newPage();
   const errors = [];
   page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
   page.on("pageerror", (error) => errors.push(String(error)));
+  page.on("request", (request) => {
+    const { protocol, origin } = new URL(request.url());
+    if (!kWithinPage.includes(protocol) && origin !== new URL(url).origin) errors.push(`it loads ${request.url()}`);
+  });
   if (before) await page.addInitScript(before);
   await page.goto(url, { timeout: 120000 });
   return { page, errors };
