@@ -105,7 +105,6 @@ async function background(page) {
   await hide(false);
   await page.waitForTimeout(400);
   check(Number(await data(page, "steps")) - Number(steps) < 100, "a bout in the background stands still");
-  await page.evaluate(() => document.activeElement.blur());
   await page.keyboard.press("Enter");
   await until(page, "fencing");
 }
@@ -121,7 +120,7 @@ async function twoPlayers(page) {
   await page.selectOption("#left", "hand");
   await page.selectOption("#right", "hand");
   await page.selectOption("#touches", "1");
-  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press("Escape");
   await until(page, "fencing");
   for (const key of ["ArrowLeft", "ArrowUp"]) await page.keyboard.down(key);
   await until(page, "over");
@@ -153,9 +152,7 @@ async function feet(page) {
   for (const [side, right, walk, way] of walks) {
     await page.selectOption("#right", right);
     await page.selectOption("#touches", "5");
-    await page.evaluate(() => document.activeElement.blur());
     await page.click("#begin");
-    await page.evaluate(() => document.activeElement.blur());
     await until(page, "fencing");
     await page.waitForFunction(() => document.body.dataset.places === "-1.125 1.125", null, { timeout: 60000, polling: 50 });
     await walk();
@@ -170,7 +167,7 @@ async function feet(page) {
 async function fiveTouches(page) {
   await page.selectOption("#right", "script:guard");
   await page.selectOption("#touches", "5");
-  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press("Escape");
   await until(page, "fencing");
   for (const key of kLunge) await page.keyboard.down(key);
   for (let halts = 1; halts < 5; halts += 1) {

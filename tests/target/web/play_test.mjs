@@ -52,17 +52,39 @@ async function lungeByKeys(page) {
   for (const key of ["KeyA", "KeyW"]) await page.keyboard.up(key);
 }
 
+async function tabTo(page, id) {
+  for (let i = 0; i < 20 && (await page.evaluate(() => document.activeElement.id)) !== id; i += 1) await page.keyboard.press("Tab");
+}
+
 async function guardByKeys(page) {
   // Keys alone: to the lists with Tab, and through them with the arrows.
-  for (let i = 0; i < 20 && (await page.evaluate(() => document.activeElement.id)) !== "right"; i += 1) await page.keyboard.press("Tab");
-  await page.keyboard.press("g"); // no entry begins so: nothing happens
+  await tabTo(page, "right");
+  // Letters are the fencer's meanwhile, also those that an entry begins with.
+  const at = (x) => page.waitForFunction((left) => document.getElementById("dot").style.left === left, x, { timeout: 60000, polling: 50 })
+    .catch(() => check(false, `the stick goes to ${x} while a list has the focus`));
+  const chosen = await page.inputValue("#right");
+  for (const key of ["s", "d"]) await page.keyboard.down(key);
+  await at("94%");
+  for (const key of ["s", "d"]) await page.keyboard.up(key);
+  await at("50%");
+  check((await page.inputValue("#right")) === chosen, `the list still says ${chosen}`);
   for (let i = 0; i < 6; i += 1) await page.keyboard.press("ArrowUp");
   await page.keyboard.press("ArrowDown");
   check((await page.inputValue("#right")) === "script:guard", "the arrows choose script: guard");
   await page.keyboard.press("Tab");
   await page.keyboard.press("ArrowUp");
   check((await page.inputValue("#touches")) === "1", "the arrows choose one touch");
-  await page.evaluate(() => document.activeElement.blur());
+  await until(page, "fencing");
+}
+
+/** Enter, which a list keeps, begins the next bout once Escape has left the list. */
+async function enterAfterEscape(page) {
+  await tabTo(page, "touches");
+  await page.keyboard.press("Enter");
+  check((await mode(page)) === "over", "Enter is the list's");
+  for (let i = 0; i < 2; i += 1) await page.keyboard.press("Escape"); // Enter opens a list: first it is closed, then left
+  check((await page.evaluate(() => document.activeElement === document.body)), "Escape leaves the list");
+  await page.keyboard.press("Enter");
   await until(page, "fencing");
 }
 
@@ -70,13 +92,13 @@ const kBouts = {
   mouse: { lunge: lungeByMouse },
   touch: { lunge: lungeByTouch, options: { hasTouch: true, viewport: { width: 390, height: 844 } } },
   pad: { lunge: lungeByPad, before: kPad },
-  keys: { lunge: lungeByKeys, begin: guardByKeys },
+  keys: { lunge: lungeByKeys, begin: guardByKeys, after: enterAfterEscape },
 };
 
 const server = await serve();
 const browser = await open();
 try {
-  for (const [name, { lunge, options, before, begin = guardOnTheRight }] of Object.entries(kBouts)) {
+  for (const [name, { lunge, options, before, begin = guardOnTheRight, after }] of Object.entries(kBouts)) {
     const { page, errors } = await visit(browser, server.url, options, before);
     await until(page, "fencing");
     await begin(page);
@@ -95,6 +117,8 @@ try {
     }
     check(errors.length === 0, `${name}: the console says ${errors}`);
     console.log(`${name}: ${await page.textContent("#big")} ${hash}, replayed natively: ${words.trim().split(": ").pop()} (${await mode(page)})`);
+    if (after) await after(page);
+    check(errors.length === 0, `${name}: the console says ${errors}`);
     await page.context().close();
   }
 } finally {

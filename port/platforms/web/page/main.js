@@ -269,7 +269,11 @@ function setSpeed(share) {
 }
 
 function wire() {
-  const press = (id, act) => byId(id).addEventListener("click", act);
+  // A button that a pointer has pressed lets go of the focus: the next Enter is the bout's.
+  const press = (id, act) => byId(id).addEventListener("click", (event) => {
+    if (event.detail > 0) event.currentTarget.blur();
+    act();
+  });
   press("begin", begin);
   press("pause", pause);
   press("one", () => {
