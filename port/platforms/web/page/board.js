@@ -126,15 +126,23 @@ export async function compare(board, steps, expected, tell) {
   return 0;
 }
 
-/** A line of the browser's own. */
+/** A line of the browser's own. @returns a line of Board, with a close() that gives the port back, so that it may be opened anew */
 export async function openSerial(baud = 3000000) {
   const port = await navigator.serial.requestPort();
   await port.open({ baudRate: baud, bufferSize: 4096 });
   const writer = port.writable.getWriter();
+  const reader = port.readable.getReader();
   const line = { write: (bytes) => writer.write(bytes), onBytes: () => {} };
-  (async () => {
-    const reader = port.readable.getReader();
+  const listening = (async () => {
     for (let got = await reader.read(); !got.done; got = await reader.read()) line.onBytes(got.value);
   })().catch(() => {}); // a line that is gone is silent, and silence is told
+  line.close = async () => {
+    await reader.cancel().catch(() => {});
+    await listening;
+    // A port closes only where nobody holds its streams; one that was pulled out is closed already.
+    reader.releaseLock();
+    writer.releaseLock();
+    await port.close().catch(() => {});
+  };
   return line;
 }

@@ -102,23 +102,33 @@ async function take(file) {
   }
 }
 
+/** Has the board at a line make a bout, and says whether it agrees. */
+async function repeatOn(line, bout) {
+  const board = new Board(line, bout.touches);
+  const rows = await new Promise((resolve) => {
+    kHeard.expected = ({ rows: found }) => resolve(found);
+    send("expected", { bytes: bout.bytes });
+  });
+  mode("over");
+  const steps = stepsOf(bout.bytes);
+  const differs = await compare(board, steps, rows, (at) => say(`The board has made ${at} of ${steps.length} steps.`));
+  if (differs > 0) trouble(`The board parts from this page in step ${differs}.`);
+  else say(`The board has made the same ${steps.length} steps: the same forces, to the last bit.`);
+}
+
 /** The last bout, made once more by a board at a serial line: it feels what was felt, and has to agree. */
 async function onBoard() {
   if (!lastBout) return say("Fence a bout first: a board repeats the last one.");
+  let line = null;
+  byId("board").disabled = true; // a port is opened once
   try {
-    const { bytes } = lastBout;
-    const board = new Board(await openSerial(), lastBout.touches);
-    const rows = await new Promise((resolve) => {
-      kHeard.expected = ({ rows: found }) => resolve(found);
-      send("expected", { bytes });
-    });
-    mode("over");
-    const steps = stepsOf(bytes);
-    const differs = await compare(board, steps, rows, (at) => say(`The board has made ${at} of ${steps.length} steps.`));
-    if (differs > 0) trouble(`The board parts from this page in step ${differs}.`);
-    else say(`The board has made the same ${steps.length} steps: the same forces, to the last bit.`);
+    line = await openSerial();
+    await repeatOn(line, lastBout);
   } catch (error) {
     trouble(`The board: ${error.message}.`);
+  } finally {
+    await line?.close();
+    byId("board").disabled = false;
   }
   return undefined;
 }
