@@ -173,9 +173,9 @@ async function fiveTouches(page) {
   for (let halts = 1; halts < 5; halts += 1) {
     await until(page, "halt");
     check(/^left touches/.test(await page.textContent("#big")), `why there is a halt: ${await page.textContent("#big")}`);
+    check((await page.textContent("#left-score")) === `${halts}`, `the score of halt ${halts}: ${await page.textContent("#left-score")}`);
     await page.keyboard.press("Enter");
-    await until(page, "fencing");
-    await page.waitForFunction((sum) => document.getElementById("left-score").textContent === `${sum}`, halts, { timeout: 60000, polling: 50 });
+    check((await mode(page)) === "fencing", `Enter goes on at once: ${await mode(page)}`);
   }
   await until(page, "over");
   for (const key of kLunge) await page.keyboard.up(key);

@@ -39,8 +39,11 @@ const kPad = () => {
 
 async function lungeByPad(page) {
   // Beats the other blade aside first, so that there is something to feel.
-  await page.evaluate(() => { globalThis.pad.axes = [0, -0.5]; });
-  await page.waitForTimeout(400);
+  await page.evaluate(() => {
+    globalThis.pad.rumbles = [];
+    globalThis.pad.axes = [0, -0.5];
+  });
+  await page.waitForFunction(() => globalThis.pad.rumbles.length > 0, null, { timeout: 60000, polling: 50 }).catch(() => check(false, "a beat is felt"));
   await page.evaluate(() => { globalThis.pad.axes = [0, 0]; });
   await page.waitForTimeout(400);
   await page.evaluate(() => { globalThis.pad.axes = [-1, -1]; });

@@ -31,7 +31,7 @@ const keys = new Keys(sticks);
 const pads = new Pads((text) => trouble(text));
 const show = new Show(byId("salle"), trouble);
 const plots = new Plots(byId("plots"));
-let latest = { state: null, blows: [], plot: null };
+let latest = { state: null, blows: [], begun: 0, plot: null };
 let waiting = false;
 let spare = null;
 let lastPast = null;
@@ -155,7 +155,7 @@ const kHeard = {
   started() {},
   state(heard) {
     waiting = false;
-    const blow = heard.blows.length > latest.blows.length ? heard.blows.slice(latest.blows.length) : [];
+    const blow = heard.blows.slice(heard.begun === latest.begun ? latest.blows.length : 0);
     spare = latest.state;
     latest = heard;
     showBout(heard.state);
@@ -167,6 +167,7 @@ const kHeard = {
     if (!["fencing", "playing", "paused"].includes(document.body.dataset.mode)) return;
     lastPast = heard;
     byId("big").textContent = tellExchange(heard.bout);
+    showScore(heard.bout.score);
     if (document.body.dataset.mode === "paused") return; // step by step
     if (!played) say("Halt! Enter goes on at once.");
     mode("halt");

@@ -16,6 +16,7 @@ let speed = 1;
 let due = 0; // ms of bout that should be over
 let last = 0;
 let late = 0;
+let begun = 0; // bouts and recordings so far
 
 const say = (kind, more = {}, transfer = []) => self.postMessage({ kind, ...more }, transfer);
 
@@ -76,6 +77,7 @@ const kTasks = {
   start({ paused, touches }) {
     go(false);
     engine.start(touches);
+    begun += 1;
     due = late = 0;
     say("started");
     if (!paused) go(true);
@@ -94,7 +96,7 @@ const kTasks = {
     const state = buffer ? new Float32Array(buffer) : new Float32Array(kSize);
     state.set(engine.state);
     const plot = new Float32Array(engine.plot.slice(-5000));
-    say("state", { state, plot, blows: engine.blows, running, late }, [state.buffer]);
+    say("state", { state, plot, blows: engine.blows, begun, running, late }, [state.buffer]);
   },
   save() {
     const bytes = engine.recording();
@@ -108,6 +110,7 @@ const kTasks = {
   play({ bytes, name }) {
     go(false);
     const answer = engine.play(new Uint8Array(bytes));
+    begun += 1;
     due = late = 0;
     say("playing", { answer, name });
     if (answer === "ready") go(true);
