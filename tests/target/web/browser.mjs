@@ -3,11 +3,12 @@
 
 import { execFileSync } from "node:child_process";
 import { createServer } from "node:http";
-import { existsSync, mkdtempSync, readFileSync } from "node:fs";
+import { existsSync, mkdtempSync, readdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { dirname, extname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
 
 const here = dirname(fileURLToPath(import.meta.url));
 export const root = resolve(here, "../../..");
@@ -18,6 +19,11 @@ const kChromium = ["/usr/bin/chromium", "/usr/bin/chromium-browser"].find(exists
 
 export function check(condition, what) {
   if (!condition) throw new Error(`FAILED: ${what}`);
+}
+
+/** @returns [name, KB] of each file of the site, as a server sends it */
+export function sizesOfSite() {
+  return readdirSync(site).map((name) => [name, gzipSync(readFileSync(join(site, name)), { level: 9 }).length / 1024]);
 }
 
 /** @returns the address of a server of the site, and what stops it */

@@ -10,7 +10,7 @@ import { Engine } from "../../../port/platforms/web/page/engine.js";
 import { EvemuError } from "../../../port/platforms/web/page/evemu.js";
 import { kExchange, middleOf, placeAt } from "../../../port/platforms/web/page/layout.js";
 import { recordedHash } from "../../../port/platforms/web/page/words.js";
-import { check, duel, folder, replayed, root, site } from "./browser.mjs";
+import { check, duel, folder, replayed, root, site, sizesOfSite } from "./browser.mjs";
 
 const bridge = new Bridge(await instantiate(readFileSync(join(site, "bridge.wasm"))));
 const device = join(root, "port/programs/recordings/default.events");
@@ -19,6 +19,12 @@ const kMostBack = 6.6, kMostForth = -0.375, kNear = 0.01;
 // A pad with two sticks: the second one walks.
 const pad = join(folder, "pad.events");
 writeFileSync(pad, padEvents());
+const touchpads = [[false, true], [true, true], [false, false]].map((how, i) => {
+  const file = join(folder, `touchpad_${i}.events`);
+  writeFileSync(file, fingersPad(...how));
+  return file;
+});
+const kMostDuelKb = 90, kMostSiteKb = 400;
 const kSpeaks = 2000; // steps of a bout that need not come to its end
 
 function padEvents() {
@@ -168,6 +174,17 @@ function badDevices() {
   }
 }
 
+/** The bounds of docs/browser.md. */
+function sizes() {
+  const all = sizesOfSite();
+  const duelSize = new Map(all).get("bridge.wasm");
+  const whole = all.reduce((sum, [, size]) => sum + size, 0);
+  check(duelSize <= kMostDuelKb, `the duel has ${duelSize.toFixed(1)} KB of at most ${kMostDuelKb}`);
+  check(whole <= kMostSiteKb, `the site has ${whole.toFixed(1)} KB of at most ${kMostSiteKb}`);
+  console.log(`wasm of the duel ${duelSize.toFixed(1)} KB, whole site ${whole.toFixed(1)} KB`);
+}
+
+sizes();
 sameAsTheHost();
 bouts();
 walk();

@@ -2,21 +2,19 @@
 // The figures of docs/browser.md: cmake --build --preset web-figures. Sizes are those of gzip -9, as a server sends them.
 
 import { execFileSync } from "node:child_process";
-import { readdirSync, readFileSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { performance } from "node:perf_hooks";
-import { gzipSync } from "node:zlib";
 import { Bridge, instantiate } from "../../../port/platforms/web/page/bridge.js";
-import { open, root, serve, site, until, visit } from "./browser.mjs";
+import { open, root, serve, site, sizesOfSite, until, visit } from "./browser.mjs";
 
 const kRuns = 7, kSteps = 40000, kVisits = 5, kPictureMs = 6000;
 const kParry = 1, kAttack = 2, kTouches = 1;
 
 function sizes() {
-  const compressed = (name) => gzipSync(readFileSync(join(site, name)), { level: 9 }).length;
-  const all = readdirSync(site).map((name) => [name, compressed(name)]);
-  for (const [name, size] of all) console.log(`${name.padEnd(18)} ${(size / 1024).toFixed(1)} KB`);
-  console.log(`whole site         ${(all.reduce((sum, [, size]) => sum + size, 0) / 1024).toFixed(1)} KB`);
+  const all = sizesOfSite();
+  for (const [name, size] of all) console.log(`${name.padEnd(18)} ${size.toFixed(1)} KB`);
+  console.log(`whole site         ${all.reduce((sum, [, size]) => sum + size, 0).toFixed(1)} KB`);
 }
 
 async function step() {
