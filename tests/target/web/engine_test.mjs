@@ -42,6 +42,35 @@ function padEvents() {
   return `${lines.join("\n")}\n`;
 }
 
+/** A touchpad that tells of fingers only: a second one comes down, the first is lifted, and comes back. The fingers have slots, or
+ * follow each other. */
+function fingersPad(isInTurn, isTold) {
+  const lines = ["# EVEMU 1.3"];
+  if (isTold) {
+    lines.push("N: a touchpad", "I: 0003 0001 0002 0003", "P: 00 00 00 00 00 00 00 00", "B: 00 0b 00 00 00 00 00 00 00",
+      "B: 03 00 00 00 00 00 80 60 02", "A: 2f 0 4 0 0 0", "A: 35 0 1200 0 0 0", "A: 36 0 800 0 0 0", "A: 39 0 65535 0 0 0");
+  }
+  for (let i = 1; i < 400; i += 1) { // 4 s
+    const event = (type, code, value) => lines.push(`E: ${(i / 100).toFixed(6)} ${type} ${code} ${Math.round(value)}`);
+    const finger = (slot, phase) => {
+      if (!isInTurn) event("0003", "002f", slot);
+      if (i % 100 === 60 * slot + 10) event("0003", "0039", i);
+      event("0003", "0035", 600 + 500 * Math.sin(i / 20 + phase));
+      event("0003", "0036", 400 + 350 * Math.sin(i / 33 + phase));
+      if (isInTurn) event("0000", "0002", 0);
+    };
+    const isDown = i % 100 < 80;
+    if (isDown) finger(0, 0);
+    if (!isInTurn && i % 100 === 80) {
+      event("0003", "002f", 0);
+      event("0003", "0039", -1);
+    }
+    if (i % 100 >= 40) finger(1, 2);
+    event("0000", "0000", 0);
+  }
+  return `${lines.join("\n")}\n`;
+}
+
 function fence(engine, touches, steps = Infinity) {
   engine.start(touches);
   for (let i = 0; i < steps && engine.step(); i += 1); // Bound: the bout
@@ -51,11 +80,12 @@ function fence(engine, touches, steps = Infinity) {
 function sameAsTheHost() {
   check(duel, "batuta-duel is built");
   const pairs = [["script:attack", "script:parry", 5], ["script:guard", "script:attack", 1], [device, "script:parry", 5], ["script:guard", device, 1],
-    ["script:master", "script:novice", 5], ["script:club", "script:attack", 2], [pad, "script:guard", 5]];
+    ["script:master", "script:novice", 5], ["script:club", "script:attack", 2], [pad, "script:guard", 5],
+    ...touchpads.map((file) => [file, "script:guard", 5])];
   for (const [left, right, touches] of pairs) {
     const engine = new Engine(bridge);
     [left, right].forEach((source, side) => {
-      if ([device, pad].includes(source)) engine.loadStick(side, readFileSync(source, "utf8"));
+      if ([device, pad, ...touchpads].includes(source)) engine.loadStick(side, readFileSync(source, "utf8"));
       else engine.choose(side, source);
     });
     const bytes = Buffer.from(fence(engine, touches));
@@ -157,6 +187,14 @@ function flippedBits() {
   check(/hashes agreed, search advancement$/.test(replayed(file).trim()), "batuta-duel replays it");
 }
 
+/** Where the ranges of a device's axes are not told, the page says so, in the host's words. */
+function guessedRanges() {
+  const words = readFileSync(join(root, "port/programs/devices/motion_axes.cpp"), "utf8");
+  const notes = [pad, ...touchpads].map((file) => new Engine(bridge).loadStick(0, readFileSync(file, "utf8")).note);
+  check(`${notes.slice(0, 3)}` === ",,", `nothing is guessed: ${notes}`);
+  check(notes[3] !== "" && words.includes(`"${notes[3]}"`), `the ranges are guessed: ${notes[3]}`);
+}
+
 function badDevices() {
   const engine = new Engine(bridge);
   const cases = { "": /no events/, "N: pad\n": /no events/, "hello\n": /line 1/, "E: 0.000001 0000 0000 0\n": /no motion/,
@@ -189,5 +227,6 @@ sameAsTheHost();
 bouts();
 walk();
 flippedBits();
+guessedRanges();
 badDevices();
 console.log("the engine does as the host");

@@ -69,11 +69,12 @@ export class Engine {
     this.bridge.wasm.web_choose(side, kScripts.indexOf(source));
   }
 
-  /** @param text  of an evemu recording, which then moves this side's stick. @returns s */
+  /** @param text  of an evemu recording, which then moves this side's stick. @returns {seconds, note: what had to be guessed} */
   loadStick(side, text) {
-    this.recorded[side] = new RecordedStick(readEvemu(text, this.bridge));
+    const read = readEvemu(text, this.bridge);
+    this.recorded[side] = new RecordedStick(read);
     this.choose(side, "recording");
-    return this.recorded[side].duration;
+    return { seconds: read.duration, note: read.note };
   }
 
   /** @param touches  to which the bout goes */

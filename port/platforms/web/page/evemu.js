@@ -5,12 +5,14 @@
 import { kOk } from "./layout.js";
 
 const kSyn = 0, kKey = 1, kRel = 2, kAbs = 3;
-const kDropped = 3, kReport = 0;
+const kDropped = 3, kReport = 0, kFingerReport = 2;
+const kSlot = 0x2f, kTrackingId = 0x39; // of fingers
 const kFirstButton = 0x100, kLastButton = 0x151;
 // From the centre to the rim of a relative device, counts; and the time in which a stroke happens.
 const kReach = 400, kStrokeUs = 1e6;
 const kLongestGapUs = 30 * 60 * 1e6;
-const kCandidates = [[kRel, 0, 1], [kAbs, 0, 1]];
+const kFingers = [kAbs, 0x35, 0x36]; // where a device tells of fingers only
+const kCandidates = [[kRel, 0, 1], [kAbs, 0, 1], kFingers];
 const kFeet = [[3, 4], [16, 17]]; // a second stick, a hat
 const kEvent = /^E:\s+(\d{1,12})\.(\d{6})\s+([0-9a-fA-F]{1,4})\s+([0-9a-fA-F]{1,4})\s+(-?\d{1,10})(?:\s+#.*)?\s*$/;
 const kRange = /^A:\s+([0-9a-fA-F]+)\s+(-?\d+)\s+(-?\d+)\s+(-?\d+)\s+(-?\d+)/;
@@ -82,42 +84,78 @@ function calibration({ events, ranges }, type, x, y) {
   return [usable(known(x)), usable(known(y))];
 }
 
+/** What had to be guessed, or nothing. */
+function noteOf({ ranges }, type, codes) {
+  if (type === kRel || codes.every((code) => isRange(ranges.get(code)))) return "";
+  return "the device's axis ranges are not known; taken from the counts in the recording";
+}
+
+/** The finger that leads: the first that moves, until it is lifted. Fingers have slots, or follow each other, set apart by marks. */
+class Fingers {
+  constructor() {
+    this.finger = 0;
+    this.leading = -1;
+    this.isInTurn = false;
+  }
+  mark(code) {
+    if (code === kFingerReport) {
+      this.isInTurn = true;
+      this.finger += 1;
+    }
+    if (code === kReport && this.isInTurn) this.finger = 0;
+  }
+  /** @returns whether the leading finger tells this */
+  isLeading(code, value, codes) {
+    if (code === kSlot) this.finger = value;
+    if (code === kTrackingId && value < 0 && this.finger === this.leading) this.leading = -1;
+    if (codes.includes(code) && this.leading < 0) this.leading = this.finger;
+    return this.finger === this.leading;
+  }
+}
+
 /** Beside absolute axes: the second stick or the hat that moves and whose ranges are told. @returns codes, or none */
-function feetOf({ events, ranges }, type) {
-  if (type !== kAbs) return [];
+function feetOf({ events, ranges }, axes) {
+  if (axes[0] !== kAbs || axes === kFingers) return [];
   const moves = (codes) => events.some((e) => e.type === kAbs && codes.includes(e.code));
   return kFeet.find((codes) => moves(codes) && codes.every((code) => isRange(ranges.get(code)))) ?? [];
 }
 
-/** @returns samples (time in us from the first event) and the duration in s. @throws EvemuError */
-export function readEvemu(text, bridge) {
-  const lines = readLines(text);
+/** Tells the bridge which axes move. @returns {type, codes by Axis, fingers, note: what had to be guessed} */
+function chooseAxes(lines, { wasm }) {
   const moves = ([type, x, y]) => lines.events.some((e) => e.type === type && (e.code === x || e.code === y));
   const axes = kCandidates.find(moves);
-  if (!axes) throw new EvemuError("it holds no motion of a mouse or stick that this page knows");
+  if (!axes) throw new EvemuError("it holds no motion of a mouse, stick or touchpad that this page knows");
   const [type, x, y] = axes;
-  const { wasm, synced } = bridge;
   const told = calibration(lines, type, x, y).map((range, which) => wasm.web_axis(which, ...range));
   if (told[1] !== kOk) throw new EvemuError("its axes have no range");
-  const feet = feetOf(lines, type);
+  const feet = feetOf(lines, axes);
   feet.forEach((code, i) => wasm.web_axis(2 + i, ...usable(lines.ranges.get(code))));
-  const codes = [x, y, ...feet]; // by Axis
+  return { type, codes: [x, y, ...feet], fingers: axes === kFingers ? new Fingers() : null, note: noteOf(lines, type, [x, y]) };
+}
+
+/** @returns samples (time in us from the first event), the duration in s, and what had to be guessed. @throws EvemuError */
+export function readEvemu(text, bridge) {
+  const lines = readLines(text);
+  const { wasm, synced } = bridge;
+  const { type, codes, fingers, note } = chooseAxes(lines, bridge);
   const start = lines.events[0].time;
   const samples = [];
   for (const event of lines.events) {
+    if (event.type === kSyn) fingers?.mark(event.code);
     if (event.type === kSyn && event.code === kDropped) wasm.web_event(0, 0);
     if (event.type === kSyn && event.code === kReport) {
       const time = (event.time - start) >>> 0;
       if (wasm.web_sync(time) === kOk) {
-        const [sampleX, sampleY, feetX, feetY, buttons, sequence] = synced;
-        samples.push({ time, x: sampleX, y: sampleY, feetX, feetY, buttons, sequence });
+        const [x, y, feetX, feetY, buttons, sequence] = synced;
+        samples.push({ time, x, y, feetX, feetY, buttons, sequence });
       }
     } else if (event.type === kKey && event.code >= kFirstButton && event.code <= kLastButton) {
       wasm.web_event(event.value !== 0 ? 1 : 2, event.code & 0x0f);
-    } else if (event.type === type && codes.includes(event.code)) {
-      wasm.web_move(codes.indexOf(event.code), event.value);
+    } else if (event.type === type) {
+      const isTold = !fingers || fingers.isLeading(event.code, event.value, codes);
+      if (isTold && codes.includes(event.code)) wasm.web_move(codes.indexOf(event.code), event.value);
     }
   }
   if (samples.length === 0) throw new EvemuError("it holds no sync mark, so no sample");
-  return { samples, duration: (lines.latest - start) * 1e-6 };
+  return { samples, duration: (lines.latest - start) * 1e-6, note };
 }

@@ -196,12 +196,12 @@ const kHeard = {
     byId("hash").textContent = `hash ${hash} after ${steps} steps`;
     document.body.dataset.hash = hash;
   },
-  stick({ side, name, seconds }) {
+  stick({ side, name, seconds, note }) {
     const select = byId(side === 0 ? "left" : "right");
     select.querySelector('[value="recording"]').hidden = false;
     select.value = "recording";
     begin();
-    say(`${name} moves the ${side === 0 ? "left" : "right"} stick for ${seconds.toFixed(1)} s.`);
+    say(`${name} moves the ${side === 0 ? "left" : "right"} stick for ${seconds.toFixed(1)} s${note && `; ${note}`}.`);
   },
   playing({ answer, name }) {
     if (answer === "ready") {

@@ -71,8 +71,7 @@ const kTasks = {
   },
   choose: ({ side, source }) => engine.choose(side, source),
   stick({ side, text, name }) {
-    const seconds = engine.loadStick(side, text);
-    say("stick", { side, name, seconds });
+    say("stick", { side, name, ...engine.loadStick(side, text) });
   },
   start({ paused, touches }) {
     go(false);
