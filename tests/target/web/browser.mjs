@@ -72,6 +72,57 @@ export async function until(page, names, ms = 60000) {
   await page.waitForFunction((wanted) => wanted.includes(document.body.dataset.mode), [names].flat(), { timeout: ms });
 }
 
+/** What the page says in a line of its own. */
+export const word = (page) => page.textContent("#word");
+
+export async function says(page, expected) {
+  await page.waitForFunction((text) => new RegExp(text).test(document.getElementById("word").textContent), expected.source, { timeout: 60000, polling: 100 })
+    .catch(async () => check(false, `the page should say ${expected}, and says: ${await word(page)}`));
+}
+
+/** A picture of a part of the page, without what lies over its canvas; as text. */
+export async function shot(page, selector) {
+  const bytes = await page.locator(selector).screenshot({ style: "#stage > :not(canvas) { visibility: hidden !important; }" });
+  return bytes.toString("base64");
+}
+
+/** Pixels of pictures, by a function of the page: of RGBA, width and height of each, and `more`. */
+function ofPixels(page, shots, more, look) {
+  return page.evaluate(async ([texts, rest, source]) => {
+    const pixels = await Promise.all(texts.map(async (text) => {
+      const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${text}`)).blob());
+      const pen = new OffscreenCanvas(image.width, image.height).getContext("2d");
+      pen.drawImage(image, 0, 0);
+      return pen.getImageData(0, 0, image.width, image.height);
+    }));
+    return new Function(`return ${source}`)()(pixels, rest);
+  }, [shots, more, String(look)]);
+}
+
+/** How many colours a part of the page has: a picture that was not drawn has one. */
+export async function colours(page, selector) {
+  return ofPixels(page, [await shot(page, selector)], null, ([{ data }]) => new Set(new Uint32Array(data.buffer)).size);
+}
+
+/** How many pixels have a colour from `least` to `most`, in a part of the picture: left, top, right, bottom as shares of it. */
+export function pixelsLike(page, picture, [least, most], part = [0, 0, 1, 1]) {
+  return ofPixels(page, [picture], { least, most, part }, ([{ data, width, height }], more) => {
+    const [left, top, right, bottom] = more.part.map((share, i) => Math.floor(share * [width, height][i % 2]));
+    const isLike = (at) => more.least.every((value, i) => data[at + i] >= value && data[at + i] <= more.most[i]);
+    let count = 0;
+    for (let y = top; y < bottom; y += 1) for (let x = left; x < right; x += 1) count += isLike(4 * (y * width + x)) ? 1 : 0; // Bound: the picture
+    return count;
+  });
+}
+
+/** The share of the pixels in which two pictures of one size differ. */
+export function shareOfChange(page, one, other) {
+  return ofPixels(page, [one, other], null, ([a, b]) => {
+    const [before, after] = [a, b].map(({ data }) => new Uint32Array(data.buffer));
+    return before.filter((pixel, i) => pixel !== after[i]).length / before.length;
+  });
+}
+
 /** Saves the last bout. @returns where */
 export async function savedBout(page, name) {
   const [download] = await Promise.all([page.waitForEvent("download"), page.click("#save")]);

@@ -1,50 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What the page says of bad input, and that it goes on; its sizes; two players; the laboratory.
+// What the page says of bad input, and that it goes on; two players; the laboratory.
 
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { check, folder, lastHash, mode, open, replayed, root, savedBout, serve, until, visit } from "./browser.mjs";
+import { check, colours, folder, lastHash, mode, open, replayed, root, savedBout, says, serve, until, visit, word } from "./browser.mjs";
 
-const word = (page) => page.textContent("#word");
-const says = async (page, expected) => {
-  await page.waitForFunction((text) => new RegExp(text).test(document.getElementById("word").textContent), expected.source, { timeout: 60000, polling: 100 })
-    .catch(async () => check(false, `the page should say ${expected}, and says: ${await word(page)}`));
-};
 const kWalkMs = 400;
 const data = (page, name) => page.evaluate((key) => document.body.dataset[key], name);
-
-/** How many colours a part of the page has: a picture that was not drawn has one. */
-async function colours(page, selector) {
-  const bytes = await page.locator(selector).screenshot();
-  return page.evaluate(async (text) => {
-    const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${text}`)).blob());
-    const canvas = new OffscreenCanvas(image.width, image.height);
-    const pen = canvas.getContext("2d");
-    pen.drawImage(image, 0, 0);
-    return new Set(new Uint32Array(pen.getImageData(0, 0, image.width, image.height).data.buffer)).size;
-  }, bytes.toString("base64"));
-}
-
-async function sizes(browser, url) {
-  for (const [width, height] of [[390, 844], [1920, 1080]]) {
-    for (const path of ["", "laboratory.html"]) {
-      const { page, errors } = await visit(browser, url + path, { viewport: { width, height } });
-      await until(page, ["fencing", "ready"]);
-      await page.waitForTimeout(700);
-      check((await page.evaluate(() => document.documentElement.scrollWidth)) <= width, `${path} at ${width}: nothing stands out to the right`);
-      for (const button of await page.locator("main button").all()) {
-        const box = await button.boundingBox();
-        check(box && box.x >= 0 && box.x + box.width <= width && box.height >= 30, `${path} at ${width}: ${await button.textContent()}`);
-      }
-      const stage = await page.locator("#stage").boundingBox();
-      check(stage.y + stage.height <= height && stage.width >= 0.4 * width, `${path} at ${width}: the picture is in sight`);
-      const seen = await colours(page, "#stage");
-      check(seen > (path ? 30 : 500), `${path} at ${width}: ${seen} colours`);
-      check(errors.length === 0, `${errors}`);
-      await page.context().close();
-    }
-  }
-}
 
 async function files(page) {
   const good = await goodBout(page);
@@ -284,7 +246,6 @@ async function laboratory(browser, url) {
 const server = await serve();
 const browser = await open();
 try {
-  await sizes(browser, server.url);
   const { page, errors } = await visit(browser, server.url);
   await until(page, "fencing");
   await files(page);
