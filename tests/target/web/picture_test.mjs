@@ -8,9 +8,9 @@ const kBladeOf = [[0x4a, 0xa3, 0xff], [0xff, 0x9c, 0x45]]; // page/colours.js
 // The camera looks at the middle between the hands: of the picture's width and height. No chalk line, bell or body is there on guard.
 const kBetweenHands = [0.4, 0.38, 0.6, 0.5];
 const kViews = 4; // page/show.js
-const kMuch = 0.1, kSomething = 0.002; // of the pixels
+const kMuch = 0.1, kSomething = 0.02; // of the pixels
 const kSettled = 100; // pictures by which traces have faded and pixels are as coarse as they get
-const kReplayMs = 4500; // kReplaySeconds / kReplayShare of page/main.js, and a little
+const kReplaySteps = 700, kReplayMs = 4500; // kReplaySeconds of page/main.js; by kReplayShare, and a little
 
 async function nothingOutOfSight(page, path, width, height) {
   check((await page.evaluate(() => document.documentElement.scrollWidth)) <= width, `${path} at ${width}: nothing stands out to the right`);
@@ -99,6 +99,7 @@ async function cameras(page) {
 async function slowReplay(page) {
   await page.selectOption("#touches", "1");
   await until(page, "fencing");
+  await page.waitForFunction((least) => Number(document.body.dataset.steps) > least, kReplaySteps, { timeout: 60000, polling: 50 });
   for (const key of ["a", "w"]) await page.keyboard.down(key);
   await until(page, "over");
   for (const key of ["a", "w"]) await page.keyboard.up(key);
