@@ -7,6 +7,7 @@ import importlib.util
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -149,6 +150,19 @@ def platformio_environment(script, libraries):
     return own, everyones
 
 
+def macros_are_told(headers):
+    """A file that includes Arduino.h before what the registry announces gets a sentence, and the other way round it compiles."""
+    told = []
+    for first, second in ("<Arduino.h>", f'"{headers}"'), (f'"{headers}"', "<Arduino.h>"):
+        file = WORK / NAME / "order.cpp"
+        file.write_text(f"#include {first}\n#include {second}\n", encoding="ascii")
+        folders = ["-I", WORK / NAME / "unpacked/include", "-I", HERE / "arduino/core", "-isystem", EIGEN]
+        done = subprocess.run(["c++", "-std=c++17", "-fsyntax-only", *folders, file], capture_output=True, text=True, check=False)
+        told.append(re.findall(r" error: .*", done.stderr))
+    check(len(told[0]) == 1 and "include all of batuta's headers before it" in told[0][0], told[0])
+    check(not told[1], told[1])
+
+
 def platformio():
     folder = unpacked("-platformio.tar.gz")
     manifest = json.loads((folder / "library.json").read_text(encoding="utf-8"))
@@ -157,6 +171,7 @@ def platformio():
     sources = [f"{building['srcDir']}/{word[2:-1]}" for word in building["srcFilter"] if word.startswith("+")]
     check(sorted(sources) == sorted(PROJECT.sources()), sources)
     check((folder / building["includeDir"] / manifest["headers"]).is_file(), manifest["headers"])
+    macros_are_told(manifest["headers"])
     libraries = WORK / NAME / "libdeps"
     (libraries / "ArduinoEigen/ArduinoEigen").mkdir(parents=True)
     (libraries / "ArduinoEigen/ArduinoEigen/Eigen").symlink_to(EIGEN / "Eigen")

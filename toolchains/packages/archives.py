@@ -12,8 +12,6 @@ import zipfile
 import manifests
 
 PRAGMA = '#pragma GCC optimize("fp-contract=off")  // Arduino hands no flags to libraries\n'
-# Macros of Arduino's cores that are names in Eigen, in the standard library or here.
-ARDUINO_MACROS = ["F", "B0", "B1", "abs", "round", "min", "max", "radians", "degrees", "sq", "bit", "constrain"]
 LICENCE = ["LICENSE", "README.md"]
 
 
@@ -32,17 +30,23 @@ def below(project, folder, kept=lambda name: True):
     return [name for name in sorted(names) if kept(name)]
 
 
+def macros_of_arduino(project):
+    """Macros of Arduino's cores that are names in Eigen, in the standard library or here: those that core/config.hpp refuses."""
+    return re.findall(r"^#undef (\w+)$", (project.root / "include/batuta/core/config.hpp").read_text(encoding="utf-8"), re.M)
+
+
 def umbrella(project):
     """batuta.h: Arduino's macros are put aside while the headers are read."""
+    macros = macros_of_arduino(project)
     kept = [name for name in project.headers()
             if "/detail/" not in name and not name.endswith(("_definitions.hpp", ".h"))]
     lines = ["// SPDX-License-Identifier: MIT", "#pragma once",
              f"// batuta {project.version} for Arduino: all of it. Include it, and no header below batuta/, before anything of Eigen.",
              PRAGMA.rstrip(), "#include <Arduino.h>", ""]
-    for macro in ARDUINO_MACROS:
+    for macro in macros:
         lines += [f'#pragma push_macro("{macro}")', f"#undef {macro}"]
     lines += ["", *(f'#include "{name}"' for name in kept), ""]
-    lines += [f'#pragma pop_macro("{macro}")' for macro in reversed(ARDUINO_MACROS)]
+    lines += [f'#pragma pop_macro("{macro}")' for macro in reversed(macros)]
     return "\n".join(lines) + "\n"
 
 

@@ -3,6 +3,19 @@
 // The few settings that are not a scene's. Each has a default, a range and a check; set one with
 // -D on batuta_config, or in a header named by BATUTA_USER_CONFIG ("my_config.hpp").
 
+// Names in the standard library, in Eigen and here. What is said of them is all that is said: the
+// rest compiles without them.
+#if defined(F) || defined(B1) || defined(abs) || defined(round) || defined(min) || defined(max)
+#error \
+    "batuta: F, B1, abs, round, min or max is a macro here, as Arduino.h makes them: include all of batuta's headers before it (in Arduino's package batuta.h does), or #undef them"
+#undef F
+#undef B1
+#undef abs
+#undef round
+#undef min
+#undef max
+#endif
+
 #ifdef BATUTA_USER_CONFIG
 #include BATUTA_USER_CONFIG
 #endif
