@@ -11,7 +11,7 @@ OLDEST = (3, 16)
 # Files that a project reads which adds the library, finds it installed, or takes it by another build system; what only the project's own
 # tests, programs, boards and presets read may want more.
 READ = ["CMakeLists.txt", "src/**/CMakeLists.txt", "port/CMakeLists.txt", "port/template/CMakeLists.txt",
-        "port/platforms/host/CMakeLists.txt", "port/platforms/cortex_m/CMakeLists.txt", "port/shared/*/CMakeLists.txt",
+        "port/platforms/host/CMakeLists.txt", "port/platforms/cortex_m/CMakeLists.txt", "port/shared/*/CMakeLists.txt", "port/python/CMakeLists.txt",
         "toolchains/install.cmake", "toolchains/hosted.cmake", "toolchains/checks.cmake", "toolchains/batutaConfig.cmake.in",
         "toolchains/packages/*.cmake", "zephyr/CMakeLists.txt", "tests/consumer/project/CMakeLists.txt"]
 OWN = {"batuta_room", "batuta_target_is_hosted"}
