@@ -8,8 +8,12 @@ if(NOT BATUTA_GZIP OR NOT BATUTA_DPKG)
 endif()
 set(name libbatuta-dev)
 set(folder ${PROJECT_BINARY_DIR}/debian)
-# Who publishes it puts himself here, and into manifests.py.
-set(maintainer "the batuta authors <batuta@example.org>")
+# The one of the manifests (manifests.py).
+file(STRINGS ${PROJECT_SOURCE_DIR}/library.properties maintainer REGEX "^maintainer=.+ <.+@.+>$")
+if(NOT maintainer)
+  message(FATAL_ERROR "library.properties names no maintainer with an address")
+endif()
+string(REGEX REPLACE "^maintainer=" "" maintainer "${maintainer}")
 
 # What policy asks of every package; a plain `cmake --install` leaves both out.
 file(READ ${PROJECT_SOURCE_DIR}/LICENSE licence)

@@ -5,7 +5,7 @@ the project; packages.py writes them and compares them."""
 import json
 
 AUTHORS = "the batuta authors"
-CONTACT = "batuta@example.org"  # who publishes it puts his own here and in debian.cmake, and the address of his repository below
+CONTACT = "batuta@example.org"  # who publishes it puts his own here, and the address of his repository below
 HOMEPAGE = "https://example.org/batuta"
 KEYWORDS = ["collision detection", "continuous collision", "haptics", "force feedback", "rigid body", "fencing"]
 ARDUINO_EIGEN = ("hideakitai", "ArduinoEigen", "0.3.2")
