@@ -78,6 +78,37 @@ TEST(PidDescriptor, Stick_HasTwoAxesOfSixteenBitsAndSixteenButtons) {
   EXPECT_EQ(d.collections[static_cast<std::size_t>(x.collection)].type, 1);
 }
 
+bool has_usage(const Descriptor& d, UsageCode usage) {
+  for (const ParsedField& f : d.fields) {
+    for (const UsageCode name : f.usages) {
+      if (name == usage) return true;
+    }
+  }
+  return false;
+}
+
+// hid-pidff and hid-input give usage 0xA4 and the sixteenth button the same key, BTN_DEAD.
+TEST(PidDescriptor, SafetySwitch_IsNotThere_SoThatNoButtonIsPressed) {
+  const Descriptor d = parsed<16>();
+  EXPECT_FALSE(has_usage(d, pid_usage(0xA4)));
+  for (const unsigned state : {0x9FU, 0xA0U, 0xA5U, 0xA6U}) {
+    EXPECT_TRUE(has_usage(d, pid_usage(state))) << "the state's others are: " << state;
+  }
+}
+
+// A host that manages the pool says where in it a type's parameters stand, by usage 0x58; here the
+// device manages it, and tells an axis by Parameter Block Offset.
+TEST(PidDescriptor, TypeSpecificBlockOffset_IsNotThere_ForTheDeviceManagesItsPool) {
+  const Descriptor d = parsed<16>();
+  EXPECT_FALSE(has_usage(d, pid_usage(0x58)));
+  const ParsedField& axis =
+      field_of(d, 'o', static_cast<int>(ReportId::kSetCondition), pid_usage(0x23));
+  EXPECT_EQ(axis.low, 0);
+  EXPECT_EQ(axis.high, 1);
+  EXPECT_TRUE(has_usage(d, pid_usage(0xA9))) << "device managed pool";
+  EXPECT_TRUE(Pool{}.device_managed);
+}
+
 TEST(PidDescriptor, Times_AreMillisecondsAndAnglesHundredthsOfADegree) {
   const Descriptor d = parsed<16>();
   const struct {

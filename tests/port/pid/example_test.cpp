@@ -68,11 +68,19 @@ class Firmware {
     EXPECT_EQ(stage.configure(settings), Status::kOk);
     EXPECT_EQ(stage.enable(), Status::kOk);
   }
+  /// The stick gets faster to the right by so much in each millisecond.
+  void accelerate(int milliseconds, float by) {
+    for (int i = 0; i < milliseconds; ++i) {
+      velocity.x() += by;
+      tick(stage, {}, velocity, now += 1000);
+    }
+  }
   void run(int milliseconds) {
-    for (int i = 0; i < milliseconds; ++i) tick(stage, {}, Vec2<float>(0.0F, 0.0F), now += 1000);
+    for (int i = 0; i < milliseconds; ++i) tick(stage, {}, velocity, now += 1000);
   }
   Motor motor;
   OutputStage stage{motor};
+  Vec2<float> velocity = Vec2<float>::Zero();
   Microseconds now = 0;
 };
 
@@ -128,6 +136,27 @@ TEST(PidExample, ControlRequests_ReachTheDevice) {
   tud_umount_cb();
   EXPECT_EQ(tud_hid_get_report_cb(0, 0x22, HID_REPORT_TYPE_FEATURE, load, 8), 4);
   EXPECT_EQ(load[0], 0) << "forgotten";
+}
+
+// The page's tick tells the acceleration: by 0.01 in a millisecond it is 10, a tenth of the full
+// scale, and a coefficient of 1 pushes against it by a tenth of the range.
+TEST(PidExample, Inertia_PushesAgainstTheAcceleration) {
+  ASSERT_EQ(Scales{}.acceleration, 100.0F);
+  Firmware firmware;
+  set_feature(0x21, {0x0A, 0x00, 0x00});
+  out_endpoint({0x11, 0x01, 0x0A, 0, 0, 0, 0, 0, 0, 0, 0, 0xFF, 0, 0x01, 0, 0, 0, 0});
+  out_endpoint({0x13, 0x01, 0x00, 0, 0, 0x10, 0x27, 0x10, 0x27, 0x10, 0x27, 0x10, 0x27, 0, 0});
+  out_endpoint({0x1A, 0x01, 0x01, 0x01});
+  firmware.run(1000);
+  EXPECT_EQ(firmware.motor.last.x, 0.0F) << "at rest";
+  firmware.accelerate(100, 0.01F);
+  EXPECT_NEAR(firmware.motor.last.x, -0.1F, 1e-5F);
+  EXPECT_EQ(firmware.motor.last.y, 0.0F);
+  firmware.run(10);
+  EXPECT_EQ(firmware.motor.last.x, 0.0F) << "fast, and no faster";
+  firmware.accelerate(100, -0.01F);
+  EXPECT_NEAR(firmware.motor.last.x, 0.1F, 1e-5F);
+  tud_umount_cb();
 }
 
 // HID 1.11, section 7.2.1: GET_REPORT is mandatory.
