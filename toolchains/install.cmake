@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
 # find_package(batuta) gives the names that add_subdirectory() gives: batuta::batuta, batuta::config,
-# batuta::<room>, batuta::port_<port>, and what ports share: batuta::link, firmware, pid, simulated. Programs where they are built.
+# batuta::<room>, batuta::port_<port>, and what ports share: batuta::link, firmware, pid, usb_stick, simulated. Programs where they are built.
 include(CMakePackageConfigHelpers)
 
 get_property(rooms GLOBAL PROPERTY BATUTA_ROOMS)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/batuta)
 
 set(parts)
-foreach(part link firmware pid simulated)
+foreach(part link firmware pid usb_stick simulated)
   if(TARGET batuta_${part})
     list(APPEND parts batuta_${part})
   endif()
@@ -20,10 +20,11 @@ install(TARGETS batuta batuta_config ${rooms} ${parts} EXPORT batuta
 install(EXPORT batuta NAMESPACE batuta:: FILE batutaTargets.cmake DESTINATION ${package_folder} COMPONENT development)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
         FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
-# Headers of port/ are included by their path in it: "shared/link/frame.hpp".
+# Headers of port/ are included by their path in it: "shared/link/frame.hpp". Of a USB stick there is as well what is compiled
+# where TinyUSB is: its callbacks, and its configuration (shared/usb_stick/usb_stick.md).
 if(BATUTA_PORT STREQUAL "host" OR BATUTA_PORT STREQUAL "template")
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/port/shared DESTINATION ${BATUTA_PORT_INCLUDEDIR} COMPONENT development
-          FILES_MATCHING PATTERN "*.hpp")
+          FILES_MATCHING PATTERN "*.hpp" PATTERN "tusb_config.h" PATTERN "tinyusb_device.cpp")
   install(FILES ${PROJECT_SOURCE_DIR}/port/platforms/host/clock.hpp DESTINATION ${BATUTA_PORT_INCLUDEDIR}/platforms/host
           COMPONENT development)
 endif()

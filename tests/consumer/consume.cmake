@@ -22,8 +22,10 @@ endif()
 
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/project -B ${WORK}/build -G ${GENERATOR}
     -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}" ${how})
-run(${CMAKE_COMMAND} --build ${WORK}/build --target consumer consumer_one_room consumer_beat consumer_link)
+run(${CMAKE_COMMAND} --build ${WORK}/build --target consumer consumer_one_room consumer_beat consumer_link
+    consumer_parts)
 run(${WORK}/build/consumer_link)
+run(${WORK}/build/consumer_parts)
 run(${WORK}/build/consumer)
 run(${WORK}/build/consumer_one_room)
 execute_process(COMMAND ${WORK}/build/consumer_beat OUTPUT_VARIABLE beat COMMAND_ERROR_IS_FATAL ANY)
@@ -40,8 +42,9 @@ if(MODE STREQUAL "installed")
     run(${WORK}/${eigen}/consumer_one_room)
   endforeach()
   # What ports share, and the programs where they are built.
-  file(GLOB found RELATIVE ${WORK}/prefix ${WORK}/prefix/bin/* ${WORK}/prefix/include/batuta-port/shared/*/*.hpp)
-  foreach(name bin/batuta-duel bin/batuta-answer bin/batuta-feel bin/batuta-mass include/batuta-port/shared/link/frame.hpp)
+  file(GLOB found RELATIVE ${WORK}/prefix ${WORK}/prefix/bin/* ${WORK}/prefix/include/batuta-port/shared/*/*)
+  foreach(name bin/batuta-duel bin/batuta-answer bin/batuta-feel bin/batuta-mass include/batuta-port/shared/link/frame.hpp
+          include/batuta-port/shared/usb_stick/tusb_config.h include/batuta-port/shared/usb_stick/tinyusb_device.cpp)
     if(NOT name IN_LIST found)
       message(FATAL_ERROR "${name} is not installed, but ${found}")
     endif()
