@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Ways in which a CMake project takes the library, configured and not built: as a subfolder and by FetchContent, with Eigen as a target, a
+"""Ways in which a CMake project takes the library, configured; what is fetched is built as far as one room: as a subfolder and by FetchContent, with Eigen as a target, a
 package or a folder, for this machine and for a board. What CMake does meanwhile is read from its own trace: it looks for nothing but Eigen,
 makes no program and no test, and reads no file that static.CMake_IsThatOfUsers does not look at.
 Usage: ways_test.py SOURCE_FOLDER EIGEN. Without arm-none-eabi-g++ what is said of a board is skipped, with a line."""
@@ -36,12 +36,15 @@ set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 """
 NO_PACKAGE = "-DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON"
 MAKES_NO = {"add_executable", "add_test", "enable_testing", "pkg_check_modules", "gtest_discover_tests"}
+ONE_ROOM = """add_executable(one_room {source}/tests/consumer/project/main.cpp {source}/tests/consumer/project/own_trap.cpp)
+target_link_libraries(one_room PRIVATE batuta::geometry)
+"""
 
 
 class Configured:
-    """A project of a few lines that links batuta::batuta, and what CMake did for it."""
+    """A project of a few lines that links batuta::batuta, and what CMake did for it. `build` names a program that is then built and run."""
 
-    def __init__(self, lines, *words, source=SOURCE):
+    def __init__(self, lines, *words, source=SOURCE, build=""):
         with tempfile.TemporaryDirectory(prefix="batuta-way-") as name:
             folder = pathlib.Path(name)
             archive = ""
@@ -61,7 +64,17 @@ class Configured:
             self.code, self.told = done.returncode, " ".join((done.stdout + done.stderr).split())
             cache = folder / "build/CMakeCache.txt"
             self.cache = dict(re.findall(r"^(\w+):\w+=(.*)$", cache.read_text(encoding="utf-8"), re.M)) if cache.exists() else {}
+            self.ran = self.build(f"{name}/build", build) if build and self.code == 0 else ""
             self.calls = [json.loads(line) for line in trace.read_text(encoding="utf-8").splitlines()[1:]]
+
+    @staticmethod
+    def build(tree, program):
+        """What was wrong with a program that is built and run, or nothing."""
+        for words in (["cmake", "--build", tree, "--target", program], [f"{tree}/{program}"]):
+            done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+            if done.returncode:
+                return f"{words}: {done.returncode}\n{done.stdout[-3000:]}"
+        return ""
 
     def own_calls(self):
         """Calls in files of the library, whether it is the tree itself or a copy that was fetched: (file below its root, command, words)."""
@@ -99,7 +112,9 @@ class Ways(unittest.TestCase):
         self.assertIn("there is no Eigen/Core in that folder", way.told)
 
     def test_fetched(self):
-        self.expect_lean(Configured(TARGET + FETCHED, NO_PACKAGE), [])
+        way = Configured(TARGET + FETCHED + ONE_ROOM, NO_PACKAGE, "-DBATUTA_UNITY_ROOMS=ON", "-DBATUTA_WITH_DOUBLE=OFF", build="one_room")
+        self.expect_lean(way, [])
+        self.assertEqual(way.ran, "")
 
     @unittest.skipUnless(shutil.which("arm-none-eabi-g++"), "no arm-none-eabi-g++ (toolchains/setup.sh target)")
     def test_a_board_whose_toolchain_has_a_name_of_its_own(self):
