@@ -391,8 +391,8 @@ def c_moving(place, v=ORIGIN, w=ORIGIN, half=0.5, r=0.1, q=(1, 0, 0, 0)):
 
 
 def c_seeds():
-    """Calls from C: queries that are answered, worlds in which bodies meet and go, and each hostile number in its turn."""
-    queries, acts = b"\x00", b"\x01"
+    """Calls from C: queries that are answered, worlds in which bodies meet and go, bouts, and each hostile number in its turn."""
+    queries, acts, bout = b"\x00", b"\x01", b"\x02"
     long_step = b"\x03\x00" + number(0.25)
 
     def query(numbers, duration=1, tolerance=0, budget=64):
@@ -401,6 +401,13 @@ def c_seeds():
     def add(numbers, density=2, restitution=0.5, friction=0.25):
         return b"\x00" + b"".join(number(x) for x in numbers) + number(density) + share(restitution) + number(friction)
 
+    def begin(step_us=2000, touches=1):
+        return bout + struct.pack("<HB", step_us, touches + 2)
+
+    def sticks(left, right, again=31):
+        return b"\x03" + b"".join(share((1 + x) / 2) for x in (*left, *right)) + bytes([again])
+
+    guard, lunge, beat = (0, 0, 0, 0), (0, 1, 0, 1), (-1, 0, 0, 0)
     here, there = c_moving(ORIGIN), c_moving((2, 0, 0), (-4, 0, 0))
     steps = b"\x03\x01" * 40
     files = {
@@ -412,6 +419,12 @@ def c_seeds():
         "world_falls": GRID + acts + add(c_moving(Z)) + add(c_moving((0, 0, 1.3))) + steps + b"\x01\x02" + steps + b"\x01\x02",
         "world_full": GRID + acts + b"".join(add(c_moving((0, i % 5, i // 5 - 2))) for i in range(18)) + steps[:8],
         "world_refuses": GRID + acts + add(c_moving(ORIGIN, r=-1)) + add(here, density=0) + add(here, friction=-1) + b"\x03\x00" + number(0),
+        "duel_lunges": GRID + begin() + sticks(guard, guard) + sticks(lunge, guard) * 10,
+        "duel_beats": GRID + begin(1000, 5) + (sticks(beat, (1, 0, 0, 0)) + sticks(guard, guard)) * 6,
+        "duel_goes_on": GRID + begin(20000, 3) + sticks(lunge, lunge) * 12,
+        "duel_beyond": ANY + begin() + (b"\x01" + struct.pack("<4f", 1, -1, 1, 0) + b"\x00") + b"\x02" + struct.pack("<4f", 0, 0, 0, 1.5) + b"\x00",
+        "duel_no_step": GRID + begin(99) + sticks(lunge, guard),
+        "duel_no_touches": GRID + begin(touches=100) + sticks(lunge, guard) + b"\x00\x05",
     }
     for index in range(HOSTILE):
         n = with_hostile((*here, *there, 1, 1e-6), index)
@@ -419,6 +432,8 @@ def c_seeds():
         n = with_hostile((*here, 2), index)
         files[f"hostile_world_{index}"] = (ANY + acts + b"\x00" + b"".join(n) + share(0.5) + struct.pack("<f", 0.25) + steps[:8]
                                            + b"\x03\x00" + hostile(index))
+        axes = with_hostile((*guard, *lunge), index)
+        files[f"hostile_duel_{index}"] = ANY + begin() + b"\x03" + b"".join(axes) + b"\x03\x00\x07"
     return files
 
 
