@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Follows a page of docs/ to the letter, in an empty folder outside the tree: a fenced block that begins with a comment
+"""Follows a page to the letter, in an empty folder outside the tree: a fenced block that begins with a comment
 that is a file's name becomes that file, a `sh` block is run; each in its turn.
 Usage: follow_page.py SOURCE_FOLDER PAGE HEADING...   the sections (## ...) to follow, none: all
 The library stands in the folder as `batuta`. Exit code 1: a block failed, with its output and its line; 77: a program
