@@ -239,6 +239,11 @@ class Trials(unittest.TestCase):
         with self.assertRaises(mutate.NotReady):
             self.bench.set_up(["batuta_test_core"], keep=False)
 
+    def test_build_of_another_tree_is_refused(self):
+        elsewhere = mutate.Bench(self.root / "mutation" / "tree", self.root / "build", self.root / "other")
+        with self.assertRaises(mutate.NotReady):
+            elsewhere.set_up(["batuta_test_core"], keep=True)
+
     def test_results_are_kept_of_what_is_there(self):
         path = self.root / "results.json"
         mutate.Book(path, False, {}).add("a", ("killed", "T"))

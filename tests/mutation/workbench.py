@@ -59,6 +59,8 @@ class Bench:
             path = pathlib.Path(entry["file"])
             if self.source in path.parents:
                 self.commands[str(path.relative_to(self.source))] = shlex.split(entry["command"])
+        if not self.commands:  # then no mutation would be compiled, and each of them would live
+            raise NotReady(f"{self.build} is not a build of {self.source}")
         for program in programs:
             if not keep:
                 self.copy_objects(program)
