@@ -14,6 +14,7 @@ import time
 PROGRAM, WITH_STICK, GROUP = sys.argv[1:4]
 STICK = "device:/dev/input/fake0"
 PATIENCE = 600  # s; against hanging: no verdict
+UP_TO_THE_SECOND_BEAT = 5  # lines
 
 
 def check(condition, what):
@@ -78,10 +79,9 @@ def interrupt(folder):
 def forces(_):
     """With a stick in a hand: the force is at zero, and taken back, before the program ends."""
     words = ["--left", STICK, "--right", "script:parry", "--spring", "0.5", "--seconds", "1000"]
-    up_to_the_second_beat = 5
     for number in signal.SIGINT, signal.SIGTERM:
         for later in 0, 1, 4, 16:  # s; on a busy machine the beat is told long before its force is sent
-            code, out, errors = interrupted(WITH_STICK, words, number, up_to_the_second_beat, later=later)
+            code, out, errors = interrupted(WITH_STICK, words, number, UP_TO_THE_SECOND_BEAT, later=later)
             check(code == 0, (number, code, errors))
             check("left   force: force; effects sent" in out, out)
             check(len(at_rest(errors)) == 3, errors)
@@ -124,6 +124,20 @@ def twice(_):
         check(bout.stderr.startswith("batuta-duel: %s: Test Stick is the other fencer's already; found" % other), bout.stderr)
 
 
-GROUPS = {"Interrupt": interrupt, "Forces": forces, "Weak": weak, "Twice": twice}
+def view(folder):
+    """A stick in a hand and a window, which SDL keeps in memory: the bout is seen, recorded, and ends with no force left."""
+    path = os.path.join(folder, "seen.batuta")
+    words = ["--left", STICK, "--right", "script:parry", "--seconds", "1000", "--view", "--record", path]
+    os.environ["SDL_VIDEODRIVER"] = "dummy"
+    code, out, errors = interrupted(WITH_STICK, words, signal.SIGINT, UP_TO_THE_SECOND_BEAT)
+    check(code == 0, (code, errors))
+    check(re.search(r"^view   pictures [1-9]", out, re.M), out)
+    check(re.search(r"left   samples used [1-9]", out), out)
+    check(at_rest(errors), errors)
+    again = subprocess.run([PROGRAM, "--replay", path], capture_output=True, text=True, timeout=PATIENCE, check=False)
+    check(again.returncode == 0, (again.stdout, again.stderr))
+
+
+GROUPS = {"Interrupt": interrupt, "Forces": forces, "Weak": weak, "Twice": twice, "View": view}
 with tempfile.TemporaryDirectory() as scratch:
     GROUPS[GROUP](scratch)
