@@ -9,6 +9,7 @@ Exit status 77: the host's program or the recordings are not there.
 import argparse
 import json
 import os
+import signal
 import subprocess
 import sys
 import tempfile
@@ -96,8 +97,22 @@ def fence(duel, left, right, *more):
     touches = [] if "--touches" in more else ["--touches", "1"]
     command = [duel, "--left", left, "--right", right, "--json", *touches, *more]
     begin = time.monotonic()
-    process = subprocess.run(command, capture_output=True, text=True, check=False)
+    process = look_on(command) if "--view" in more else subprocess.run(command, capture_output=True, text=True, check=False)
     return Run(process, time.monotonic() - begin)
+
+
+def look_on(command):
+    """With a window that SDL keeps in memory. What is over stays in sight until somebody has seen enough."""
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                               env=dict(os.environ, SDL_VIDEODRIVER="dummy"))
+    lines = []
+    while not lines or '"type":"summary"' not in lines[-1]:  # Bound: the bout's steps, and the keeper's patience
+        lines.append(process.stdout.readline())
+        if not lines[-1]:
+            break
+    process.send_signal(signal.SIGINT)
+    rest, error = process.communicate()
+    return subprocess.CompletedProcess(command, process.returncode, "".join(lines) + rest, error)
 
 
 def require(condition, what, run):
@@ -139,6 +154,19 @@ def pad(arguments):
     run = play(arguments, "madcatz_pad.events", "--touches", "2")
     require(run.summary()["blows"] > 0, "a bout without a blow shows too little", run)
     require(run.link()["forces_not_zero"] > 0, "no force but zero was compared", run)
+
+
+def seen(arguments):
+    """The device's bout in a window: it is no other for that."""
+    recording = os.path.join(arguments.shared, "recordings", "ps2_mouse.events")
+    plain = fence(arguments.duel, recording, "script:parry")
+    with Bench(arguments) as bench:
+        run = bench.fence("SERIAL," + recording, "script:parry", "--view")
+    if "without SDL2" in run.error:
+        print(f"skipped: {run.error}")
+        sys.exit(SKIP)
+    tell("seen", run)
+    require_same_bout(run, plain)
 
 
 def trackpoint(arguments):
@@ -226,7 +254,7 @@ def opponent(arguments):
     require(run.summary()["right_samples_used"] == run.summary()["steps"], "the opponent did not play every step", run)
 
 
-SCENARIOS = (mouse, pad, trackpoint, damaged, cut, wrong_bit, free, opponent)
+SCENARIOS = (mouse, pad, seen, trackpoint, damaged, cut, wrong_bit, free, opponent)
 
 
 def main():
