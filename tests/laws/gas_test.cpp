@@ -73,7 +73,7 @@ class ClosedGas {
   /// Until there were 1,000 contacts. Bound: three minutes
   void run(double dt) {
     for (int i = 0; i * dt < 180 && contacts_ < 1000; ++i) {
-      pull(dt);
+      given_ += test::pull_together(*world_, kPull, dt);
       ASSERT_EQ(world_->step(static_cast<S>(dt)), Status::kOk);
       ++steps_;
       const auto& report = world_->report();
@@ -106,18 +106,6 @@ class ClosedGas {
 
  private:
   Sums sums() const { return test::sums_of(std::as_const(*world_)); }
-  /// A push towards the common centre, and what of it is a torque.
-  void pull(double dt) {
-    const Vector center = sums().place;
-    for (std::uint16_t i = 0; i < kBodies; ++i) {
-      auto& body = world_->get(world_->id_at(i))->body;
-      const Vector x = body.X_WB.p_W.template cast<double>();
-      const double push = kPull * dt / static_cast<double>(body.inverse_mass);
-      const Vector before = body.momentum.linear_W.template cast<double>();
-      body.momentum.linear_W += (push * (center - x)).template cast<S>();
-      given_ += x.cross(body.momentum.linear_W.template cast<double>() - before);
-    }
-  }
 
   std::unique_ptr<World<SceneT>> world_ = std::make_unique<World<SceneT>>();
   Vector start_ = Vector::Zero();

@@ -146,6 +146,25 @@ Sums sums_of(const World<SceneT>& world) {
   return sums;
 }
 
+/// A push of each body towards the common centre, over dt: pull * mass * distance, a central force.
+/// @param pull  1/s^2  @returns the angular momentum about the origin that it gives, as rounded
+template <class SceneT>
+Vector pull_together(World<SceneT>& world, double pull, double dt) {
+  Vector given = Vector::Zero();
+  const Vector center = sums_of(std::as_const(world)).place;
+  for (std::uint16_t i = 0; i < SceneT::kMaxBodies; ++i) {
+    auto* actor = world.get(world.id_at(i));
+    if (actor == nullptr || !(actor->body.inverse_mass > 0)) continue;
+    auto& body = actor->body;
+    const Vector x = body.X_WB.p_W.template cast<double>();
+    const double push = pull * dt / static_cast<double>(body.inverse_mass);
+    const Vector before = body.momentum.linear_W.template cast<double>();
+    body.momentum.linear_W += (push * (center - x)).template cast<typename SceneT::Scalar>();
+    given += x.cross(body.momentum.linear_W.template cast<double>() - before);
+  }
+  return given;
+}
+
 /// The smallest gap between any two bodies, m.
 template <class SceneT>
 double smallest_gap(const World<SceneT>& world) {

@@ -48,18 +48,7 @@ struct PressedRods {
     }
   }
   Sums sums() const { return test::sums_of(std::as_const(*world)); }
-  /// A push towards the common centre, and what of it is a torque.
-  void pull(double dt) {
-    const Vector center = sums().place;
-    for (std::uint16_t i = 0; i < kRods; ++i) {
-      auto& body = world->get(world->id_at(i))->body;
-      const Vector x = body.X_WB.p_W.template cast<double>();
-      const double push = kPull * dt / static_cast<double>(body.inverse_mass);
-      const Vector before = body.momentum.linear_W.template cast<double>();
-      body.momentum.linear_W += (push * (center - x)).template cast<S>();
-      given += x.cross(body.momentum.linear_W.template cast<double>() - before);
-    }
-  }
+  void pull(double dt) { given += test::pull_together(*world, kPull, dt); }
 };
 
 /// 15 s of it. @param turn  of all about the z axis at first, rad/s

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <memory>
+#include <utility>
 
 #include "scenes.hpp"
 
@@ -256,6 +258,68 @@ TEST(WorldLimits, AnswerThatOverflows_HoldsThePairAndKeepsTheMomenta) {
   ASSERT_EQ(world.configure(settings), Status::kOk);
   ASSERT_EQ(world.step(1e-3), Status::kOk);
   EXPECT_TRUE(is_finite(world.get(id)->body.momentum.linear_W));
+}
+
+template <RestingContact kRests>
+constexpr SceneOptions row_options() {
+  SceneOptions scene;
+  scene.max_bodies = 3;
+  scene.max_pairs = 3;
+  scene.max_contacts = 16;
+  scene.resting = kRests;
+  return scene;
+}
+template <RestingContact kRests>
+using RowOf = Scene<row_options<kRests>>;
+
+/// A ball flies at one that touches the end of a rod of 20 m, all of the same mass: it strikes the
+/// other ball, and that one the rod. @param mass  kg: from 1e36 on, what the rod gets has a moment
+/// beyond the largest float, while all momenta are below it
+template <class SceneT>
+void strike_row(World<SceneT>& world, float mass) {
+  constexpr float kSpeed = 100;  // m/s
+  constexpr float kHalf = 10;    // of the rod, m
+  const auto add = [&](const Vec3<float>& place, float half, float speed) {
+    Actor<SceneT> actor;
+    const float across = mass * (half * half / 3 + 1e-3F);
+    actor.body =
+        make_body<float>({place, Quat<float>::Identity()}, mass, {across, mass * 1e-3F, across})
+            .value;
+    actor.capsule_B = {{{0, -half, 0}, {0, half, 0}}, 0.05F};
+    actor.body.momentum.linear_W = {mass * speed, 0, 0};
+    actor.restitution = 1;
+    ASSERT_TRUE(world.add(actor).ok());
+  };
+  add({-0.105F, 0, 0}, 0, kSpeed);
+  add({0, 0, 0}, 0, 0);
+  add({0.1001F, kHalf, 0}, kHalf, 0);
+  ASSERT_EQ(world.step(1e-3F), Status::kOk);
+  double momentum = 0;
+  for (std::uint16_t slot = 0; slot < 3; ++slot) {
+    const Body<float>& body = std::as_const(world).get(world.id_at(slot))->body;
+    ASSERT_TRUE(is_finite(body.momentum.linear_W) && is_finite(body.momentum.angular_W)) << slot;
+    ASSERT_TRUE(is_finite(body.X_WB.p_W)) << slot;
+    momentum += static_cast<double>(body.momentum.linear_W.x());
+  }
+  const double before = static_cast<double>(mass) * static_cast<double>(kSpeed);
+  EXPECT_NEAR(momentum, before, 1e-6 * before);
+}
+
+TEST(WorldLimits, BlowThatOverflowsInARow_IsCountedAndKeepsMomentum) {
+  const auto counts = [](auto world, float mass) {
+    strike_row(*world, mass);
+    EXPECT_EQ(world->report().complete(), world->report().resolutions_invalid == 0);
+    return world->report().resolutions_invalid;
+  };
+  for (const float mass : {1e36F, 3e36F}) {
+    EXPECT_GT(counts(std::make_unique<World<RowOf<RestingContact::kNone>>>(), mass), 0U);
+    EXPECT_GT(counts(std::make_unique<World<RowOf<RestingContact::kSeparation>>>(), mass), 0U);
+    // The second blow is passed on through the group.
+    EXPECT_GT(counts(std::make_unique<World<RowOf<RestingContact::kSettling>>>(), mass), 0U);
+  }
+  EXPECT_EQ(counts(std::make_unique<World<RowOf<RestingContact::kNone>>>(), 1), 0U);
+  EXPECT_EQ(counts(std::make_unique<World<RowOf<RestingContact::kSeparation>>>(), 1), 0U);
+  EXPECT_EQ(counts(std::make_unique<World<RowOf<RestingContact::kSettling>>>(), 1), 0U);
 }
 
 TEST(WorldLimits, BadSettings_AreRefusedAndTheOldStay) {
