@@ -39,7 +39,7 @@ std::uint64_t number(std::string_view text) {
 void read_mode(Options& options, const About& about, std::string_view text) {
   if (text == "tiny") {
     options.mode = Mode::kTiny;
-    allow_tries(0);
+    measure_roughly();
   } else if (text == "quick") {
     options.mode = Mode::kQuick;
   } else if (text == "full") {

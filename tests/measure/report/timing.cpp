@@ -18,9 +18,13 @@ struct SegmentPair {
 /// So many that no branch predictor learns them by heart: a query meets fresh numbers, too.
 constexpr int kPairs = 16384;
 
-/// Further tries of a program for a calm baseline, in all: a rented host is interrupted a few times
-/// a second, and a try takes some 10 ms.
-constexpr int kTries = 2048;
+/// What a program spends on its baselines.
+struct Effort {
+  int passes = 8;  ///< over all pairs, in a batch
+  /// Further tries for a calm one, in all: a rented host is interrupted a few times a second, and a
+  /// try takes some 20 ms.
+  int tries = 2048;
+};
 
 /// Segments of general position in the unit cube, the same on every host.
 std::array<SegmentPair, kPairs> make_pairs() {
@@ -45,9 +49,9 @@ double clamped(double x) {
   return x < 0 ? 0 : (x > 1 ? 1 : x);
 }
 
-int& tries_left() {
-  static int tries = kTries;
-  return tries;
+Effort& effort() {
+  static Effort effort;
+  return effort;
 }
 
 BaselineCount& counted() {
@@ -100,14 +104,14 @@ double plain_segment_distance(const Segment<double>& A, const Segment<double>& B
   return (r + s * d - u * e).norm();
 }
 
-void allow_tries(int tries) {
-  tries_left() = tries;
+void measure_roughly() {
+  effort() = {1, 0};
 }
 
 double plain_ns() {
   static const std::array<SegmentPair, kPairs> pairs = make_pairs();
-  const Baseline all = calmest(tries_left(), [] {
-    return baseline_ns(8, [] {
+  const Baseline all = calmest(effort().tries, [] {
+    return baseline_ns(effort().passes, [] {
       for (const SegmentPair& pair : pairs) {
         const double distance = plain_segment_distance(pair.A, pair.B);
         keep(distance);

@@ -90,9 +90,9 @@ double plain_segment_distance(const Segment<double>& A, const Segment<double>& B
 /// milliseconds: ask for it anew beside every group of measurements, for hosts change their pace.
 /// Every one is counted in baselines().
 double plain_ns();
-/// Further tries of plain_ns() for a calm baseline, of the whole program from now on: 0 where no
-/// time is looked at.
-void allow_tries(int tries);
+/// From now on plain_ns() takes an eighth of its time and does not try again on a busy host: where
+/// no time is looked at.
+void measure_roughly();
 
 /// How the plain_ns() of this program went. What is measured in one that is not calm means nothing.
 struct BaselineCount {
