@@ -238,14 +238,16 @@ def arduino():
     run("sh", "-c", f"sed -i 's#@CCACHE@#{ccache or ''}#' {hardware / 'platform.txt'}")
     examples = sorted((folder / PROJECT.name / "examples").glob("*/*.ino"))
     check(len(examples) == 2, examples)
+    # One after the other in the same folders: what was compiled of the library for the first serves the second.
+    out, sketch = WORK / NAME / "out", WORK / NAME / "sketch/sketch.ino"
+    out.mkdir()
+    sketch.parent.mkdir()
     for example in examples:
-        out = WORK / NAME / "out"
-        shutil.rmtree(out, ignore_errors=True)
-        out.mkdir()
+        shutil.copyfile(example, sketch)
         run("arduino-builder", "-compile", "-hardware", WORK / NAME / "hardware", "-tools", WORK / NAME / "tools", "-libraries", libraries,
-            "-fqbn", "batuta:arm:m4", "-build-path", out, "-warnings", "all", example,
+            "-fqbn", "batuta:arm:m4", "-build-path", out, "-warnings", "all", sketch,
             env={**os.environ, "CCACHE_BASEDIR": str(WORK), "CCACHE_NOHASHDIR": "1"})
-        image = out / f"{example.name}.elf"
+        image = out / f"{sketch.name}.elf"
         print(example.stem, run("arm-none-eabi-size", image).splitlines()[1].split()[0], "B of code")
         listing = run("arm-none-eabi-objdump", "-d", image)
         fused = [line for line in listing.splitlines() if "\tvfma" in line or "\tvfms" in line or "\tvfnm" in line]

@@ -11,7 +11,6 @@ import zipfile
 
 import manifests
 
-PRAGMA = '#pragma GCC optimize("fp-contract=off")  // Arduino hands no flags to libraries\n'
 LICENCE = ["LICENSE", "README.md"]
 
 
@@ -42,7 +41,7 @@ def umbrella(project):
             if "/detail/" not in name and not name.endswith(("_definitions.hpp", ".h"))]
     lines = ["// SPDX-License-Identifier: MIT", "#pragma once",
              f"// batuta {project.version} for Arduino: all of it. Include it, and no header below batuta/, before anything of Eigen.",
-             PRAGMA.rstrip(), "#include <Arduino.h>", ""]
+             "#include <Arduino.h>", ""]
     for macro in macros:
         lines += [f'#pragma push_macro("{macro}")', f"#undef {macro}"]
     lines += ["", *(f'#include "{name}"' for name in kept), ""]
@@ -58,7 +57,7 @@ def for_arduino(name, text):
         # A library is found by a header in its folder: once it is, its own folder is on the path.
         find = ("#if !__has_include(<ArduinoEigen/Eigen/Core>)\n#include <ArduinoEigenDense.h>\n#endif\n\n")
         text = text.replace("#include <new>\n", find + "#include <new>\n").replace("#include <Eigen/", "#include <ArduinoEigen/Eigen/")
-    return text if name.startswith("include/") else PRAGMA + text
+    return text
 
 
 def arduino_tree(project):

@@ -93,7 +93,7 @@ def cmsis_pack(project, files, date):
 <package schemaVersion="1.7.7" xmlns:xs="http://www.w3.org/2001/XMLSchema-instance" xs:noNamespaceSchemaLocation="PACK.xsd">
   <vendor>{project.name}</vendor>
   <name>{project.name}</name>
-  <description>{project.description}. Needs Eigen 3.4 on the include path, and -ffp-contract=off.</description>
+  <description>{project.description}. Needs Eigen 3.4 on the include path.</description>
   <url>{HOMEPAGE}/</url>
   <license>LICENSE</license>
   <releases>

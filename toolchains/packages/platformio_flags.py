@@ -8,7 +8,7 @@ import os
 Import("env")  # noqa: F821, of PlatformIO
 from SCons.Script import DefaultEnvironment  # noqa: E402
 
-EVERYWHERE = {"CCFLAGS": ["-ffp-contract=off"], "CXXFLAGS": ["-std=gnu++17"], "CPPDEFINES": [("BATUTA_WITH_DOUBLE", 0)]}
+EVERYWHERE = {"CCFLAGS": ["-ffp-contract=off"], "CXXFLAGS": ["-std=gnu++17"], "CPPDEFINES": [("BATUTA_WITH_DOUBLE", 0), "BATUTA_CONTRACTION_IS_OFF"]}
 
 
 def eigen_folders(environment):

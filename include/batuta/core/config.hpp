@@ -16,6 +16,18 @@
 #undef max
 #endif
 
+// A product and a sum that a compiler contracts into one instruction have other bits, and void what
+// the searches prove. Who hands every file the flag that forbids it says so by
+// BATUTA_CONTRACTION_IS_OFF, as the library's own build does; for all others it is said here, from
+// where on it holds to the end of the file, at the price of some code (docs/cost.md).
+#ifndef BATUTA_CONTRACTION_IS_OFF
+#ifdef __clang__
+#pragma clang fp contract(off)
+#elif defined(__GNUC__)
+#pragma GCC optimize("fp-contract=off")
+#endif
+#endif
+
 #ifdef BATUTA_USER_CONFIG
 #include BATUTA_USER_CONFIG
 #endif

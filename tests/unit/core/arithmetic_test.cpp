@@ -94,6 +94,12 @@ TEST(ContractedArithmetic, FusedProducts_AreSeenInTheFileThatFuses) {
   EXPECT_FALSE(test::contracted_rounds_each_operation(0.0));
   EXPECT_TRUE(rounds_each_operation<float>()) << "the flags of one file are not those of another";
 }
+
+TEST(ContractedArithmetic, WithoutAFlag_HeadersForbidIt) {
+  if (!test::can_run_contracted()) GTEST_SKIP() << "this processor has no fused multiply-add";
+  EXPECT_TRUE(test::unflagged_rounds_each_operation());
+  EXPECT_TRUE(test::unflagged_rounds_dot_products());
+}
 #endif
 
 }  // namespace

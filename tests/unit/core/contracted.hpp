@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The probe as a file compiled with -ffp-contract=fast sees it.
+// The probe as files compiled with -ffp-contract=fast see it: one that says that it is off, and one
+// that does not.
 
 namespace batuta::test {
 
@@ -11,5 +12,9 @@ bool contracted_rounds_products(float scalar);
 bool contracted_rounds_products(double scalar);
 bool contracted_rounds_each_operation(float scalar);
 bool contracted_rounds_each_operation(double scalar);
+
+/// The same in a file that leaves it to the library's headers, and in a sum of products by Eigen.
+bool unflagged_rounds_each_operation();
+bool unflagged_rounds_dot_products();
 
 }  // namespace batuta::test
