@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compiled with -ffp-contract=fast and the processor's fused multiply-add by somebody who knows of no
-// flag: what config.hpp says holds for what stands below it, Eigen included.
+// Compiled with -ffp-contract=fast and the processor's fused multiply-add by somebody who knows of
+// no flag: what config.hpp says holds for what stands below it, Eigen included.
 #undef BATUTA_CONTRACTION_IS_OFF
 #include "batuta/core/arithmetic.hpp"
 #include "batuta/core/types.hpp"
