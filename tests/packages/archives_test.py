@@ -113,7 +113,8 @@ def kconfig():
     import kconfiglib
     folder = unpacked("-zephyr.tar.gz") / PROJECT.name
     frame = folder / "Kconfig"
-    frame.write_text('config CPP\n\tbool "C++"\nconfig REQUIRES_FULL_LIBCPP\n\tbool\nsource "zephyr/Kconfig"\n', encoding="utf-8")
+    frame.write_text('config CPP\n\tbool "C++"\nconfig REQUIRES_FULL_LIBCPP\n\tbool\n'
+                     'config INPUT\n\tbool "Input"\nconfig PWM\n\tbool "PWM"\nsource "zephyr/Kconfig"\n', encoding="utf-8")
     os.environ["srctree"] = str(folder)
     choices = kconfiglib.Kconfig("Kconfig", warn_to_stderr=False)
     check(not choices.warnings, choices.warnings)
@@ -122,6 +123,10 @@ def kconfig():
     symbols["CPP"].set_value("y")
     check(symbols["BATUTA"].str_value == "y" and symbols["REQUIRES_FULL_LIBCPP"].str_value == "y", "BATUTA cannot be chosen")
     check(symbols["BATUTA_ASSERT_LEVEL"].str_value == "2", symbols["BATUTA_ASSERT_LEVEL"])
+    for symbol in ("INPUT", "PWM"):
+        check(symbols["BATUTA_PORT"].str_value == "n", f"ports without {symbol}")
+        symbols[symbol].set_value("y")
+    check(symbols["BATUTA_PORT"].str_value == "y", "ports are not chosen where Zephyr has what they stand on")
     symbols["BATUTA_ASSERT_LEVEL"].set_value("4")
     check(symbols["BATUTA_ASSERT_LEVEL"].str_value != "4", "an assert level that there is not")
     asked = set((folder / "zephyr/CMakeLists.txt").read_text(encoding="utf-8").replace("}", " ").replace(")", " ").split("CONFIG_")[1:])

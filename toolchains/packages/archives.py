@@ -88,7 +88,8 @@ def esp_idf_tree(project):
 
 
 def zephyr_tree(project):
-    return {**compiled(project), **read(project, [*below(project, "zephyr"), "toolchains/packages/files.cmake"])}
+    port = [*below(project, "port/platforms/zephyr"), "port/shared/drivers/bridge_duty.hpp"]
+    return {**compiled(project), **read(project, [*below(project, "zephyr"), *port, "toolchains/packages/files.cmake"])}
 
 
 def cmsis_tree(project):
