@@ -7,6 +7,8 @@
 
 #include <limits>
 
+#include "batuta/core/config.hpp"  // forbids contraction where no flag does
+
 namespace batuta {
 
 namespace detail {

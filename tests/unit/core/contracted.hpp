@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The probe as files compiled with -ffp-contract=fast see it: one that says that it is off, and one
-// that does not.
+// The probe as two files see it: one with -ffp-contract=fast, and one that no flag was given to.
 
 namespace batuta::test {
 
@@ -13,7 +12,7 @@ bool contracted_rounds_products(double scalar);
 bool contracted_rounds_each_operation(float scalar);
 bool contracted_rounds_each_operation(double scalar);
 
-/// The same in a file that leaves it to the library's headers, and in a sum of products by Eigen.
+/// In the file that leaves it to the library's headers; and a sum of products by Eigen there.
 bool unflagged_rounds_each_operation();
 bool unflagged_rounds_dot_products();
 
