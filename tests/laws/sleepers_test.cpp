@@ -266,5 +266,48 @@ TYPED_TEST(Sleepers, SavedAndRestored_GoOnWithTheSameBits) {
   }
 }
 
+// No friction: nothing takes its spin, and the axis, which stays where it is, does not show it.
+TYPED_TEST(Sleepers, WhatSpinsOnTheSpot_StaysAwake) {
+  using SceneT = test::Settling<TypeParam, test::kSleeping>;
+  for (const double dt : {1e-3, 1.0 / 60}) {
+    Bed<SceneT> bed;
+    auto* rod = bed.world->get(bed.sleeper);
+    rod->friction = 0;
+    test::throw_body(*rod, {0, 0, 0}, {0, 20, 0});
+    const auto before = static_cast<double>(rod->body.momentum.angular_W.y());
+    for (double t = 0; t < 1; t += dt) bed.step(dt);
+    EXPECT_FALSE(bed.world->is_asleep(bed.sleeper)) << dt;
+    const auto after = static_cast<double>(bed.body(bed.sleeper).momentum.angular_W.y());
+    EXPECT_NEAR(after, before, 1e-4 * before) << dt;
+    EXPECT_NEAR(bed.height(bed.sleeper), kRadius, 1e-3) << dt;
+  }
+}
+
+// A ball on a light one on a slope without friction: both slide. Where the answers for that run
+// out, they go on together with the slope, in that step, and it is told; asleep they would for
+// ever, untold.
+TYPED_TEST(Sleepers, WhatAWeldHolds_StaysAwake) {
+  using SceneT = test::Settling<TypeParam, test::kSleeping>;
+  int welded = 0;
+  for (const double ratio : {1e2, 1e4, 1e6}) {
+    World<SceneT> world;
+    auto settings = world.settings();
+    settings.gravity_W = Vec3<TypeParam>(TypeParam(6.9), 0, TypeParam(-6.9));
+    ASSERT_EQ(world.configure(settings), Status::kOk);
+    (void)world.add(test::fixed_rod<SceneT>(40, 0.5, {0, 0, -0.5}, test::along_x()));
+    const auto light = world.add(test::solid_ball<SceneT>(0.1, {0, 0, 0.10005})).value;
+    auto heavy = test::solid_ball<SceneT>(0.1, {0, 0, 0.3001});
+    heavy.body.inverse_mass /= static_cast<TypeParam>(ratio);
+    heavy.body.inverse_moments /= static_cast<TypeParam>(ratio);
+    const auto id = world.add(heavy).value;
+    for (int i = 0; i < 120; ++i) {
+      ASSERT_EQ(world.step(TypeParam(1) / 60), Status::kOk);
+      welded += world.report().complete() ? 0 : 1;
+      ASSERT_FALSE(world.is_asleep(light) || world.is_asleep(id)) << ratio << ' ' << i;
+    }
+  }
+  EXPECT_GT(welded, 0) << "nothing was welded: another scene";
+}
+
 }  // namespace
 }  // namespace batuta

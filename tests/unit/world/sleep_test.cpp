@@ -95,6 +95,19 @@ TEST(Sleep, WhatFalls_NeverSleeps) {
   EXPECT_FALSE(world->is_asleep(id));
 }
 
+// Its axis is a point, which does not move.
+TEST(Sleep, BallThatSpinsOnTheSpot_NeverSleeps) {
+  for (const Vec3<double>& w_W : {Vec3<double>(0, 0, 20), Vec3<double>(0, 0, -0.4)}) {
+    Lying scene;
+    auto& body = scene.world->get(scene.lying)->body;
+    body.momentum.angular_W = w_W.cwiseQuotient(body.inverse_moments);
+    const double before = body.momentum.angular_W.z();
+    EXPECT_EQ(scene.sleep_after(), 0);
+    const auto& after = std::as_const(*scene.world).get(scene.lying)->body.momentum.angular_W;
+    EXPECT_NEAR(after.z(), before, 1e-9 * std::abs(before));
+  }
+}
+
 TEST(Sleep, AnotherGravity_WakesAll) {
   Lying scene;
   ASSERT_GT(scene.sleep_after(), 0);

@@ -54,8 +54,9 @@ struct OpeningState {
   Twist<Scalar> opening;  ///< for this step, to open gaps; no part of its momentum
   /// What shifts of this step changed of its x x p, kg m^2/s (moment_account.hpp).
   Vec3<Scalar> moment_W = zero<Scalar>();
-  bool is_held = false;   ///< something holds those it was opened with
-  bool is_opened = true;  ///< may still be moved to open gaps
+  bool is_held = false;     ///< something holds those it was opened with
+  bool is_opened = true;    ///< may still be moved to open gaps
+  bool was_welded = false;  ///< it did not make its own motion in this step
 };
 
 /// The numbers of all capsules of all bodies: parts of one body follow each other.
@@ -206,6 +207,7 @@ bool Bodies<SceneT>::begin(std::size_t slot) {
     state.moment_W.setZero();
     state.is_held = false;
     state.is_opened = true;
+    state.was_welded = false;
   }
   ActorType& actor = actors.at(slot);
   if (!has_valid_features(actor) || !Kinematics::is_usable(actor.body)) {

@@ -191,6 +191,23 @@ void Sleep<SceneT>::wake_all(BodiesT& bodies) {
   }
 }
 
+/// How far the skin of a part has gone about the part's own axis, m: the ends of a ball's axis, and
+/// of that of a rod that spins, stay where they are. Of a body of revolution the orientation shows
+/// the spin that the whole would have with the moment across its axis (mechanics/motion.md).
+template <class Scalar>
+Scalar way_of_skin(const Capsule<Scalar>& part_B, const Body<Scalar>& body,
+                   const Quat<Scalar>& from_WB) {
+  const Vec3<Scalar> turn_B = 2 * (from_WB.conjugate() * body.X_WB.q_WB).vec();
+  const Vec3<Scalar> along_B = part_B.axis.b - part_B.axis.a;
+  const Scalar length = along_B.norm();
+  if (!(length > Scalar(0))) return part_B.radius * turn_B.norm();
+  const Vec3<Scalar> axis_B = along_B / length;
+  const Scalar shown = part_B.radius * std::abs(turn_B.dot(axis_B));
+  if (body.spin_shows) return shown;
+  const Scalar about_axis = body.inverse_moments.dot(axis_B.cwiseAbs2());
+  return shown * (2 * about_axis / (body.inverse_moments.sum() - about_axis));
+}
+
 /// Whether the body has gone further than it would at rest_speed, or than its gaps let it sway.
 template <class SceneT>
 bool Sleep<SceneT>::has_left(const BodiesT& bodies, const GroupsT& groups, std::size_t slot) const {
@@ -203,20 +220,24 @@ bool Sleep<SceneT>::has_left(const BodiesT& bodies, const GroupsT& groups, std::
   };
   bool left = false;
   for (int i = 0; i < parts_of(actor); ++i) {  // Bound: kCapsulesPerBody
-    const Segment<Scalar>& axis = part_of(actor, i).axis;
-    left = left || is_far(axis.a) || is_far(axis.b);
+    const Capsule<Scalar>& part = part_of(actor, i);
+    left = left || is_far(part.axis.a) || is_far(part.axis.b);
+    if constexpr (SceneT::kRotation) {
+      left = left || way_of_skin(part, actor.body, rests_[slot].anchor.q_WB) > limit;
+    }
   }
   return left;
 }
 
-/// How long each has not left its place. @returns whether that is long enough for somebody
+/// How long each has not left its place, by a motion of its own: who was held by a weld stands
+/// where it would not. @returns whether that is long enough for somebody
 template <class SceneT>
 bool Sleep<SceneT>::count_quiet(BodiesT& bodies, const GroupsT& groups) {
   const auto time = static_cast<Scalar>(SceneT::kSleepTime);
   bool is_any = false;
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
     if (!may_sleep(bodies, slot)) continue;
-    if (has_left(bodies, groups, slot)) {
+    if (bodies.states[slot].was_welded || has_left(bodies, groups, slot)) {
       start_over(bodies, slot);
     } else {
       rests_[slot].quiet = min_of(rests_[slot].quiet + bodies.dt, 2 * time);
