@@ -213,6 +213,29 @@ TYPED_TEST(Sleepers, WhatTheCallerChanges_IsSeen) {
   EXPECT_NEAR(only_read, kRadius, 1e-4);
 }
 
+// Along the rod, so that it does not roll: friction of 0.3 holds it, and no friction does not.
+TYPED_TEST(Sleepers, FrictionThatTheCallerTakes_LetsItSlide) {
+  using SceneT = test::Settling<TypeParam, test::kSleeping>;
+  using S = TypeParam;
+  constexpr double kAcross = 1.5;  // of gravity, m/s^2
+  for (const double dt : {1e-3, 1.0 / 60}) {
+    for (const bool of_rails : {false, true}) {
+      Bed<SceneT> bed([](Actor<SceneT>& rail) { rail.friction = S(0.3); });
+      auto settings = bed.world->settings();
+      settings.gravity_W = Vector(0, kAcross, -9.81).template cast<S>();
+      ASSERT_EQ(bed.world->configure(settings), Status::kOk);
+      bed.sleep(dt);
+      for (const auto id : bed.rails) bed.world->get(id)->friction = S(of_rails ? 0 : 0.3);
+      bed.world->get(bed.sleeper)->friction = S(of_rails ? 0.3 : 0);
+      const int count = static_cast<int>(std::lround(0.3 / dt));
+      for (int i = 0; i < count; ++i) bed.step(dt);
+      const auto& body = bed.body(bed.sleeper);
+      const double speed = static_cast<double>(body.inverse_mass * body.momentum.linear_W.y());
+      EXPECT_NEAR(speed, kAcross * count * dt, 1e-3 * kAcross * count * dt) << dt << of_rails;
+    }
+  }
+}
+
 TYPED_TEST(Sleepers, WhoWasOnlyRead_SleepsOn) {
   using SceneT = test::Settling<TypeParam, test::kSleeping>;
   Bed<SceneT> bed;

@@ -23,6 +23,14 @@ constexpr SceneOptions switched() {
 template <bool kSleeps, bool kTells, class S = float>
 using Switched = Scene<switched<kSleeps, kTells>, Advancement<S>>;
 
+constexpr SceneOptions few_events() {
+  SceneOptions scene = switched<true, true>();
+  scene.max_events = 2;
+  return scene;
+}
+template <class S>
+using FewEvents = Scene<few_events, Advancement<S>>;
+
 template <class S>
 class SwitchesOf : public ::testing::Test {};
 using Scalars = ::testing::Types<float, double>;
@@ -92,31 +100,36 @@ TYPED_TEST(SwitchesOf, SleepBeforeAnybodySleeps_SameBits) {
   }
 }
 
+constexpr std::uint16_t kRails = 2;
+constexpr std::uint16_t kBars = 8;
+
 /// Bars side by side on two rails, asleep.
-std::unique_ptr<World<Switched<true, true>>> asleep() {
-  using SceneT = Switched<true, true>;
+template <class SceneT>
+std::unique_ptr<World<SceneT>> asleep() {
+  using S = typename SceneT::Scalar;
   auto world = std::make_unique<World<SceneT>>();
   for (const double x : {-0.1, 0.1}) {
     auto rail = test::fixed_rod<SceneT>(6, 0.03, {x, 0, -0.03}, test::along_y());
-    rail.friction = 0.5F;
+    rail.friction = S(0.5);
     EXPECT_TRUE(world->add(rail).ok());
   }
-  for (int i = 0; i < 8; ++i) {
+  for (int i = 0; i < kBars; ++i) {
     auto bar = test::solid_rod<SceneT>(0.4, 0.02, {0, 0.2 * (i - 4), 0.02 + 1e-4}, test::along_x());
-    bar.friction = 0.5F;
+    bar.friction = S(0.5);
     EXPECT_TRUE(world->add(bar).ok());
   }
-  for (int i = 0; i < 1000; ++i) EXPECT_EQ(world->step(1e-3F), Status::kOk);
+  for (int i = 0; i < 1000; ++i) EXPECT_EQ(world->step(S(1e-3)), Status::kOk);
   return world;
 }
-int sleepers(const World<Switched<true, true>>& world) {
+template <class SceneT>
+int sleepers(const World<SceneT>& world) {
   int count = 0;
   for (std::uint16_t i = 0; i < 16; ++i) count += world.is_asleep(world.id_at(i)) ? 1 : 0;
   return count;
 }
 
 TEST(Switches, Asleep_IsToldAsItIsAndCostsNothing) {
-  const auto world = asleep();
+  const auto world = asleep<Switched<true, true>>();
   ASSERT_EQ(sleepers(*world), 8);
   EXPECT_EQ(world->report().asleep, 8U);
   for (int i = 0; i < 10; ++i) {
@@ -128,8 +141,46 @@ TEST(Switches, Asleep_IsToldAsItIsAndCostsNothing) {
   }
 }
 
+/// The caller takes the rails away, or puts them 1 m lower: all bars fall as if nothing had been.
+template <class SceneT>
+void take_floor(bool is_moved) {
+  using S = typename SceneT::Scalar;
+  const auto world = asleep<SceneT>();
+  ASSERT_EQ(sleepers(*world), kBars);
+  for (std::uint16_t i = 0; i < kRails; ++i) {
+    const auto id = world->id_at(i);
+    if (is_moved) {
+      world->get(id)->body.X_WB.p_W.z() -= S(1);
+    } else {
+      ASSERT_EQ(world->remove(id), Status::kOk);
+    }
+  }
+  const auto height = [&world](std::uint16_t slot) {
+    return static_cast<double>(std::as_const(*world).get(world->id_at(slot))->body.X_WB.p_W.z());
+  };
+  double start[kBars];
+  for (std::uint16_t i = 0; i < kBars; ++i) start[i] = height(i + kRails);
+  for (int i = 0; i < 400; ++i) ASSERT_EQ(world->step(S(1e-3)), Status::kOk);
+  EXPECT_EQ(sleepers(*world), 0);
+  for (std::uint16_t i = 0; i < kBars; ++i) {
+    EXPECT_NEAR(height(i + kRails) - start[i], -9.81 * 0.4 * 0.4 / 2, 1e-5) << i;
+  }
+  for (int i = 0; i < 1000; ++i) ASSERT_EQ(world->step(S(1e-3)), Status::kOk);
+  EXPECT_EQ(sleepers(*world), is_moved ? kBars : 0);
+  for (std::uint16_t i = 0; i < kBars && is_moved; ++i) {
+    EXPECT_NEAR(height(i + kRails) - start[i], -1, 1e-4) << i;
+  }
+}
+
+TYPED_TEST(SwitchesOf, FloorThatIsTakenFromSleepers_LetsAllFall) {
+  for (const bool is_moved : {false, true}) {
+    take_floor<Switched<true, true, TypeParam>>(is_moved);
+    take_floor<FewEvents<TypeParam>>(is_moved);  // of sixteen contacts two are told
+  }
+}
+
 TEST(Switches, GravityThatTurns_WakesAll) {
-  const auto world = asleep();
+  const auto world = asleep<Switched<true, true>>();
   ASSERT_EQ(sleepers(*world), 8);
   auto settings = world->settings();
   ASSERT_EQ(world->configure(settings), Status::kOk);
@@ -138,9 +189,11 @@ TEST(Switches, GravityThatTurns_WakesAll) {
   ASSERT_EQ(world->configure(settings), Status::kOk);
   EXPECT_EQ(sleepers(*world), 0);
   for (int i = 0; i < 200; ++i) ASSERT_EQ(world->step(1e-3F), Status::kOk);
-  const auto& bar = std::as_const(*world).get(world->id_at(9))->body;
-  // All of the last bar's acceleration but friction, mu g_z = 0.5 m/s^2: and it may roll.
-  EXPECT_GT(bar.inverse_mass * bar.momentum.linear_W.y(), 1.0F);
+  for (std::uint16_t i = kRails; i < kRails + kBars; ++i) {
+    const auto& bar = std::as_const(*world).get(world->id_at(i))->body;
+    // All of a bar's acceleration but friction, mu g_z = 0.5 m/s^2: and it may roll.
+    EXPECT_GT(bar.inverse_mass * bar.momentum.linear_W.y(), 1.0F) << i;
+  }
 }
 
 }  // namespace
