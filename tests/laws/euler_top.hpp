@@ -123,6 +123,28 @@ bool fly(Body<Scalar>& body, Scalar step) {
   return true;
 }
 
+/// When the unstable top of ../shared/cases turns over: moments 1, 2, 3, from (0.01, 5, 0.01 / 3)
+/// rad/s. A flip takes 2 K of the closed form; the first one is integrated. Written
+/// out: 2.93, 8.34, 13.74, 19.15 s.
+struct UnstableTop {
+  Vec3<double> moments = {1, 2, 3};
+  Vec3<double> w_B = {0.01, 5, 0.01 / 3};
+
+  std::array<double, 4> flips() const {
+    const Vec3<double>& I = moments;
+    const double E2 = I.dot(w_B.cwiseProduct(w_B)), M2 = I.cwiseProduct(w_B).squaredNorm();
+    // M2 < E2 I[1]: around the axis of the smallest moment; 1 and 3 change places.
+    const double low = M2 - E2 * I[0], high = E2 * I[2] - M2;
+    const double pace = std::sqrt((I[1] - I[0]) * high / (I[0] * I[1] * I[2]));
+    const double m = (I[2] - I[1]) * low / ((I[1] - I[0]) * high);
+    const double half_period = static_cast<double>(2 * jacobi(0, Real(m)).quarter) / pace;
+    Top truth = top_of(turning<double>(I, w_B));
+    double first = 0;
+    for (; truth.b_B.y() > 0; first += 1e-3) truth = turned(truth, 1e-3L);
+    return {first, first + half_period, first + 2 * half_period, first + 3 * half_period};
+  }
+};
+
 /// Blade 0.9 m x 5 mm, quillons 0.2 m x 6 mm along x, pommel; steel.
 template <class Scalar>
 Compound<Scalar, 3> sword() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A sword in a world: blade, quillons and pommel, moments 7.0e-4, 0.112, 0.112 kg m^2. Whatever it
-// swings at and however long the step: it flies a metre a second.
+// swings at and however long the step: it flies a metre a second. And the unstable top, in a world.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -79,6 +79,33 @@ TYPED_TEST(SwordIn, EverySwingAndStep_MovesAMetreOfOne) {
         EXPECT_LE(way.energy, 1e-5L) << swing << " rad/s, " << step << " s";
       }
     }
+  }
+}
+
+TYPED_TEST(SwordIn, UnstableTop_FlipsWhenItShould) {
+  using SceneT = Armoury<TypeParam>;
+  const UnstableTop top;
+  const auto flips_at = top.flips();
+  for (const double step : {1e-3, 1e-2}) {
+    auto world = std::make_unique<World<SceneT>>();
+    Actor<SceneT> actor;
+    actor.body = turning<TypeParam>(top.moments, top.w_B);
+    ASSERT_TRUE(actor.capsules_B.push(Capsule<TypeParam>::sphere({0, 0, 0}, TypeParam(0.1))));
+    const auto id = world->add(actor).value;
+    std::size_t flips = 0;
+    Real last = 1;
+    for (int i = 1; i * step < 20; ++i) {
+      ASSERT_EQ(world->step(static_cast<TypeParam>(step)), Status::kOk);
+      ASSERT_TRUE(world->report().complete());
+      const Real now = top_of(std::as_const(*world).get(id)->body).b_B.y();
+      if (now * last < 0) {
+        ASSERT_LT(flips, flips_at.size());
+        EXPECT_NEAR(i * step, flips_at[flips], 0.005 * flips_at[flips] + step) << step << " s";
+        ++flips;
+      }
+      last = now;
+    }
+    EXPECT_EQ(flips, flips_at.size());
   }
 }
 
