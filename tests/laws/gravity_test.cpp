@@ -113,6 +113,8 @@ void throw_ball(double dt, double share) {
   const Vector want(3 * time, 0, 5 * time - kG * time * time / 2);
   const double length = 3 * time + 5 * time + kG * time * time / 2;
   EXPECT_LE((place - want).norm(), share * length) << dt;
+  const Vector v = velocity(std::as_const(*world).get(id)->body);
+  EXPECT_LE((v - Vector(3, 0, 5 - kG * time)).norm(), share * (3 + 5 + kG * time)) << dt;
 }
 
 TYPED_TEST(Gravity, Projectile_IsOnTheParabola) {
@@ -218,6 +220,41 @@ TYPED_TEST(Gravity, Apexes_FollowTheRestitution) {
     climb_again<Separates<TypeParam>>(dt);
     climb_again<Straight<TypeParam>>(dt);
     climb_again<Small<TypeParam>>(dt);
+  }
+}
+
+/// All bounces take sqrt(2 h / g) (1 + C) / (1 - C). No step adds energy, whatever becomes of
+/// bounces that are shorter than it; after them the ball is at rest, within 2 D of the floor, where
+/// a contact ends.
+template <class SceneT>
+void bounce_out(double height, double restitution, double dt) {
+  Drop<SceneT> drop(height, restitution);
+  const double whole = std::sqrt(2 * height / kG) * (1 + restitution) / (1 - restitution);
+  const double rest = 2 * kG * max_of(1e-4, kG * dt * dt / 4);
+  const int count = static_cast<int>(std::lround((1.2 * whole + 1) / dt));
+  for (int i = 0; i < count; ++i) {
+    drop.step(dt);
+    ASSERT_LE(drop.energy(), kG * height * (1 + 1e-6)) << i;
+    ASSERT_GE(drop.height(), 0) << i;
+    ASSERT_TRUE(drop.world->report().complete()) << i;
+    if (i * dt > 1.2 * whole + 2 * dt) {
+      ASSERT_LE(drop.energy(), rest) << i;
+    }
+  }
+}
+
+TYPED_TEST(Gravity, LossyBounces_EndInTheirTime) {
+  for (const double dt : {1e-3, 1e-2}) {
+    for (const double C : {0.0, 0.5, 0.9, 0.95}) {
+      for (const double height : {0.01, 0.05}) {
+        SCOPED_TRACE(::testing::Message() << height << " m, C " << C << ", " << dt << " s");
+        bounce_out<Settles<TypeParam>>(height, C, dt);
+        bounce_out<Strikes<TypeParam>>(height, C, dt);
+        bounce_out<Separates<TypeParam>>(height, C, dt);
+        bounce_out<Straight<TypeParam>>(height, C, dt);
+        bounce_out<Small<TypeParam>>(height, C, dt);
+      }
+    }
   }
 }
 

@@ -27,7 +27,8 @@ struct Seesaw {
   using S = typename SceneT::Scalar;
   std::unique_ptr<World<SceneT>> world = std::make_unique<World<SceneT>>();
   typename World<SceneT>::BodyId id;
-  double k2 = 0;  ///< of the turn about the contact, m^2
+  double k2 = 0;    ///< of the turn about the contact, m^2
+  double time = 0;  ///< in to_next_end(), s
 
   /// @param lever  of the rolling resistance, m
   Seesaw(double amplitude, double lever) {
@@ -45,16 +46,49 @@ struct Seesaw {
   }
   /// w of small swings: the centre's height is (R - r) angle^2 / 2 above its lowest, rad/s.
   double frequency() const { return std::sqrt(kG * (kFloor - kRod) / k2); }
+  struct Swing {
+    double end = 0;      ///< s
+    double fastest = 0;  ///< turn, rad/s
+  };
+  /// Until its turn changes its sign: when is known between two steps in a straight line.
+  Swing to_next_end(double dt) {
+    Swing swing;
+    for (double before = spin(); swing.end == 0;) {  // Bound: 2 s
+      EXPECT_EQ(world->step(static_cast<S>(dt)), Status::kOk);
+      const double now = spin();
+      if (now * before < 0) swing.end = time + before / (before - now) * dt;
+      time += dt;
+      if (time > 2) return swing;
+      swing.fastest = max_of(swing.fastest, std::abs(before));
+      before = now;
+    }
+    return swing;
+  }
+  double spin() const {
+    return static_cast<double>(twist_of(std::as_const(*world).get(id)->body).w_W.x());
+  }
   /// The largest swing in the next `duration`, from the fastest turn, rad.
   double amplitude(double dt, double duration) {
     double fastest = 0;
     const int count = static_cast<int>(std::lround(duration / dt));
     for (int i = 0; i < count; ++i) {
       EXPECT_EQ(world->step(static_cast<S>(dt)), Status::kOk);
-      const auto& body = std::as_const(*world).get(id)->body;
-      fastest = max_of(fastest, std::abs(static_cast<double>(twist_of(body).w_W.x())));
+      fastest = max_of(fastest, std::abs(spin()));
     }
     return fastest / frequency();
+  }
+  /// Half a swing, from one end to the other: how long it takes, s, by energy. Off the middle,
+  /// where it lies on the floor (R - r) angle^2 / 2 higher and R angle from its centre, (k2 + R^2
+  /// angle^2) w^2 = g (R - r) (amplitude^2 - angle^2).
+  double half_swing(double amplitude) const {
+    constexpr int kParts = 1000;
+    const double right = std::acos(-1.0) / 2;
+    double sum = 0;
+    for (int i = 0; i < kParts; ++i) {
+      const double far = kFloor * amplitude * std::sin((i + 0.5) / kParts * right);
+      sum += std::sqrt(k2 + far * far) * right / kParts;
+    }
+    return 2 * sum / std::sqrt(kG * (kFloor - kRod));
   }
 };
 
@@ -80,6 +114,23 @@ TYPED_TEST(Rocking, RollingResistance_TakesTheSameAngleOfEverySwing) {
     const double cycles = 2 * frequency / (2 * std::acos(-1.0));
     const double want = cycles * 4 * lever / (kFloor - kRod);
     EXPECT_NEAR(lost<SceneT>(lever, dt) - without, want, 0.03 * want) << lever;
+  }
+}
+
+// By the amplitude that the fastest turn of each half swing has.
+TYPED_TEST(Rocking, Period_IsThatOfItsInertia) {
+  using SceneT = Settling<TypeParam, test::kRollingAwake>;
+  for (const double lever : {0.0, 1e-4}) {
+    for (const double dt : {1e-4, 1e-3}) {
+      Seesaw<SceneT> seesaw(0.03, lever);
+      double start = seesaw.to_next_end(dt).end;
+      for (int i = 0; i < 6; ++i) {
+        const auto swing = seesaw.to_next_end(dt);
+        const double want = seesaw.half_swing(swing.fastest / seesaw.frequency());
+        EXPECT_NEAR(swing.end - start, want, 0.01 * want) << i << ": " << lever << ' ' << dt;
+        start = swing.end;
+      }
+    }
   }
 }
 
