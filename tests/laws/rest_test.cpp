@@ -12,36 +12,31 @@ using test::Settling;
 using test::Vector;
 
 constexpr double kG = 9.81;
+const double kPi = std::acos(-1.0);
 
 template <class S>
 class Rest : public ::testing::Test {};
 using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(Rest, Scalars);
 
-/// A rod across two rails that gravity is tilted along, by `angle`.
+/// Something that may slide along y, as gravity is tilted by `angle`.
 template <class SceneT>
-struct Slope {
+struct Tilted {
   using S = typename SceneT::Scalar;
   std::unique_ptr<World<SceneT>> world = std::make_unique<World<SceneT>>();
   typename World<SceneT>::BodyId id;
 
-  /// @param rolls  else it cannot turn about its own axis
-  /// @param lever  of the rolling resistance, m
-  Slope(double angle, double mu, bool rolls, double lever = 0) {
+  explicit Tilted(double angle, double separation = 1e-4) {
     auto settings = world->settings();
+    settings.separation = static_cast<S>(separation);
     settings.gravity_W = Vector(0, kG * std::sin(angle), -kG * std::cos(angle)).template cast<S>();
     EXPECT_EQ(world->configure(settings), Status::kOk);
-    for (const double x : {-0.35, 0.35}) {
-      auto rail = test::fixed_rod<SceneT>(8, 0.01, {x, 2, 0}, test::along_y());
-      rail.friction = static_cast<S>(mu);
-      if constexpr (SceneT::kRollingResistance) rail.rolling_resistance = static_cast<S>(lever);
-      (void)world->add(rail);
-    }
-    auto rod = test::solid_rod<SceneT>(1, 0.01, {0, -0.8, 0.02 + 5e-5}, test::along_x());
-    if (!rolls) rod.body.inverse_moments.z() = 0;
-    rod.friction = static_cast<S>(mu);
-    if constexpr (SceneT::kRollingResistance) rod.rolling_resistance = static_cast<S>(lever);
-    id = world->add(rod).value;
+  }
+  void add_rail(double radius, double x, double z, double mu, double lever = 0) {
+    auto rail = test::fixed_rod<SceneT>(8, radius, {x, 2, z}, test::along_y());
+    rail.friction = static_cast<S>(mu);
+    if constexpr (SceneT::kRollingResistance) rail.rolling_resistance = static_cast<S>(lever);
+    (void)world->add(rail);
   }
   const Body<S>& rod() const { return std::as_const(*world).get(id)->body; }
   double speed() const {
@@ -66,6 +61,51 @@ struct Slope {
   }
 };
 
+/// A rod across two rails.
+template <class SceneT>
+struct Slope : Tilted<SceneT> {
+  using S = typename SceneT::Scalar;
+
+  /// @param rolls  else it cannot turn about its own axis
+  /// @param lever  of the rolling resistance, m
+  Slope(double angle, double mu, bool rolls, double lever = 0, double separation = 1e-4)
+      : Tilted<SceneT>(angle, separation) {
+    for (const double x : {-0.35, 0.35}) this->add_rail(0.01, x, 0, mu, lever);
+    auto rod = test::solid_rod<SceneT>(1, 0.01, {0, -0.8, 0.02 + 5e-5}, test::along_x());
+    if (!rolls) rod.body.inverse_moments.z() = 0;
+    rod.friction = static_cast<S>(mu);
+    if constexpr (SceneT::kRollingResistance) rod.rolling_resistance = static_cast<S>(lever);
+    this->id = this->world->add(rod).value;
+  }
+};
+
+/// A rod along two rails that wedge it: the planes that touch it are `half` off the upright one, so
+/// each rail presses with m g cos(angle) / (2 sin(half)), and friction is mu / sin(half) of the
+/// weight. Its gaps are those of rest, D / 2.
+template <class SceneT>
+struct Wedge : Tilted<SceneT> {
+  using S = typename SceneT::Scalar;
+
+  Wedge(double angle, double mu, double half, double dt) : Tilted<SceneT>(angle) {
+    constexpr double kRadius = 0.05;
+    const double apart = 2 * kRadius + max_of(1e-4, kG * dt * dt / 4) / 2;
+    for (const double side : {-1.0, 1.0}) {
+      this->add_rail(kRadius, side * apart * std::cos(half), -apart * std::sin(half), mu);
+    }
+    auto rod = test::solid_rod<SceneT>(0.5, kRadius, {0, -0.8, 0}, test::along_y());
+    rod.friction = static_cast<S>(mu);
+    this->id = this->world->add(rod).value;
+  }
+  /// That of the half angle, where the rod is now.
+  double sine() const {
+    const auto place = [this](std::uint16_t slot) {
+      return std::as_const(*this->world).get(this->world->id_at(slot))->body.X_WB.p_W;
+    };
+    const Vec3<S> way = place(2) - place(0);
+    return static_cast<double>(way.z() / std::hypot(way.x(), way.z()));
+  }
+};
+
 TYPED_TEST(Rest, SlopeBelowTheCriticalAngle_HoldsAndSleeps) {
   for (const double dt : {1e-4, 1e-3, 1e-2, 1.0 / 60, 1.0 / 30}) {
     for (const double mu : {0.2, 0.5}) {
@@ -74,9 +114,11 @@ TYPED_TEST(Rest, SlopeBelowTheCriticalAngle_HoldsAndSleeps) {
         slope.settle(dt);
         EXPECT_LE(std::abs(slope.speed()), 1e-6) << dt << ' ' << mu << ' ' << share;
       }
-      Slope<Settling<TypeParam, test::kSleeping>> slope(std::atan(0.9 * mu), mu, false);
-      slope.run(dt, 1);
-      EXPECT_TRUE(slope.world->is_asleep(slope.id)) << dt << ' ' << mu;
+      for (const double D : {1e-5, 1e-4, 1e-3}) {
+        Slope<Settling<TypeParam, test::kSleeping>> slope(std::atan(0.9 * mu), mu, false, 0, D);
+        slope.run(dt, 1);
+        EXPECT_TRUE(slope.world->is_asleep(slope.id)) << dt << ' ' << mu << ' ' << D;
+      }
     }
   }
 }
@@ -93,6 +135,125 @@ TYPED_TEST(Rest, SlopeAboveTheCriticalAngle_SlidesAsCoulombSays) {
         EXPECT_NEAR(slope.acceleration(dt, 0), want, 0.01 * want)
             << dt << ' ' << mu << ' ' << share;
       }
+    }
+  }
+}
+
+// It begins to slide where tan = mu / sin(half), within 1 % of it, and then by
+// a = g (sin - mu / sin(half) cos), with the half angle that the sway of its gaps makes of it.
+TYPED_TEST(Rest, RodWedgedByTwoRails_HoldsAndSlidesByTheFrictionOfAGroove) {
+  for (const double dt : {1e-3, 1e-2, 1.0 / 60, 1.0 / 30}) {
+    for (const double half : {kPi / 6, kPi / 3}) {
+      SCOPED_TRACE(::testing::Message() << dt << " s, half angle " << half);
+      const double mu = 0.3;
+      const double critical = mu / std::sin(half);
+      for (const double share : {0.5, 0.99}) {
+        Wedge<Settling<TypeParam, test::kFalling>> wedge(std::atan(share * critical), mu, half, dt);
+        wedge.settle(dt);
+        EXPECT_LE(std::abs(wedge.speed()), 1e-5) << share;
+      }
+      Wedge<Settling<TypeParam, test::kSleeping>> sleeper(std::atan(0.9 * critical), mu, half, dt);
+      sleeper.run(dt, 1);
+      EXPECT_TRUE(sleeper.world->is_asleep(sleeper.id));
+      for (const double share : {1.01, 1.2}) {
+        const double angle = std::atan(share * critical);
+        Wedge<Settling<TypeParam, test::kFalling>> wedge(angle, mu, half, dt);
+        wedge.settle(dt);
+        const double before = wedge.speed();
+        double want = 0;
+        for (double t = 0; t < 1; t += dt) {
+          want += kG * (std::sin(angle) - mu / wedge.sine() * std::cos(angle)) * dt;
+          wedge.run(dt, dt);
+        }
+        const double friction = kG * critical * std::cos(angle);  // in a second, known to 0.2 %
+        EXPECT_NEAR(wedge.speed() - before, want, 0.01 * want + 2e-3 * friction) << share;
+      }
+    }
+  }
+}
+
+/// A ball between a floor and an upright wall, rods of 5 cm along y.
+template <class SceneT>
+struct Corner {
+  using S = typename SceneT::Scalar;
+  static constexpr double kRadius = 0.1;
+  std::unique_ptr<World<SceneT>> world = std::make_unique<World<SceneT>>();
+  typename World<SceneT>::BodyId id;
+
+  /// @param lean  of gravity, from the floor's side to the wall's
+  /// @param spin  about the y axis, rad/s
+  Corner(double lean, double mu, double spin) {
+    auto settings = world->settings();
+    settings.gravity_W = (kG * Vector(-std::sin(lean), 0, -std::cos(lean))).template cast<S>();
+    EXPECT_EQ(world->configure(settings), Status::kOk);
+    const double apart = kRadius + 0.05 + 5e-5;
+    for (const Vector& place : {Vector(0, 0, -apart), Vector(-apart, 0, 0)}) {
+      auto rod = test::fixed_rod<SceneT>(1, 0.05, place, test::along_y());
+      rod.friction = static_cast<S>(mu);
+      (void)world->add(rod);
+    }
+    auto ball = test::solid_ball<SceneT>(kRadius, {0, 0, 0});
+    ball.friction = static_cast<S>(mu);
+    test::throw_body(ball, Vector::Zero(), {0, spin, 0});
+    id = world->add(ball).value;
+  }
+  /// The length that rules rest, m.
+  static double D(double dt) { return max_of(1e-4, kG * dt * dt / 4); }
+  const Body<S>& ball() const { return std::as_const(*world).get(id)->body; }
+  double spin() const { return static_cast<double>(twist_of(ball()).w_W.y()); }
+  void step(double dt) {
+    ASSERT_EQ(world->step(static_cast<S>(dt)), Status::kOk);
+    ASSERT_TRUE(world->report().complete());
+  }
+};
+
+// Without friction floor and wall press with m g cos(lean) and m g sin(lean). With it more than one
+// answer is right, and it stays where it is as well: it sleeps.
+template <class SceneT>
+void lean_on_wall(double lean, double mu, double dt) {
+  Corner<SceneT> corner(lean, mu, 0);
+  const double weight = kG * dt / static_cast<double>(corner.ball().inverse_mass);
+  corner.step(dt);
+  ASSERT_EQ(corner.world->events().size(), 2);
+  for (const auto& event : corner.world->events()) {
+    const double upright = std::abs(static_cast<double>(event.contact.normal_BA_W.z()));
+    const double want = weight * (upright > 0.5 ? std::cos(lean) : std::sin(lean));
+    EXPECT_NEAR(static_cast<double>(event.impulse), want, mu > 0 ? weight : 1e-3 * want);
+  }
+  for (double t = 0; t < 1; t += dt) corner.step(dt);
+  EXPECT_LE(static_cast<double>(corner.ball().X_WB.p_W.norm()), corner.D(dt));
+  EXPECT_TRUE(corner.world->is_asleep(corner.id));
+}
+
+TYPED_TEST(Rest, BallThatLeansOnAWall_StaysAndSleeps) {
+  for (const double dt : {1e-4, 1e-3, 1e-2, 1.0 / 60, 1.0 / 30}) {
+    for (const double mu : {0.0, 0.5}) {
+      for (const double lean : {0.1, kPi / 4, 1.4}) {
+        SCOPED_TRACE(::testing::Message() << dt << " s, " << mu << ", lean " << lean);
+        lean_on_wall<Settling<TypeParam, test::kSleeping>>(lean, mu, dt);
+      }
+    }
+  }
+}
+
+// It spins into the corner: the floor's friction mu N presses it on the wall, and the wall's mu^2 N
+// lifts it, so N (1 + mu^2) = m g, and both brake it: with I = 2/5 m r^2 by
+// 5/2 mu (1 + mu) / (1 + mu^2) g / r. The gap of rest adds half of it to the lever.
+TYPED_TEST(Rest, BallThatSpinsInACorner_IsBrakedByBothAndStops) {
+  using SceneT = Settling<TypeParam, test::kFalling>;
+  constexpr double kSpin = -60;
+  for (const double dt : {1e-4, 1e-3, 1e-2, 1.0 / 60}) {
+    for (const double mu : {0.1, 0.3}) {
+      SCOPED_TRACE(::testing::Message() << dt << " s, " << mu);
+      Corner<SceneT> corner(0, mu, kSpin);
+      const double brake = 2.5 * mu * (1 + mu) / (1 + mu * mu) * kG / corner.kRadius;
+      const int count = static_cast<int>(std::lround(0.5 / dt));
+      for (int i = 0; i < count; ++i) corner.step(dt);
+      EXPECT_NEAR(corner.spin(), kSpin + brake * count * dt, 0.01 * brake * count * dt);
+      EXPECT_LE(static_cast<double>(corner.ball().X_WB.p_W.norm()), corner.D(dt));
+      const int rest = static_cast<int>(std::lround(-1.1 * kSpin / brake / dt));
+      for (int i = count; i < rest; ++i) corner.step(dt);
+      EXPECT_LE(std::abs(corner.spin()), brake * dt) << "what a step takes";
     }
   }
 }
