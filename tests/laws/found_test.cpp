@@ -98,6 +98,35 @@ TYPED_TEST(FoundAtRandom, BallBetweenHands_StandsWithBoth) {
   }
 }
 
+// A light ball in a hand is struck towards a heavy one that it touches: it leaves the hand within
+// that moment, and what its contacts held for as heavy as a wall is light. (They pushed it on as if
+// it still were, harder at each visit: impulses of 1e288 N s, then no numbers.)
+TYPED_TEST(FoundAtRandom, LightBallStruckOutOfAHand_WinsNoEnergy) {
+  using S = TypeParam;
+  using SceneT = Scene<hands_options<S>, Advancement<S>, AnyController<S, FreeFlight<S>, Hand<S>>>;
+  for (const double speed : {0.3, 3.0, 30.0}) {
+    World<SceneT> world;
+    Handle<Actor<SceneT>> ids[3];
+    for (int i = 0; i < 3; ++i) {
+      auto ball = test::solid_ball<SceneT>(0.1, {0.2 * i, 0, 0});
+      if (i == 1) {
+        ball.body.inverse_mass *= S(1000);
+        ball.body.inverse_moments *= S(1000);
+        Hand<S> hand;
+        hand.step = S(kStep);
+        hand.target_W = ball.body.X_WB;
+        ball.controller = hand;
+      }
+      if (i == 2) test::throw_body(ball, {-speed, 0, 0});
+      ids[i] = world.add(ball).value;
+    }
+    const double before = test::sums_of(std::as_const(world)).kinetic;
+    ASSERT_EQ(world.step(S(kStep)), Status::kOk);
+    const double after = test::sums_of(std::as_const(world)).kinetic;
+    EXPECT_LE(after, before * (1 + 64 * static_cast<double>(kRoundOff<S>))) << speed;
+  }
+}
+
 template <class S>
 constexpr SceneOptions cramped_options() {
   SceneOptions scene;

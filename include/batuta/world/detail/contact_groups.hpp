@@ -81,6 +81,8 @@ class ContactGroups {
   /// A body was shifted within the step. Where that was far, its contacts have their points where
   /// it was.
   void note_shift(const Body<Scalar>& body, std::size_t slot, const Vec3<Scalar>& shift_W);
+  /// A body is not what its contacts were prepared for: whoever visits one finds its points anew.
+  void prepare_again(std::size_t slot);
   /// The k-th of the contacts that are solved.
   Contact& solved_at(int k) { return contacts[order[static_cast<std::size_t>(k)]]; }
   const Contact& solved_at(int k) const { return contacts[order[static_cast<std::size_t>(k)]]; }
@@ -222,7 +224,11 @@ bool changes_arms(const Body<Scalar>& body, const Vec3<Scalar>& shift_W) {
 template <class SceneT>
 void ContactGroups<SceneT>::note_shift(const Body<Scalar>& body, std::size_t slot,
                                        const Vec3<Scalar>& shift_W) {
-  if (!changes_arms(body, shift_W)) return;
+  if (changes_arms(body, shift_W)) prepare_again(slot);
+}
+
+template <class SceneT>
+void ContactGroups<SceneT>::prepare_again(std::size_t slot) {
   // Bound: the contacts of a body.
   for (int i = contacts.first_of(slot); i != kNone; i = contacts.next_of(i, slot)) {
     contacts[i].is_moved = true;

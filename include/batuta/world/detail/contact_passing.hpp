@@ -6,7 +6,8 @@
 
 namespace batuta::detail {
 
-/// A body is where it is now, and a blow has changed it.
+/// A body is where it is now, and a blow has changed it. One that was led when its contacts were
+/// prepared, and is not any more, is softer than they know: a blow takes a body out of a hand.
 template <class SceneT>
 void mark(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups, std::size_t slot) {
   if (groups.changes.is_dirty[slot]) return;
@@ -15,7 +16,9 @@ void mark(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups, std::size_t slo
   groups.look_again(slot);
   bodies.advance_to_now(slot);
   bodies.states[slot].changed = bodies.is_changed = true;
+  const bool was_led = !(groups.solved[slot].inverse_mass > 0);
   groups.load(bodies, slot);
+  if (was_led) groups.prepare_again(slot);
 }
 
 /// A contact where its bodies are now; what it spent so far cannot be taken back.
@@ -201,9 +204,9 @@ bool is_due(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups, std::size_t i
 template <class SceneT>
 void bring_to_now(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups,
                   LastingContactOf<SceneT>& contact) {
-  if (contact.since < bodies.now || contact.is_moved) refresh(bodies, groups, contact);
   mark(bodies, groups, a_of<SceneT>(contact));
   mark(bodies, groups, b_of<SceneT>(contact));
+  if (contact.since < bodies.now || contact.is_moved) refresh(bodies, groups, contact);
 }
 
 /// A sleeper that is to take something is no wall to it.
