@@ -93,10 +93,10 @@ struct LastingContact : FeatureIf<Traits::kFriction, ContactFriction<typename Tr
   bool is_kept = false;    ///< was found near in this step
   bool is_told = false;    ///< its begin was told
   std::uint8_t below = 0;  ///< which one counts as held while gaps are opened: 1: A, 2: B
-  bool is_moved = false;   ///< a body of it was shifted far, or left its hand, since it was prepared
-  bool is_held = false;    ///< something holds its group: only then openings turn bodies
-  Scalar since = 0;        ///< in the step, s: its points are those of this time
-  Scalar rest_gap = 0;     ///< D of the pair, m
+  bool is_moved = false;  ///< a body of it was shifted far, or left its hand, since it was prepared
+  bool is_held = false;   ///< something holds its group: only then openings turn bodies
+  Scalar since = 0;       ///< in the step, s: its points are those of this time
+  Scalar rest_gap = 0;    ///< D of the pair, m
   std::array<ContactPoint<Traits>, kPoints> points;
 };
 
