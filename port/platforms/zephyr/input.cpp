@@ -63,20 +63,21 @@ void EventInput::handle(const input_event& event) {
     const int button = button_of(event.code);
     if (button >= 0) (void)builder_.button(button, event.value != 0);
   }
-  const bool is_absolute = event.type == INPUT_EV_ABS;
-  if (is_absolute || event.type == INPUT_EV_REL) {
-    const AxisKind kind = is_absolute ? AxisKind::kAbsolute : AxisKind::kRelative;
-    for (std::size_t i = 0; i < kAxisCodes.size(); ++i) {  // Bound: kAxes
-      if (kAxisCodes[i] == event.code && kinds_[i] == kind)
-        builder_.axis(static_cast<Axis>(i), event.value);
-    }
-  }
+  if (event.type == INPUT_EV_ABS) move_axis(AxisKind::kAbsolute, event);
+  if (event.type == INPUT_EV_REL) move_axis(AxisKind::kRelative, event);
   if (event.sync == 0) return;
   const Result<InputSample> sample = builder_.sync(clock_.now());
   if (sample.status != Status::kOk) return;
   const Locked locked(lock_);
   latest_ = sample.value;
   is_new_ = true;
+}
+
+void EventInput::move_axis(AxisKind kind, const input_event& event) {
+  for (std::size_t i = 0; i < kAxisCodes.size(); ++i) {  // Bound: kAxes
+    if (kAxisCodes[i] == event.code && kinds_[i] == kind)
+      builder_.axis(static_cast<Axis>(i), event.value);
+  }
 }
 
 Status EventInput::do_read(Microseconds now, InputSample& sample) {

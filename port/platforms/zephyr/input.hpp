@@ -43,6 +43,7 @@ class EventInput final : public InputDevice {
 
  private:
   Status do_read(Microseconds now, InputSample& sample) override;
+  void move_axis(AxisKind kind, const input_event& event);
 
   Clock& clock_;
   SampleBuilder builder_;                ///< of the callback's thread
