@@ -258,6 +258,19 @@ TYPED_TEST(Gravity, LossyBounces_EndInTheirTime) {
   }
 }
 
+// Who lies still, to the last bit, is awake and pressed all the same: nothing happens to it.
+TYPED_TEST(Gravity, BallThatLiesAwake_HasNothingToAnswer) {
+  for (const double dt : kSteps) {
+    Drop<Settles<TypeParam>> drop(5e-5, 0);
+    for (int i = 0; i < 1000; ++i) {
+      drop.step(dt);
+      if (i < 20) continue;
+      ASSERT_EQ(drop.world->events().size(), 0) << dt << ' ' << i;
+      ASSERT_LE(std::abs(drop.speed()), 1e-6) << dt << ' ' << i;
+    }
+  }
+}
+
 // All bounces of C = 0.9 from 1 cm take 0.86 s; after them it rests, and sleeps.
 TYPED_TEST(Gravity, BouncesShorterThanAStep_End) {
   using SceneT = LawScene<TypeParam, RestingContact::kSettling, test::kSleeping>;

@@ -24,5 +24,33 @@ TEST(RandomFound, WhatIsStruckWhileItLiesAndTurns_WinsNoEnergy) {
   expect_no_gain<Of<double, kBlowsLed>>({82, 433, 594});
 }
 
+// What one step lifts by m (g T)^2 at most (law 3) the next ones take again: there is no trend.
+TEST(RandomFound, WhatHopsOnTwoSupports_WinsNoMoreThanOnce) {
+  RandomRun<Of<float, kBlowsCramped>> run{Choices(399)};
+  const Real3 g = run.gravity().cast<Real>();
+  Real once = 0;
+  const auto energy = [&] {
+    Real sum = 0;
+    once = 0;
+    for (const SeenBody& body : run.seen()) {
+      if (!(body.mass > 0)) continue;
+      sum += body.kinetic() - body.mass * g.dot(body.x);
+      once += body.mass * g.squaredNorm() * run.dt() * run.dt();
+    }
+    return sum;
+  };
+  Real before = energy();
+  const Real most = before + once;
+  int lifted = 0;
+  for (int i = 0; i < 400; ++i) {
+    ASSERT_EQ(run.step(), Status::kOk);
+    const Real after = energy();
+    ASSERT_LE(after, most) << i;
+    lifted += after > before + once / 16;
+    before = after;
+  }
+  EXPECT_GT(lifted, 50) << "or this scene shows nothing";
+}
+
 }  // namespace
 }  // namespace batuta::test

@@ -231,6 +231,8 @@ class Checker {
     for (std::size_t i = 0; i < before_.size(); ++i) {
       const SeenBody& body = before_[i];
       const Real load = body.mass * told_.g.norm();
+      // Law 3: a second support may lift what lies on a first one.
+      if (!told_.settles && impulses() > 0) slack += load * told_.g.norm() * told_.dt * told_.dt;
       slack += 8 * told_.u * load * (body.x.norm() + way_of(i)) * (1 + impulses());
       depth += load;
       // A velocity that moves nothing by a digit of D in a step.

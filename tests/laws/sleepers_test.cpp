@@ -236,6 +236,34 @@ TYPED_TEST(Sleepers, FrictionThatTheCallerTakes_LetsItSlide) {
   }
 }
 
+// As above, of one that is awake and has stood for 50 steps: m a = m g_y - mu m g_z, whatever its
+// contacts had begun with.
+TYPED_TEST(Sleepers, FrictionThatIsTakenFromWhoIsAwake_LetsItSlide) {
+  using SceneT = test::Settling<TypeParam, test::kFalling>;
+  using S = TypeParam;
+  constexpr double kAcross = 1.5;  // of gravity, m/s^2
+  for (const double dt : {1e-3, 1.0 / 60}) {
+    for (const double left : {0.0, 0.1}) {
+      Bed<SceneT> bed([](Actor<SceneT>& rail) { rail.friction = S(0.3); });
+      auto settings = bed.world->settings();
+      settings.gravity_W = Vector(0, kAcross, -9.81).template cast<S>();
+      ASSERT_EQ(bed.world->configure(settings), Status::kOk);
+      for (int i = 0; i < 50; ++i) bed.step(dt);
+      const auto speed = [&bed] {
+        const auto& body = bed.body(bed.sleeper);
+        return static_cast<double>(body.inverse_mass * body.momentum.linear_W.y());
+      };
+      EXPECT_NEAR(speed(), 0, 1e-4);
+      for (const auto id : bed.rails) bed.world->get(id)->friction = static_cast<S>(left);
+      bed.world->get(bed.sleeper)->friction = static_cast<S>(left);
+      const int count = static_cast<int>(std::lround(0.3 / dt));
+      for (int i = 0; i < count; ++i) bed.step(dt);
+      const double expected = (kAcross - left * 9.81) * count * dt;
+      EXPECT_NEAR(speed(), expected, 0.01 * expected) << dt << ' ' << left;
+    }
+  }
+}
+
 TYPED_TEST(Sleepers, WhoWasOnlyRead_SleepsOn) {
   using SceneT = test::Settling<TypeParam, test::kSleeping>;
   Bed<SceneT> bed;

@@ -150,6 +150,12 @@ template <class Scalar>
 
 namespace detail {
 
+/// Whether x >= 0 has a finite inverse, or stands for none: an inverse mass or moment.
+template <class Scalar>
+bool is_zero_or_normal(Scalar x) {
+  return x == Scalar(0) || x >= std::numeric_limits<Scalar>::min();
+}
+
 /// Whether all components are zero, of either sign.
 template <class Scalar>
 bool is_zero(const Vec3<Scalar>& v) {

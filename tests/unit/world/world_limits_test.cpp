@@ -74,6 +74,15 @@ TEST(WorldLimits, BadActors_AreRefused) {
   bad.body.momentum.angular_W.z() = std::numeric_limits<double>::infinity();
   EXPECT_EQ(world.add(bad).status, Status::kInvalidArgument);
   bad = good;
+  bad.body.X_WB.q_WB.coeffs().setZero();
+  EXPECT_EQ(world.add(bad).status, Status::kInvalidArgument);
+  bad = good;
+  bad.body.inverse_mass = std::numeric_limits<double>::denorm_min();  // no mass is its inverse
+  EXPECT_EQ(world.add(bad).status, Status::kInvalidArgument);
+  bad = good;
+  bad.body.inverse_moments.y() = std::numeric_limits<double>::denorm_min();
+  EXPECT_EQ(world.add(bad).status, Status::kInvalidArgument);
+  bad = good;
   bad.body.inverse_mass = -1;
   EXPECT_EQ(world.add(bad).status, Status::kInvalidArgument);
   bad = good;

@@ -142,18 +142,41 @@ bool is_near(const Bodies<SceneT>& bodies, Pairs<SceneT>& pairs, ProxyPair pair,
   return !(near.axes.distance - A_W.radius - B_W.radius > D);
 }
 
+/// What the two resist with. Where that has become less the impulses along it are cut as much: a
+/// contact whose own limit is smaller than what it begins with would keep that.
+template <class SceneT>
+void set_friction([[maybe_unused]] LastingContactOf<SceneT>& contact,
+                  [[maybe_unused]] const Actor<SceneT>& P,
+                  [[maybe_unused]] const Actor<SceneT>& Q) {
+  using Scalar = Scalar_of<SceneT>;
+  if constexpr (SceneT::kFriction) {
+    const Scalar friction = pair_friction(P.friction, Q.friction);
+    if (friction < contact.friction) {
+      for (auto& point : contact.points) {  // Bound: 2
+        point.along *= friction / contact.friction;
+        point.across *= friction / contact.friction;
+      }
+    }
+    contact.friction = friction;
+  }
+  if constexpr (SceneT::kRollingResistance) {
+    const Scalar rolling = pair_rolling(P.rolling_resistance, Q.rolling_resistance);
+    if (rolling < contact.rolling) {
+      // Bound: 2
+      for (auto& point : contact.points) point.rolling_W *= rolling / contact.rolling;
+    }
+    contact.rolling = rolling;
+  }
+}
+
 template <class SceneT>
 typename ContactGroups<SceneT>::Contact* ContactGroups<SceneT>::add(const BodiesT& bodies,
                                                                     ProxyPair pair, Scalar D) {
   const int i = contacts.find_or_add(pair);
   if (i == kNone) return nullptr;
   Contact& contact = contacts[i];
-  const auto& P = bodies.actor(a_of<SceneT>(contact));
-  const auto& Q = bodies.actor(b_of<SceneT>(contact));
-  if constexpr (SceneT::kFriction) contact.friction = pair_friction(P.friction, Q.friction);
-  if constexpr (SceneT::kRollingResistance) {
-    contact.rolling = pair_rolling(P.rolling_resistance, Q.rolling_resistance);
-  }
+  set_friction<SceneT>(contact, bodies.actor(a_of<SceneT>(contact)),
+                       bodies.actor(b_of<SceneT>(contact)));
   contact.rest_gap = D;
   contact.is_kept = true;
   return &contact;

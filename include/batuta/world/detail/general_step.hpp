@@ -56,7 +56,9 @@ void GeneralWorld<SceneT>::solve_lasting() {
     auto& state = bodies_.states[slot];
     if (!state.present) continue;
     state.changed = false;
-    const bool idle = state.stands && Kinematics::is_still(state.plan.motion);
+    // Who stands exactly still and falls would lose the contact that carries it.
+    const bool idle =
+        state.stands && Kinematics::is_still(state.plan.motion) && !bodies_.falls(slot);
     if (idle && is_as_long && state.boxed && pairs_.boxes().is_idle(BodiesT::proxy_of(slot, 0)))
       continue;
     pairs_.put_wide_boxes(bodies_, slot, idle);
@@ -216,7 +218,7 @@ Status GeneralWorld<SceneT>::configure(const WorldSettings<SceneT>& settings) {
 
 template <class SceneT>
 Result<typename GeneralWorld<SceneT>::BodyId> GeneralWorld<SceneT>::add(const ActorType& actor) {
-  if (!has_valid_features(actor) || !Kinematics::is_usable(actor.body))
+  if (!has_valid_features(actor) || !Kinematics::is_addable(actor.body))
     return failure<BodyId>(Status::kInvalidArgument);
   ActorType added = actor;
   Kinematics::prepare(added);

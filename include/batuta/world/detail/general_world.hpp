@@ -64,7 +64,8 @@ class GeneralWorld : private RepeatsOf<SceneT> {
 
   /// Puts a body into the world, in the lowest free slot.
   /// @returns kOk with the id | kPoolFull | kInvalidArgument (not finite, negative radius, no part,
-  /// C outside [0, 1], mu negative, or so far from the origin that numbers there are further apart
+  /// C outside [0, 1], mu negative, an orientation of 0, an inverse mass or moment so small that
+  /// its own inverse is not finite, or so far from the origin that numbers there are further apart
   /// than the body is large)
   Result<BodyId> add(const ActorType& actor);
 
@@ -174,8 +175,6 @@ class GeneralWorld : private RepeatsOf<SceneT> {
                               const Momentum<Scalar>& change);
   // Who carries what falls: general_load.hpp.
   static constexpr int kNobody = -1;
-  /// Roundings in the velocity of a pair of which one or both are carried.
-  static constexpr Scalar kLoadRoundings = 16;
   bool is_blow(ProxyPair pair, const Contact<Scalar>& contact);
   int takes_load(ProxyPair pair, const Contact<Scalar>& contact);
   Sides sides_of_load(ProxyPair pair, int carried) const;

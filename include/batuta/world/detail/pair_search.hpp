@@ -181,6 +181,36 @@ Scalar_of<SceneT> rate_of_momenta([[maybe_unused]] const Bodies<SceneT>& bodies,
   }
 }
 
+/// What the velocity of any of a body's matter is rounded by, in units of a rounding, m/s: what it
+/// is summed of. Its centre counts from the world's origin: arms are differences of places.
+template <class SceneT>
+Scalar_of<SceneT> pace_of(const Bodies<SceneT>& bodies, int proxy) {
+  const PartSize<Scalar_of<SceneT>> size = size_of(bodies, proxy);
+  const auto twist = bodies.twist_now(Bodies<SceneT>::body_of(proxy));
+  return length(twist.v_W) + length(twist.w_W) * (size.length + size.from_origin);
+}
+
+/// How fast what touches may close and count as parting, m/s, <= 0. Where a load is carried without
+/// a contact that lasts, this is what rounding makes of its velocity, and no more than the search
+/// cannot tell from contact in the rest of the step: a contact would have nothing to answer, and
+/// would be found again at the same time (world.md, "Touching and parting").
+/// @param gap  of the two, m
+template <class SceneT, class Query>
+Scalar_of<SceneT> least_rate(const Bodies<SceneT>& bodies, [[maybe_unused]] ProxyPair pair,
+                             const Query& query, [[maybe_unused]] Scalar_of<SceneT> gap,
+                             bool is_solved) {
+  using Scalar = Scalar_of<SceneT>;
+  if constexpr (kCarries<SceneT>) {
+    const Scalar rest = bodies.dt - bodies.now;
+    const Scalar pace = pace_of(bodies, pair.first) + pace_of(bodies, pair.second) +
+                        rest * length(bodies.settings.gravity_W);
+    const Scalar noise = kLoadRoundings * kRoundOff<Scalar> * pace;
+    return -min_of(noise, max_of(gap + query.contact_gap, Scalar(0)) / rest);
+  } else {
+    return slowest_closing(bodies, query, is_solved);
+  }
+}
+
 /// What touches and parts is searched as thinner, and told where it is in each other.
 /// @param so_far  by how much it is thinner already: above zero where its contact was solved
 template <class SceneT, class Query>
@@ -193,7 +223,7 @@ void let_part(Bodies<SceneT>& bodies, ProxyPair pair, MovingPair<Scalar_of<Scene
   const Scalar gap = query.search.witness.gap - so_far;
   if (gap < -margin) bodies.report.deepest_overlap = max_of(bodies.report.deepest_overlap, -gap);
   const Scalar rate = max_of(query.search.gap_rate, rate_of_momenta(bodies, pair, query));
-  if (rate < slowest_closing(bodies, query, so_far > Scalar(0))) return;
+  if (rate < least_rate(bodies, pair, query, gap, so_far > Scalar(0))) return;
   if (gap < -margin) ++bodies.report.overlaps_at_start;
   const Scalar thinner = thinner_by(margin, query.contact_gap, gap, kShare);
   search_thinner(bodies, moving_pair, query, thinner - so_far);

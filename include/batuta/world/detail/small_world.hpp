@@ -52,7 +52,8 @@ class SmallWorld {
   }
 
   Result<BodyId> add(const ActorType& actor) {
-    const bool is_usable = step_mass(actor) == actor.body.inverse_mass;
+    const bool is_usable =
+        is_zero_or_normal(actor.body.inverse_mass) && step_mass(actor) == actor.body.inverse_mass;
     return is_usable ? actors_.make(actor) : failure<BodyId>(Status::kInvalidArgument);
   }
   Status remove(BodyId id) { return actors_.remove(id); }
@@ -143,9 +144,6 @@ class SmallWorld {
   void note_support(std::size_t slot, Scalar impulse, const Vec3<Scalar>& normal_W);
   Vec3<Scalar> release(std::size_t slot);
   void restore(std::size_t slot, const Vec3<Scalar>& momentum_W, const Vec3<Scalar>& support_W);
-
-  /// As GeneralWorld.
-  static constexpr Scalar kLoadRoundings = 16;
 
   // What is used most comes first: small offsets make short instructions.
   Scalar left_ = 0;  ///< of the step, s

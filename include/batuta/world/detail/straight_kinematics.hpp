@@ -9,6 +9,9 @@
 
 namespace batuta::detail {
 
+/// Roundings in the velocity of a pair of which one or both are carried.
+inline constexpr int kLoadRoundings = 16;
+
 template <class SceneT>
 struct StraightKinematics {
   using Scalar = typename SceneT::Scalar;
@@ -53,6 +56,9 @@ struct StraightKinematics {
       zero += (body.p_W[i] - body.p_W[i]) + (body.momentum_W[i] - body.momentum_W[i]);
     }
     return zero == Scalar(0) && body.inverse_mass >= Scalar(0);  // NaN where one is not finite
+  }
+  static bool is_addable(const BodyType& body) {
+    return is_zero_or_normal(body.inverse_mass) && is_usable(body);
   }
   static void prepare(ActorType& /*actor*/) {}
   static void ask(const ActorType& actor, Scalar /*t*/, Scalar duration, PlanType& plan) {

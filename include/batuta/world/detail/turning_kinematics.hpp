@@ -58,6 +58,16 @@ struct TurningKinematics {
            pose + momenta + moments == Scalar(0) && body.inverse_moments.x() >= Scalar(0) &&
            body.inverse_moments.y() >= Scalar(0) && body.inverse_moments.z() >= Scalar(0);
   }
+  /// The same of one that comes new: an orientation that is one, and masses that are finite.
+  [[gnu::cold]] static bool is_addable(const BodyType& body) {
+    bool has_inverses = is_zero_or_normal(body.inverse_mass);
+    for (int i = 0; i < 3; ++i) {  // Bound: 3
+      has_inverses = has_inverses && is_zero_or_normal(body.inverse_moments[i]);
+    }
+    const Quat<Scalar>& q = body.X_WB.q_WB;
+    const bool points = q.w() != Scalar(0) || !is_zero(Vec3<Scalar>(q.vec()));
+    return points && has_inverses && is_usable(body);
+  }
   /// A body as the caller gave it, made ready. Bound: the parts.
   static void prepare(ActorType& actor) {
     actor.body.X_WB.q_WB = renewed(actor.body.X_WB.q_WB);
