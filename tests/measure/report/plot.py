@@ -30,6 +30,11 @@ class Series:
         return f"with {kind} lc rgb '{COLOURS[look]}'{marks}" + (f" lw 2{dash}" if self.lines else "")
 
 
+# A panel whose values are all zero, which logarithms do not show. Without ranges gnuplot refuses to draw nothing.
+EMPTY = ["set xrange [1:10]; set yrange [1:10]", "set label 1 'all zero' at graph 0.5,0.5 center", "plot NaN notitle",
+         "unset label 1"]
+
+
 class Panel:
     """One pair of axes."""
 
@@ -48,7 +53,7 @@ class Panel:
             form, tics = self._tics(place, axis, span or (None, None))
             out += [f"set format {axis} '{form}'", f"set {axis}tics {tics}"]
         plots = [f"$p{number}_{i} {s.style()} notitle" for i, s in enumerate(self.series)]
-        return out + ["plot " + ", \\\n     ".join(plots or ["NaN notitle"])]
+        return out + (["plot " + ", \\\n     ".join(plots)] if plots else EMPTY)
 
 
     def _tics(self, place, axis, span):
