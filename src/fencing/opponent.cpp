@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "opponent_styles.hpp"
+
 // Numbers of the policy: opponent.md says what each was chosen for.
 
 namespace batuta::fencing {
@@ -20,6 +22,9 @@ struct detail::Situation {
 
 namespace {
 
+using detail::kStyles;
+using detail::Style;
+using detail::style_of;
 using Vec2f = Vec2<float>;
 
 /// A line: where the stick lunges into it, how it extends there before, what closes it, and the
@@ -49,41 +54,6 @@ Line line_of(int index) {
   }
 }
 
-/// What sets the skills apart: probabilities are of one decision.
-struct Style {
-  std::int32_t hesitation_us;  ///< between a decision and the hand, beyond the eye's delay
-  std::int32_t lunge_us;       ///< its lunge, and
-  std::int32_t extension_us;   ///< the extension before it
-  float scatter;               ///< of a stick's place, along each axis
-  float alarm_reach;           ///< m before its trunk at which a coming guard is an attack
-  float measure;               ///< m between the trunks that it keeps
-  float range;                 ///< m between the trunks within which it attacks
-  float defends;               ///< answers an attack at all
-  float retreats;              ///< of these, by a step back
-  float counters;              ///< of these, by an attack of its own
-  float reads;                 ///< sees the line of an attack
-  float ripostes;              ///< after a parry
-  float attacks;               ///< begins an attack, of the looks within range
-  float pursues;               ///< the same, while the rival's attack is just over
-  float stops;                 ///< of the looks at a rival who walks in
-  float beats;                 ///< of its attacks, begun by a beat
-  float feints;                ///< of its attacks, begun by an extension in another line
-  float learns;                ///< goes by the rival's habits where it cannot read a line
-};
-
-constexpr std::array<Style, 3> kStyles = {{
-    {90000, 250000, 150000, 0.12F, 0.62F, 2.7F, 2.9F, 0.3F, 0.3F, 0.15F, 0.45F, 0.5F, 0.008F, 0.01F,
-     0.0F, 0.2F, 0.0F, 0.0F},
-    {22000, 160000, 110000, 0.05F, 0.57F, 3.1F, 3.2F, 0.97F, 0.15F, 0.08F, 0.75F, 0.9F, 0.02F, 0.1F,
-     0.04F, 0.21F, 0.1F, 0.5F},
-    {0, 145000, 90000, 0.02F, 0.58F, 2.95F, 3.1F, 1.0F, 0.25F, 0.04F, 1.0F, 1.0F, 0.004F, 0.9F,
-     0.05F, 0.0F, 0.0F, 1.0F},
-}};
-
-const Style& style_of(Skill skill) {
-  return kStyles[static_cast<std::size_t>(skill)];
-}
-
 constexpr float kSecondsPerLook = 1e-6F * static_cast<float>(DelayedObservation::kLookUs);
 constexpr float kMeasureSlack = 0.08F;  ///< m around the measure in which no step is made
 constexpr float kLungeRange = 2.30F;    ///< m between trunks that a lunge bridges without the feet
@@ -95,7 +65,15 @@ constexpr float kDrawn = 0.25F;         ///< of the stick, forward: more, and th
 constexpr float kEagerness = 2.0F;      ///< order to the feet for each m that the measure is off
 constexpr float kDangerAhead = 1.15F;   ///< m: a point further off is not answered
 constexpr float kWalksIn = 0.6F;        ///< m/s: above, somebody walks in
-constexpr float kForesight = 0.2F;      ///< s for which such a walk is thought on
+constexpr float kHeldOut = 0.6F;        ///< m before its trunk: further, an arm is out
+constexpr float kComes = 0.1F;          ///< m/s: slower, an arm stands
+constexpr int kHeldLooks = 12;          ///< for which an arm stands that is held out
+constexpr float kTakeRange = 3.4F;      ///< m between trunks from which a blade is taken
+constexpr float kTaken = 2.1F;          ///< m at which who has taken it thrusts
+constexpr float kHighThrust = 0.6F;     ///< of the way of a lunge, high inside, and
+constexpr float kLowThrust = 0.75F;     ///< low inside: no further, the point is there still
+constexpr float kAlongBlade = 0.5F;  ///< order to the feet meanwhile: slower than a point touches
+constexpr float kForesight = 0.2F;   ///< s for which such a walk is thought on
 
 // Times of the moves, us.
 constexpr std::int32_t kStepTime = 60000;
@@ -203,7 +181,7 @@ bool Opponent::is_free() const {
 void Opponent::decide() {
   const detail::Situation now = situation_of(eye_);
   const Style& style = style_of(skill_);
-  const bool comes = now.reach > style.alarm_reach && now.thrust > 0;
+  const bool comes = now.reach > style.alarm_reach && now.thrust > kComes;
   look_on(now, comes);
   if (!is_free()) return;
   if (comes && now.ahead < kDangerAhead) {
@@ -216,6 +194,8 @@ void Opponent::decide() {
 /// At the end of an attack its line is plain, and whoever made it is open.
 void Opponent::look_on(const detail::Situation& now, bool comes) {
   if (opening_ > 0) --opening_;
+  const bool stands = now.reach > kHeldOut && now.thrust < kComes && now.thrust > -kComes;
+  held_ = stands ? std::min(held_ + 1, kHeldLooks) : 0;
   if (threatened_ && !comes) {
     std::uint16_t& habit = habits_[static_cast<std::size_t>(came_)];
     if (habit < UINT16_MAX) ++habit;
@@ -273,7 +253,9 @@ void Opponent::choose(const detail::Situation& now, bool over) {
   const bool is_open = opening_ > 0;
   const bool in_range = now.distance < style.range + (is_open ? kFollow : 0.0F);
   const bool walks_in = now.pace > kWalksIn && now.soon < kStepLunge;
-  if (place_.blade.y() > kDrawn) {  // an arm that is out cannot thrust
+  if (may_take(now)) {
+    if (over || intent_ == Intent::kWait) take(now);
+  } else if (place_.blade.y() > kDrawn) {  // an arm that is out cannot thrust
     if (over) keep_measure(now);
   } else if (over && intent_ == Intent::kParry && now.distance < kRiposteRange &&
              chance(style.ripostes)) {
@@ -284,6 +266,27 @@ void Opponent::choose(const detail::Situation& now, bool over) {
     press(now);
   } else if (over) {
     keep_measure(now);
+  }
+}
+
+/// A point that is held out in line: who is not in another action goes for the blade.
+bool Opponent::may_take(const detail::Situation& now) {
+  return held_ == kHeldLooks && now.distance < kTakeRange && place_.blade.y() < kDrawn &&
+         chance(style_of(skill_).takes);
+}
+
+/// Along a blade that is held out: in sixte, slower than a point has to come, and then inside of
+/// it.
+void Opponent::take(const detail::Situation& now) {
+  if (now.soon < kTaken) {
+    begin(Intent::kAttack);
+    const Vec2f place =
+        chance(0.5F) ? kHighThrust * line_of(0).lunge : kLowThrust * line_of(1).lunge;
+    then(style_of(skill_).lunge_us, near({place, kAlongBlade}));
+    then(kRecoveryTime, {at(0, 0), -1});
+  } else {
+    begin(Intent::kStep);
+    then(kParryTime, near({line_of(3).parry, kAlongBlade}));
   }
 }
 

@@ -181,7 +181,7 @@ void Duel<SceneT>::stand(Side side, Actor<SceneType>& blade) {
   const auto body = make_body(X_WB, place.weapon.mass, place.weapon.moments);
   blade.body = body.value;
   blade.controller.place(X_WB);
-  if constexpr (Played::kTargets) scoring_.stand(side, {X_WF(side), place.hand.X_WH});
+  if constexpr (Played::kTargets) scoring_.stand(side, {X_WF(side), place.hand.X_WH}, X_WB);
   const auto added = world_.add(blade);
   if (!body.ok() || !added.ok()) dt_ = 0;
   place.blade = added.value;
@@ -228,22 +228,22 @@ Status Duel<SceneT>::move_blades() {
     std::array<Steel<Scalar>, 2> steel;
     for (const Side side : {Side::kLeft, Side::kRight}) {  // Bound: 2
       auto& blade = *world_.get(at(side).blade);
-      steel[index_of(side)] = scoring_.steel_for(side, blade);
+      steel[index_of(side)] = scoring_.steel_for(side, blade, dt_);
       blade.controller.steel = &steel[index_of(side)];
     }
     const Status status = world_.step(dt_);
     std::array<const Actor<SceneType>*, 2> blades{};
-    std::array<Twist<Scalar>, 2> taken;
+    std::array<Twist<Scalar>, 2> came;
     for (const Side side : {Side::kLeft, Side::kRight}) {  // Bound: 2
       auto& blade = *world_.get(at(side).blade);
       blade.controller.steel = nullptr;
       blades[index_of(side)] = &blade;
-      taken[index_of(side)] = steel[index_of(side)].taken;
+      came[index_of(side)] = steel[index_of(side)].came;
     }
     if (status != Status::kOk) return status;
     add_up();
     if (world_.report().time_held > Scalar(0)) carry_blades();
-    scoring_.judge(blades, taken, settings_, {steps_, dt_}, scoring_.report);
+    scoring_.judge(blades, came, settings_, {steps_, dt_}, scoring_.report);
     return status;
   } else {
     const Status status = world_.step(dt_);

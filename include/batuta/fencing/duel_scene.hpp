@@ -196,19 +196,11 @@ template <class Scalar>
 struct Steel {
   Target<Scalar>* body = nullptr;  ///< whose start and end of the step are known; outlives the step
   Capsule<Scalar> blade_B;         ///< what does not go in
-  /// What it took of the plan with which the step began: a point goes into a body as fast as it
-  /// came.
-  Twist<Scalar> taken;
+  Twist<Scalar> came;              ///< of the blade in the step before
 
   /// The motion that a carrier plans from t on, stopped at the body.
-  void stop(const Body<Scalar>& blade, Scalar t, PlannedMotion<Scalar>& planned) {
-    const Twist<Scalar> wanted = planned.motion.twist;
-    if (!body->stop(blade, blade_B, t, kSteelParts, planned.motion)) return;
-    planned.by_momentum = false;
-    if (t > Scalar(0)) return;
-    const Twist<Scalar>& left = planned.motion.twist;
-    taken.v_W = wanted.v_W - left.v_W;
-    taken.w_W = wanted.w_W - left.w_W;
+  void stop(const Body<Scalar>& blade, Scalar t, PlannedMotion<Scalar>& planned) const {
+    if (body->stop(blade, blade_B, t, kSteelParts, planned.motion)) planned.by_momentum = false;
   }
 };
 
@@ -218,7 +210,7 @@ struct Corners {
   FixedList<Waypoint<Scalar>, N> corners;  ///< in the order of time
   Scalar first_blow = kNoBlow<Scalar>;     ///< when the first blow of the step came, s
   bool is_cut = false;                     ///< there were more than N
-  Steel<Scalar>* steel = nullptr;          ///< within World::step() alone: what stops the blade
+  const Steel<Scalar>* steel = nullptr;    ///< within World::step() alone: what stops the blade
 
   /// The step begins.
   void begin() {

@@ -85,6 +85,8 @@ class Opponent {
   void choose(const detail::Situation& now, bool over);
   void attack(const detail::Situation& now, int index, Intent intent);
   void press(const detail::Situation& now);
+  bool may_take(const detail::Situation& now);
+  void take(const detail::Situation& now);
   void keep_measure(const detail::Situation& now);
   int guessed_line();
   int line_to_attack();
@@ -104,6 +106,7 @@ class Opponent {
   bool threatened_ = false;  ///< at the last look
   int opening_ = 0;          ///< looks for which an attack of the rival's is just over
   int came_ = 0;             ///< the line of that
+  int held_ = 0;             ///< looks for which the rival's arm stands, and is out
   std::array<std::uint16_t, kLines> habits_{};  ///< attacks seen, by line
   Intent intent_ = Intent::kWait;
   bool presses_ = false;                   ///< walks in to attack

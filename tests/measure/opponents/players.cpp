@@ -12,7 +12,7 @@ using namespace batuta::fencing;
 
 /// The lines are those of the map (fencer.hpp); the feet bring each loop into measure and out of
 /// it.
-constexpr std::array<Loop, 5> kLoops = {{
+constexpr std::array<Loop, 6> kLoops = {{
     {"attack",
      {{{300, 0, 0, 0.6F},
        {120, 0.5F, 0.5F, 1},
@@ -48,6 +48,13 @@ constexpr std::array<Loop, 5> kLoops = {{
        {100, -1, 1, 0},
        {300, 0, 0, -1},
        {300, 0, 0, 0}}}},
+    {"point held out",
+     {{{200, 0, 1, 0},
+       {200, 0, 1, 0},
+       {200, 0, 1, 0},
+       {200, 0, 1, 0},
+       {200, 0, 1, 0},
+       {200, 0, 1, 0}}}},
 }};
 
 constexpr std::array<const char*, 3> kSkills = {"novice", "club", "master"};

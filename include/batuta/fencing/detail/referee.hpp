@@ -30,16 +30,19 @@ class Referee {
 
   /// Who fences on a side. @pre valid
   void take_place(Side side, const FencerBuild<Scalar>& build);
-  /// Puts a fencer somewhere, still. @pre finite
-  void stand(Side side, const Stance<Scalar>& stance);
+  /// Puts a fencer somewhere, still, and his blade. @pre finite
+  void stand(Side side, const Stance<Scalar>& stance, const Pose<Scalar>& X_WB);
 
-  /// The fencer goes to a stance in the coming step of length dt; the blade is where it is.
-  /// @pre finite; dt > 0
+  /// The fencer goes to a stance in the coming step of length dt. @pre finite; dt > 0
   void follow(Side side, const Stance<Scalar>& stance, const Blade& blade, Scalar dt);
 
-  /// What stops a fencer's blade in the coming step, after follow() of both.
-  Steel<Scalar> steel_for(Side side, const Blade& blade) {
-    return {&at(other(side)).target, part_of(blade, 0), {}};
+  /// What stops a fencer's blade, which is where it is, in the coming step of length dt; after
+  /// follow() of both.
+  Steel<Scalar> steel_for(Side side, const Blade& blade, Scalar dt) {
+    Pose<Scalar>& start_WB = at(side).start_WB;
+    const Twist<Scalar> came = motion_between(start_WB, blade.body.X_WB, dt).twist;
+    start_WB = blade.body.X_WB;
+    return {&at(other(side)).target, part_of(blade, 0), came};
   }
 
   /// What brings a fencer's blade out of the other's body after the world's step, W, m.
@@ -54,11 +57,11 @@ class Referee {
   /// After the world's step. Both blades are looked at before either touch is judged; the earlier
   /// one is noted first, the left one of two at once. In a halt nobody looks.
   /// @param blades  of the left and the right fencer, where they are now
-  /// @param taken   Steel::taken of both
+  /// @param came    Steel::came of both
   /// @param now     steps that were over before this one, and its length
   /// Bound: 2 (kMostCorners + 1) touch searches, and one more for each part that the point enters
   /// without a touch.
-  void judge(const std::array<const Blade*, 2>& blades, const std::array<Twist<Scalar>, 2>& taken,
+  void judge(const std::array<const Blade*, 2>& blades, const std::array<Twist<Scalar>, 2>& came,
              const Settings& settings, const Moment<Scalar>& now, DuelReport& report);
 
   const Bout<Scalar>& bout() const { return bout_; }
@@ -80,7 +83,7 @@ class Referee {
     Capsule<Scalar> start_W;  ///< where it is at the start of the step
     MovingCapsule<Scalar> point;
     Scalar from = 0;               ///< s
-    Twist<Scalar> taken;           ///< Steel::taken
+    Twist<Scalar> came;            ///< Steel::came
     detail::Command<Scalar> hand;  ///< what it has of the weapon
   };
 
@@ -101,7 +104,7 @@ class Referee {
 
   RefereeSide& at(Side side) { return places_[index_of(side)]; }
   const RefereeSide& at(Side side) const { return places_[index_of(side)]; }
-  TouchSearch<Scalar> touch_by(Side side, const Blade& blade, const Twist<Scalar>& taken,
+  TouchSearch<Scalar> touch_by(Side side, const Blade& blade, const Twist<Scalar>& came,
                                const Settings& settings, Scalar dt, DuelReport& report);
   TouchSearch<Scalar> touch_in(Side side, const PointWay& way, const Settings& settings,
                                DuelReport& report);

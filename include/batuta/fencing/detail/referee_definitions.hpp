@@ -56,8 +56,9 @@ void Referee<SceneT>::take_place(Side side, const FencerBuild<Scalar>& build) {
 }
 
 template <class SceneT>
-void Referee<SceneT>::stand(Side side, const Stance<Scalar>& stance) {
+void Referee<SceneT>::stand(Side side, const Stance<Scalar>& stance, const Pose<Scalar>& X_WB) {
   RefereeSide& place = at(side);
+  place.start_WB = X_WB;
   place.target.place(pose_body(place.build, stance.X_WF, stance.X_WH));
 }
 
@@ -75,14 +76,13 @@ void Referee<SceneT>::follow(Side side, const Stance<Scalar>& stance, const Blad
                              Scalar dt) {
   RefereeSide& place = at(side);
   place.target.move_to(pose_body(place.build, stance.X_WF, stance.X_WH), dt);
-  place.start_WB = blade.body.X_WB;
   place.hand_W = stance.X_WH.p_W;
   place.control = blade.controller.control();
 }
 
 template <class SceneT>
 void Referee<SceneT>::judge(const std::array<const Blade*, 2>& blades,
-                            const std::array<Twist<Scalar>, 2>& taken, const Settings& settings,
+                            const std::array<Twist<Scalar>, 2>& came, const Settings& settings,
                             const Moment<Scalar>& now, DuelReport& report) {
   if (bout_.state == BoutState::kHalt) {
     --bout_.halt_steps;  // not the last one: is_halt_over() came first
@@ -91,7 +91,7 @@ void Referee<SceneT>::judge(const std::array<const Blade*, 2>& blades,
   std::array<TouchSearch<Scalar>, 2> searches;
   for (std::size_t i = 0; i < searches.size(); ++i) {  // Bound: 2
     searches[i] =
-        touch_by(static_cast<Side>(i), *blades[i], taken[i], settings, now.in_step, report);
+        touch_by(static_cast<Side>(i), *blades[i], came[i], settings, now.in_step, report);
   }
   const bool right_first =
       searches[1].found && (!searches[0].found || searches[1].t_free < searches[0].t_free);
@@ -105,7 +105,7 @@ void Referee<SceneT>::judge(const std::array<const Blade*, 2>& blades,
 /// where contacts were answered to its end.
 template <class SceneT>
 TouchSearch<typename SceneT::Scalar> Referee<SceneT>::touch_by(Side side, const Blade& blade,
-                                                               const Twist<Scalar>& taken,
+                                                               const Twist<Scalar>& came,
                                                                const Settings& settings, Scalar dt,
                                                                DuelReport& report) {
   const auto& corners = blade.controller.corners;
@@ -113,7 +113,7 @@ TouchSearch<typename SceneT::Scalar> Referee<SceneT>::touch_by(Side side, const 
   PointWay way;
   way.start_W = to_world(at(side).start_WB, point_B);
   reopen(side, way.start_W);
-  way.taken = taken;
+  way.came = came;
   way.hand = {at(side).control, blade.controller.first_blow, slip_of(side, blade)};
   TouchSearch<Scalar> first;
   bool complete = true;
@@ -170,10 +170,11 @@ TouchSearch<typename SceneT::Scalar> Referee<SceneT>::touch_in(Side side, const 
     report.budget_outs += search.budget_outs;
     report.searches_invalid += search.searches_invalid;
     if (!search.found) break;
-    MovingCapsule<Scalar> wanted = way.point;
-    wanted.motion.twist.v_W += way.taken.v_W;
-    wanted.motion.twist.w_W += way.taken.w_W;
-    const Scalar speed = detail::entry_speed(wanted, target.part(search.part), search, way.from);
+    const MovingCapsule<Scalar> part = target.part(search.part);
+    const MovingCapsule<Scalar> before = {
+        way.point.capsule_B, {way.point.motion.X_WB, way.came, way.point.motion.duration}};
+    const Scalar speed = max_of(detail::entry_speed(way.point, part, search, way.from),
+                                detail::entry_speed(before, part, search, way.from));
     if (was_outside(side, way.start_W, search.part) &&
         detail::counts<SceneT>(settings, way.hand, search.t_free, speed)) {
       break;

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The numbers that set the opponents' skills apart; opponent.md says what they were chosen for.
+
+#include "batuta/fencing/opponent.hpp"
+
+namespace batuta::fencing::detail {
+
+/// What sets the skills apart: probabilities are of one decision.
+struct Style {
+  std::int32_t hesitation_us;  ///< between a decision and the hand, beyond the eye's delay
+  std::int32_t lunge_us;       ///< its lunge, and
+  std::int32_t extension_us;   ///< the extension before it
+  float scatter;               ///< of a stick's place, along each axis
+  float alarm_reach;           ///< m before its trunk at which a coming guard is an attack
+  float measure;               ///< m between the trunks that it keeps
+  float range;                 ///< m between the trunks within which it attacks
+  float defends;               ///< answers an attack at all
+  float retreats;              ///< of these, by a step back
+  float counters;              ///< of these, by an attack of its own
+  float reads;                 ///< sees the line of an attack
+  float ripostes;              ///< after a parry
+  float attacks;               ///< begins an attack, of the looks within range
+  float pursues;               ///< the same, while the rival's attack is just over
+  float stops;                 ///< of the looks at a rival who walks in
+  float beats;                 ///< of its attacks, begun by a beat
+  float feints;                ///< of its attacks, begun by an extension in another line
+  float learns;                ///< goes by the rival's habits where it cannot read a line
+  float takes;                 ///< goes for a blade that is held out, of the looks at it
+};
+
+inline constexpr std::array<Style, 3> kStyles = {{
+    {90000, 250000, 150000, 0.12F, 0.62F, 2.7F, 2.9F, 0.3F, 0.3F, 0.15F, 0.45F, 0.5F, 0.008F, 0.01F,
+     0.0F, 0.2F, 0.0F, 0.0F, 0.0F},
+    {22000, 160000, 110000, 0.05F, 0.57F, 3.1F, 3.2F, 0.97F, 0.15F, 0.08F, 0.75F, 0.9F, 0.02F, 0.1F,
+     0.04F, 0.21F, 0.1F, 0.5F, 1.0F},
+    {0, 145000, 90000, 0.02F, 0.58F, 2.95F, 3.1F, 1.0F, 0.25F, 0.04F, 1.0F, 1.0F, 0.004F, 0.9F,
+     0.05F, 0.0F, 0.0F, 1.0F, 1.0F},
+}};
+
+inline const Style& style_of(Skill skill) {
+  return kStyles[static_cast<std::size_t>(skill)];
+}
+
+}  // namespace batuta::fencing::detail
