@@ -150,10 +150,10 @@ template <class Scalar>
 
 namespace detail {
 
-/// Whether x >= 0 has a finite inverse, or stands for none: an inverse mass or moment.
+/// Whether an inverse mass or moment is that of something: of what is fixed, or of a finite one.
 template <class Scalar>
-bool is_zero_or_normal(Scalar x) {
-  return x == Scalar(0) || x >= std::numeric_limits<Scalar>::min();
+bool is_inverse(Scalar x) {
+  return x == Scalar(0) || (x > Scalar(0) && Scalar(1) / x <= std::numeric_limits<Scalar>::max());
 }
 
 /// Whether all components are zero, of either sign.

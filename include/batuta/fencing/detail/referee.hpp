@@ -106,6 +106,8 @@ class Referee {
   const RefereeSide& at(Side side) const { return places_[index_of(side)]; }
   TouchSearch<Scalar> touch_by(Side side, const Blade& blade, const Twist<Scalar>& came,
                                const Settings& settings, Scalar dt, DuelReport& report);
+  static Scalar touch_speed(const PointWay& way, const MovingCapsule<Scalar>& part,
+                            const TouchSearch<Scalar>& found);
   TouchSearch<Scalar> touch_in(Side side, const PointWay& way, const Settings& settings,
                                DuelReport& report);
   Scalar slip_of(Side side, const Blade& blade) const;

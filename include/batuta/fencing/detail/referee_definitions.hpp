@@ -154,6 +154,17 @@ typename SceneT::Scalar Referee<SceneT>::slip_of([[maybe_unused]] Side side,
   }
 }
 
+/// The larger of what the point does in this step and did in the one before (touch.md, "How fast").
+/// Kept apart: what it needs is not there while the search runs.
+template <class SceneT>
+[[gnu::noinline]] typename SceneT::Scalar Referee<SceneT>::touch_speed(
+    const PointWay& way, const MovingCapsule<Scalar>& part, const TouchSearch<Scalar>& found) {
+  const Scalar now = detail::entry_speed(way.point, part, found, way.from);
+  MovingCapsule<Scalar> before = way.point;
+  before.motion.twist = way.came;
+  return max_of(now, detail::entry_speed(before, part, found, way.from));
+}
+
 /// The first entry of the point in a piece of its way that is a touch. A part that it enters
 /// otherwise is closed.
 template <class SceneT>
@@ -170,11 +181,7 @@ TouchSearch<typename SceneT::Scalar> Referee<SceneT>::touch_in(Side side, const 
     report.budget_outs += search.budget_outs;
     report.searches_invalid += search.searches_invalid;
     if (!search.found) break;
-    const MovingCapsule<Scalar> part = target.part(search.part);
-    const MovingCapsule<Scalar> before = {
-        way.point.capsule_B, {way.point.motion.X_WB, way.came, way.point.motion.duration}};
-    const Scalar speed = max_of(detail::entry_speed(way.point, part, search, way.from),
-                                detail::entry_speed(before, part, search, way.from));
+    const Scalar speed = touch_speed(way, target.part(search.part), search);
     if (was_outside(side, way.start_W, search.part) &&
         detail::counts<SceneT>(settings, way.hand, search.t_free, speed)) {
       break;

@@ -67,7 +67,8 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   /// C outside [0, 1], mu negative, an orientation of 0, an inverse mass or moment so small that
   /// its own inverse is not finite, or so far from the origin that numbers there are further apart
   /// than the body is large)
-  Result<BodyId> add(const ActorType& actor);
+  // Kept apart: its copy of the body is not there while its caller calls others.
+  [[gnu::noinline]] Result<BodyId> add(const ActorType& actor);
 
   /// Takes a body out; its contacts end without an event. @returns kOk | kStaleHandle
   Status remove(BodyId id);

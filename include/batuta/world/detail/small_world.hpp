@@ -53,7 +53,7 @@ class SmallWorld {
 
   Result<BodyId> add(const ActorType& actor) {
     const bool is_usable =
-        is_zero_or_normal(actor.body.inverse_mass) && step_mass(actor) == actor.body.inverse_mass;
+        is_inverse(actor.body.inverse_mass) && step_mass(actor) == actor.body.inverse_mass;
     return is_usable ? actors_.make(actor) : failure<BodyId>(Status::kInvalidArgument);
   }
   Status remove(BodyId id) { return actors_.remove(id); }

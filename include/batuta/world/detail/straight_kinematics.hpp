@@ -58,7 +58,7 @@ struct StraightKinematics {
     return zero == Scalar(0) && body.inverse_mass >= Scalar(0);  // NaN where one is not finite
   }
   static bool is_addable(const BodyType& body) {
-    return is_zero_or_normal(body.inverse_mass) && is_usable(body);
+    return is_inverse(body.inverse_mass) && is_usable(body);
   }
   static void prepare(ActorType& /*actor*/) {}
   static void ask(const ActorType& actor, Scalar /*t*/, Scalar duration, PlanType& plan) {

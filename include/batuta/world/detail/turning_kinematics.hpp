@@ -60,9 +60,9 @@ struct TurningKinematics {
   }
   /// The same of one that comes new: an orientation that is one, and masses that are finite.
   [[gnu::cold]] static bool is_addable(const BodyType& body) {
-    bool has_inverses = is_zero_or_normal(body.inverse_mass);
+    bool has_inverses = is_inverse(body.inverse_mass);
     for (int i = 0; i < 3; ++i) {  // Bound: 3
-      has_inverses = has_inverses && is_zero_or_normal(body.inverse_moments[i]);
+      has_inverses = has_inverses && is_inverse(body.inverse_moments[i]);
     }
     const Quat<Scalar>& q = body.X_WB.q_WB;
     const bool points = q.w() != Scalar(0) || !is_zero(Vec3<Scalar>(q.vec()));
