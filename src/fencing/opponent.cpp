@@ -249,16 +249,21 @@ int Opponent::guessed_line() {
 }
 
 void Opponent::choose(const detail::Situation& now, bool over) {
-  const Style& style = style_of(skill_);
-  const bool is_open = opening_ > 0;
-  const bool in_range = now.distance < style.range + (is_open ? kFollow : 0.0F);
-  const bool walks_in = now.pace > kWalksIn && now.soon < kStepLunge;
   if (may_take(now)) {
     if (over || intent_ == Intent::kWait) take(now);
   } else if (place_.blade.y() > kDrawn) {  // an arm that is out cannot thrust
     if (over) keep_measure(now);
-  } else if (over && intent_ == Intent::kParry && now.distance < kRiposteRange &&
-             chance(style.ripostes)) {
+  } else {
+    choose_attack(now, over);
+  }
+}
+
+void Opponent::choose_attack(const detail::Situation& now, bool over) {
+  const Style& style = style_of(skill_);
+  const bool is_open = opening_ > 0;
+  const bool in_range = now.distance < style.range + (is_open ? kFollow : 0.0F);
+  const bool walks_in = now.pace > kWalksIn && now.soon < kStepLunge;
+  if (over && intent_ == Intent::kParry && now.distance < kRiposteRange && chance(style.ripostes)) {
     attack(now, line_of(line_to_close(now.line)).riposte, Intent::kRiposte);
   } else if (walks_in && chance(style.stops)) {
     attack(now, line_to_attack(), Intent::kCounter);

@@ -83,6 +83,7 @@ class Opponent {
   void look_on(const detail::Situation& now, bool comes);
   void defend(const detail::Situation& now);
   void choose(const detail::Situation& now, bool over);
+  void choose_attack(const detail::Situation& now, bool over);
   void attack(const detail::Situation& now, int index, Intent intent);
   void press(const detail::Situation& now);
   bool may_take(const detail::Situation& now);
