@@ -96,8 +96,9 @@ bool Checker::moved(std::size_t i) const {
 
 Real Checker::impulses() const {
   int near = 0;
-  if (told_.held > 0) near += static_cast<int>(before_.size());
-  if (told_.settles && opening() > 0) near += static_cast<int>(before_.size());
+  const int bodies = static_cast<int>(before_.size());
+  if (told_.held > 0) near += told_.separates ? std::max(bodies, told_.frozen) : bodies;
+  if (told_.settles && opening() > 0) near += bodies;
   for (const Pair& pair : pairs_)
     near += told_.settles && std::min(pair.was, pair.is) < 2 * pair.D ? 2 : 0;
   return static_cast<Real>(told_.impulses + told_.separations + near);

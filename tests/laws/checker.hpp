@@ -50,7 +50,9 @@ class Checker {
   Real way_of(std::size_t i) const;
   bool moved(std::size_t i) const;
   /// Impulses of a step that round: those counted, and contacts that last, with one more for each
-  /// body that goes on with others, and one that gives back what shifts changed of its moment.
+  /// body that goes on with others, and one that gives back what shifts changed of its moment. As
+  /// n - 1 welds bound a step, but not under kSeparation, where a group parts before it is answered
+  /// (world.md, "Together"): there as many round as are counted.
   Real impulses() const;
   /// What opening may shift somebody by in a step: half of what is missing to D / 2, at each
   /// contact of a chain, and at each that is answered where the two are in each other; where

@@ -26,6 +26,7 @@ struct Told {
   int impulses = 0;  ///< that were counted
   int separations = 0;
   int overlaps = 0;  ///< that were counted
+  int frozen = 0;    ///< pairs that went on together, deeper in each other than the margin or not
   int asleep = 0;
   int events = 0;
   Real deepest = 0;
@@ -55,6 +56,7 @@ Told told_by(const World<SceneT>& world, double dt, const Vec3<double>& g) {
   told.impulses = static_cast<int>(report.collisions);
   told.separations = static_cast<int>(report.separations);
   told.overlaps = static_cast<int>(report.overlaps_at_start);
+  told.frozen = static_cast<int>(report.frozen);
   told.asleep = static_cast<int>(report.asleep);
   if constexpr (SceneT::kMaxEvents > 0) told.events = world.events().size();
   told.deepest = static_cast<Real>(report.deepest_overlap);
