@@ -122,6 +122,63 @@ Real Checker::opening() const {
          static_cast<Real>(told_.separations) * to;
 }
 
+Real Checker::closing() const {
+  Real sum = 0;
+  for (const Pair& pair : pairs_) {
+    if (told_.settles && std::min(pair.was, pair.is) < pair.D) sum += pair.D;
+  }
+  return sum;
+}
+
+Real Checker::struck() const {
+  Real energy = 0;
+  const Real fall = told_.g.norm() * told_.dt;
+  if (!told_.settles || told_.impulses == 0) return 0;
+  for (const SeenBody& body : before_) energy += body.mass * fall * fall / 2;
+  return energy;
+}
+
+Real Checker::turn(std::size_t i) const {
+  return std::max(before_[i].w().norm(), after_[i].w().norm()) * told_.dt;
+}
+
+Real Checker::bent(std::size_t i) const {
+  return std::max(before_[i].b.norm() * before_[i].w().norm(),
+                  after_[i].b.norm() * after_[i].w().norm());
+}
+
+Real Checker::drift(std::size_t i) const {
+  return 1e-5L * std::max<Real>(1, 100 * turn(i) * turn(i)) * bent(i);
+}
+
+Real Checker::off_flight(std::size_t i) const {
+  return 0.144L * turn(i) * turn(i) * bent(i);
+}
+
+Real Checker::off_flights() const {
+  Real energy = 0;
+  for (std::size_t i = 0; i < before_.size(); ++i) {
+    // principal_frame() makes two equal moments unlike by 16 u at most.
+    if (before_[i].is_unlike(16 * told_.u)) energy += off_flight(i);
+  }
+  return energy;
+}
+
+Real Checker::left_by_sweeps() const {
+  Real energy = 0;
+  for (const Pair& pair : pairs_) {
+    const Real load = (before_[pair.a].mass + before_[pair.b].mass) * told_.g.norm();
+    if (told_.settles && pair.was < pair.D) energy += load * pair.D / 64;
+  }
+  return energy;
+}
+
+Real Checker::turning() const {
+  Real energy = 0;
+  for (const SeenBody& body : before_) energy += body.turning();
+  return energy;
+}
+
 Real Checker::own_momenta(const Real3& V) const {
   Real own = 0;
   for (std::size_t i = 0; i < before_.size(); ++i) {
@@ -143,6 +200,12 @@ Real margin_of(const SeenBody& A, const SeenBody& B, const Told& told, Real fast
   const Real L = (A.x - B.x).norm() + 2 * (A.reach + B.reach) + fastest * told.dt;
   const Real contact = std::max(told.tolerance, 96 * told.u) * L + 72 * told.u * L;
   return 2 * contact + 64 * told.u * (A.x.norm() + B.x.norm() + L);
+}
+
+Terms terms_of(const Seen& before, const Seen& after, const Told& told) {
+  const Checker checker(before, after, told);
+  return {checker.opening(),     checker.closing(),        checker.struck(),
+          checker.off_flights(), checker.left_by_sweeps(), checker.turning()};
 }
 
 }  // namespace batuta::test

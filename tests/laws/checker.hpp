@@ -30,6 +30,19 @@ class Checker {
 
   std::vector<Breach> run();
 
+  /// What opening may shift somebody by in a step: half of what is missing to D / 2, at each
+  /// contact of a chain, and at each that is answered where the two are in each other; where
+  /// contacts do not last, each that is separated to D. And each that is in the other, and told, is
+  /// moved clear.
+  Real opening() const;
+  /// What contacts that last may close in a step: each some of its D.
+  Real closing() const;
+  /// The others of Terms.
+  Real struck() const;
+  Real off_flights() const;
+  Real left_by_sweeps() const;
+  Real turning() const;
+
  private:
   struct Pair {
     std::size_t a = 0;
@@ -49,16 +62,17 @@ class Checker {
   void find_pairs();
   Real way_of(std::size_t i) const;
   bool moved(std::size_t i) const;
+  Real turn(std::size_t i) const;   ///< in the step, rad
+  Real bent(std::size_t i) const;   ///< |b| |w|, J
+  Real drift(std::size_t i) const;  ///< of the energy of a flight that nobody ends, J
+  /// What a body may be off the energy of its flight by within a step, at most 2 |b x w| max|w'|
+  /// T^2 / 8 with |w'| <= 2 |w|^2 / sqrt(3) (motion.md), J.
+  Real off_flight(std::size_t i) const;
   /// Impulses of a step that round: those counted, and contacts that last, with one more for each
   /// body that goes on with others, and one that gives back what shifts changed of its moment. As
   /// n - 1 welds bound a step, but not under kSeparation, where a group parts before it is answered
   /// (world.md, "Together"): there as many round as are counted.
   Real impulses() const;
-  /// What opening may shift somebody by in a step: half of what is missing to D / 2, at each
-  /// contact of a chain, and at each that is answered where the two are in each other; where
-  /// contacts do not last, each that is separated to D. And each that is in the other, and told, is
-  /// moved clear.
-  Real opening() const;
   /// Summed, besides what bodies go along with a common velocity.
   Real own_momenta(const Real3& V) const;
 

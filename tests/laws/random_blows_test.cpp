@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Random scenes in which contacts are separated, or answered blow by blow: see random_checks.hpp.
 #include "random_checks.hpp"
+#include "random_scenes.hpp"
 
 namespace batuta::test {
 namespace {
 
 template <class S, const RandomKind& kKind>
-using Of = RandomScene<S, kKind>;
+using Of = RandomLaws<S, kKind>;
 using Separated =
     ::testing::Types<Of<float, kPaper>, Of<double, kPaper>, Of<float, kPaperLed>,
                      Of<double, kPaperLed>, Of<float, kPaperCramped>, Of<double, kPaperCramped>>;
@@ -26,7 +27,7 @@ TEST(RandomFound, WhatIsStruckWhileItLiesAndTurns_WinsNoEnergy) {
 
 // What one step lifts by m (g T)^2 at most (law 3) the next ones take again: there is no trend.
 TEST(RandomFound, WhatHopsOnTwoSupports_WinsNoMoreThanOnce) {
-  RandomRun<Of<float, kBlowsCramped>> run{Choices(399)};
+  RandomRun<RandomScene<float, kBlowsCramped>> run{Choices(399)};
   const Real3 g = run.gravity().cast<Real>();
   Real once = 0;
   const auto energy = [&] {

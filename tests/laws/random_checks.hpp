@@ -10,14 +10,14 @@ namespace batuta::test {
 inline constexpr int kRandomSeeds = 16;
 inline constexpr int kRandomSteps = 20;
 
-template <class SceneT>
+template <class LawsT>
 class RandomScenes : public ::testing::Test {
  protected:
   /// Holds that none of the laws was broken.
   static void expect_kept(std::initializer_list<const char*> laws) {
     for (int seed = 0; seed < kRandomSeeds; ++seed) {
-      RandomRun<SceneT> run{Choices(static_cast<std::uint64_t>(seed))};
-      for (const Found& found : run_scene(run, kRandomSteps)) {
+      const Choices choices(static_cast<std::uint64_t>(seed));
+      for (const Found& found : LawsT::run(choices, kRandomSteps).found) {
         const Breach& breach = found.breach;
         const bool counts = std::find(laws.begin(), laws.end(), breach.law) != laws.end();
         if (!counts) continue;
@@ -31,11 +31,11 @@ class RandomScenes : public ::testing::Test {
 };
 
 /// Holds that no energy is won by the scenes of these seeds, which once did.
-template <class SceneT>
+template <class LawsT>
 void expect_no_gain(std::initializer_list<int> seeds) {
   for (const int seed : seeds) {
-    RandomRun<SceneT> run{Choices(static_cast<std::uint64_t>(seed))};
-    for (const Found& found : run_scene(run, kRandomSteps)) {
+    const Choices choices(static_cast<std::uint64_t>(seed));
+    for (const Found& found : LawsT::run(choices, kRandomSteps).found) {
       EXPECT_NE(found.breach.law.rfind("energy", 0), 0U)
           << "seed " << seed << ", step " << found.step << ": "
           << static_cast<double>(found.breach.by);
@@ -66,7 +66,7 @@ TYPED_TEST_P(RandomScenes, Friction_StaysInItsCone) {
 TYPED_TEST_P(RandomScenes, Frame_ChangesNothing) {
   for (int seed = 0; seed < kRandomSeeds; ++seed) {
     const Choices choices(static_cast<std::uint64_t>(seed));
-    EXPECT_LE(static_cast<double>(frame_breach<TypeParam>(choices, kRandomSteps)), 0)
+    EXPECT_LE(static_cast<double>(TypeParam::frame_breach(choices, kRandomSteps).by), 0)
         << "seed " << seed;
   }
 }

@@ -1,13 +1,26 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The types of random scenes, and what a run of one of them breaks.
+// The kinds of random scenes, and what a scene of one of them breaks: compiled once
+// (random_runs.hpp) for the tests and for the fuzzers.
 
-#include <utility>
-
-#include "random_scenes.hpp"
+#include "batuta/world/scene_options.hpp"
+#include "choices.hpp"
 #include "six_laws.hpp"
 
 namespace batuta::test {
+
+/// What tells one type of random scene from another.
+struct RandomKind {
+  RestingContact resting = RestingContact::kSettling;
+  bool gravity = false;
+  bool sleep = false;
+  bool is_led = false;    ///< controllers
+  bool is_tight = false;  ///< hardly any room, so that bodies are welded
+  bool turns = true;
+  bool is_small = false;  ///< Engine::kSmall
+  int bodies = 40;
+  int parts = 1;
+};
 
 using Rests = RestingContact;
 // resting, gravity, sleep, is_led, is_tight, turns, is_small, bodies, parts
@@ -37,63 +50,43 @@ inline constexpr RandomKind kSmallBalls = {Rests::kNone, true, false, false, fal
 inline constexpr RandomKind kSmallCramped = {Rests::kNone, false, false, false, true,
                                              false,        true,  8,     1};
 
-/// A breach, and when it was.
+/// A breach, when it was, what the step told, and what a step like it may do besides.
 struct Found {
   Breach breach;
   int step = 0;
+  Told told;
+  Terms terms;
 };
 
-/// What breaks in a run. Bound: steps.
-template <class SceneT>
-std::vector<Found> run_scene(RandomRun<SceneT>& run, int steps) {
+/// What a scene did, summed over its steps.
+struct Happened {
+  int collisions = 0;
+  int separations = 0;
+  int overlaps = 0;  ///< at the start of a search
+  int frozen = 0;
+  int held = 0;  ///< steps in which somebody went on together with another
+  int cut = 0;   ///< steps that were not complete
+  int asleep = 0;
+};
+
+struct Ran {
   std::vector<Found> found;
-  Seen before = run.seen();
-  for (int i = 0; i < steps; ++i) {
-    if (run.step() != Status::kOk) found.push_back({{"finite", "a step is refused", 0, 0}, i});
-    Seen after = run.seen();
-    const Told told = told_by(std::as_const(run.world()), run.dt(), run.gravity());
-    for (const Breach& breach : broken_laws(before, after, told)) found.push_back({breach, i});
-    before = std::move(after);
-  }
-  return found;
-}
+  Happened happened;
+};
 
-/// Contacts of the last step: answered, and those that began to last.
-template <class SceneT>
-int contacts_of(RandomRun<SceneT>& run) {
-  int begun = static_cast<int>(run.world().report().collisions);
-  if constexpr (SceneT::kMaxEvents > 0) begun += run.world().events().size();
-  return run.world().report().complete() ? begun : 3;
-}
+/// How far relative places went apart beyond what may be: at most 0.
+struct OffFrame {
+  Real by = 0;
+  Real besides_gaps = 0;  ///< and beyond what contacts open and close by then
+};
 
-/// Law 1: the same scene at rest and flying along. Compared until the third contact, because each
-/// amplifies rounding; and only where nothing holds anybody.
-/// @returns how far relative places went apart beyond what may be: at most 0
-template <class SceneT>
-Real frame_breach(const Choices& choices, int steps) {
-  const Vec3<double> V(25, 0, 0);
-  RandomRun<SceneT> rests{choices};
-  RandomRun<SceneT> flies{choices, V};
-  if (!rests.is_closed()) return 0;
-  const Real u = kRoundOff<typename SceneT::Scalar>;
-  const Real share = u > 1e-10L ? 1e-5L : 1e-10L;
-  const Seen start = rests.seen();
-  Real worst = 0;
-  int contacts = 0;
-  for (int i = 0; i < steps; ++i) {
-    if (rests.step() != Status::kOk || flies.step() != Status::kOk) return 1;
-    contacts += contacts_of(rests) + contacts_of(flies);
-    if (contacts >= 3) break;
-    const Seen one = rests.seen();
-    const Seen other = flies.seen();
-    const Real way = 25 * rests.dt() * (i + 1);
-    for (std::size_t k = 1; k < one.size(); ++k) {
-      const Real3 off = (one[k].x - one[0].x) - (other[k].x - other[0].x);
-      // Each step rounds two places in each of both.
-      const Real rounding = 8 * u * (one[k].x.norm() + one[0].x.norm() + way) * (i + 1);
-      worst = std::max(worst, off.norm() - share * way - rounding);
-    }
-  }
-  return worst;
-}
+/// Scenes of one kind, whose numbers are S.
+template <class S, const RandomKind& kKind>
+struct RandomLaws {
+  static Ran run(const Choices& choices, int steps);
+  /// Law 1: the same scene at rest and flying along. Compared until the third contact, because each
+  /// amplifies rounding; and only where nothing holds anybody.
+  static OffFrame frame_breach(const Choices& choices, int steps);
+};
+
 }  // namespace batuta::test

@@ -9,22 +9,10 @@
 #include "batuta/mechanics/compound.hpp"
 #include "batuta/world/any_controller.hpp"
 #include "choices.hpp"
+#include "random_kinds.hpp"
 #include "seen_world.hpp"
 
 namespace batuta::test {
-
-/// What tells one type of random scene from another.
-struct RandomKind {
-  RestingContact resting = RestingContact::kSettling;
-  bool gravity = false;
-  bool sleep = false;
-  bool is_led = false;    ///< controllers
-  bool is_tight = false;  ///< hardly any room, so that bodies are welded
-  bool turns = true;
-  bool is_small = false;  ///< Engine::kSmall
-  int bodies = 40;
-  int parts = 1;
-};
 
 template <const RandomKind& kKind>
 constexpr SceneOptions random_options() {

@@ -6,7 +6,7 @@ namespace batuta::test {
 namespace {
 
 template <class S, const RandomKind& kKind>
-using Of = RandomScene<S, kKind>;
+using Of = RandomLaws<S, kKind>;
 using Lasting = ::testing::Types<Of<float, kHeap>, Of<double, kHeap>, Of<float, kDrift>,
                                  Of<double, kDrift>, Of<float, kCramped>, Of<double, kCramped>,
                                  Of<float, kHands>, Of<double, kHands>>;

@@ -6,7 +6,7 @@ namespace batuta::test {
 namespace {
 
 template <class S, const RandomKind& kKind>
-using Of = RandomScene<S, kKind>;
+using Of = RandomLaws<S, kKind>;
 using Straight =
     ::testing::Types<Of<float, kStraight>, Of<double, kStraight>, Of<float, kSmallBalls>,
                      Of<double, kSmallBalls>, Of<float, kSmallCramped>, Of<double, kSmallCramped>>;

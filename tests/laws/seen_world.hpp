@@ -47,9 +47,10 @@ struct SeenBody {
   Real soft() const {
     return inverse_mass * p.squaredNorm() / 2 + inverse_moments.maxCoeff() * b.squaredNorm() / 2;
   }
-  bool is_unlike() const {
+  /// Three moments that differ by more than a share of the largest inverse one.
+  bool is_unlike(Real share = 1e-4L) const {
     const Real3& j = inverse_moments;
-    const Real near = 1e-4L * j.maxCoeff();
+    const Real near = share * j.maxCoeff();
     const auto differ = [&](int i, int k) { return std::abs(j[i] - j[k]) > near; };
     return differ(0, 1) && differ(1, 2) && differ(0, 2);
   }

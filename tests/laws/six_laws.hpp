@@ -76,6 +76,24 @@ struct Breach {
 /// Checks one step. @returns what is broken
 std::vector<Breach> broken_laws(const Seen& before, const Seen& after, const Told& told);
 
+/// What a step may do that broken_laws() takes for broken all the same: a search that meets each of
+/// these scenes asks for them.
+struct Terms {
+  Real opening = 0;  ///< how far opening and separating may shift somebody, m
+  Real closing = 0;  ///< how far contacts that last may close, m
+  /// Law 3, where contacts last: m (g T)^2 / 2 of each, J.
+  Real struck = 0;
+  /// Law 3: what bodies with three unlike moments are off their flight when a blow ends it, J.
+  /// Unlike by more than the library makes of equal ones (motion.md), where broken_laws() asks for
+  /// more.
+  Real off_flight = 0;
+  /// What a solution that ends where no visit changes a velocity by more than D / 64 in the step
+  /// (world.md, "Contacts that last") may lift what lies on two, J.
+  Real left = 0;
+  Real turning = 0;  ///< the energy of all turns before the step, J
+};
+Terms terms_of(const Seen& before, const Seen& after, const Told& told);
+
 /// What two bodies may come nearer than touching in a step: src/world/detail/margin.md.
 Real margin_of(const SeenBody& A, const SeenBody& B, const Told& told, Real fastest);
 

@@ -5,7 +5,7 @@ notice each: a test that passes without the fault fails with it.
 
   python3 tests/mutation/planted.py --build build/host
 
-Ends with 1 if a fault lives. A minute: what is compiled anew is three sources and one file of tests."""
+Ends with 1 if a fault lives. A minute: what is compiled anew is three sources and one file of scenes."""
 import argparse
 import pathlib
 import re
@@ -18,13 +18,13 @@ from workbench import Bench
 HERE = pathlib.Path(__file__).resolve().parent
 PROGRAM = "batuta_test_random"
 MOTION = "src/world/detail/group_motion.cpp"
-# before -> after, once in the file; tests: those that have to notice it; unit: the file of tests that is compiled with
+# before -> after, once in the file; tests: those that have to notice it; unit: the file of scenes that is compiled with
 # a header that is at fault. Sources are compiled in seconds, and that unit in some more.
 Fault = namedtuple("Fault", "name file before after tests unit", defaults=[None])
 FAULTS = [
     Fault("gravity at the start of the step", "include/batuta/world/detail/course.hpp",
           "if (!state.loaded) v_W -= (rest / 2) * bodies.settings.gravity_W;", "", "Straight/*Flight*",
-          "tests/laws/random_straight_test.cpp"),
+          "tests/laws/random_straight.cpp"),
     Fault("momentum scaled in a hold", MOTION, "  add(all.linear_W, Scalar(1), own.linear_W);",
           "  add(all.linear_W, Scalar(1) + Scalar(1) / 1024, own.linear_W);", "Lasting/*Momentum*"),
     Fault("a weld without its spin", MOTION, "  add(all.angular_W, Scalar(1), own.angular_W);", "", "Lasting/*Momentum*"),
@@ -61,7 +61,7 @@ def noticed(bench, fault):
     path.write_text(planted(text, fault))
     unit = fault.unit or fault.file
     compiled = bench.compile(unit, fault.file)
-    executable = compiled and bench.link(PROGRAM, {unit: compiled}, fault.unit)
+    executable = compiled and bench.link(PROGRAM, {unit: compiled})
     path.write_text(text)
     if executable is None:
         raise ValueError(f"{fault.name}: does not compile")
