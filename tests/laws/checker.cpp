@@ -130,6 +130,21 @@ Real Checker::closing() const {
   return sum;
 }
 
+Real Checker::lifted() const {
+  if (!told_.settles) return 0;
+  std::vector<Real> ways(before_.size(), 0);
+  for (const Pair& pair : pairs_) {
+    if (pair.was >= pair.D) continue;
+    ways[pair.a] = std::max(ways[pair.a], pair.D);
+    ways[pair.b] = std::max(ways[pair.b], pair.D);
+  }
+  Real energy = 0;
+  for (std::size_t i = 0; i < before_.size(); ++i) {
+    energy += before_[i].mass * told_.g.norm() * ways[i];
+  }
+  return energy;
+}
+
 Real Checker::struck() const {
   Real energy = 0;
   const Real fall = told_.g.norm() * told_.dt;
@@ -204,7 +219,7 @@ Real margin_of(const SeenBody& A, const SeenBody& B, const Told& told, Real fast
 
 Terms terms_of(const Seen& before, const Seen& after, const Told& told) {
   const Checker checker(before, after, told);
-  return {checker.opening(),     checker.closing(),        checker.struck(),
+  return {checker.opening(),     checker.closing(),        checker.lifted(), checker.struck(),
           checker.off_flights(), checker.left_by_sweeps(), checker.turning()};
 }
 

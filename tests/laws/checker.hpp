@@ -38,6 +38,7 @@ class Checker {
   /// What contacts that last may close in a step: each some of its D.
   Real closing() const;
   /// The others of Terms.
+  Real lifted() const;
   Real struck() const;
   Real off_flights() const;
   Real left_by_sweeps() const;

@@ -81,6 +81,9 @@ std::vector<Breach> broken_laws(const Seen& before, const Seen& after, const Tol
 struct Terms {
   Real opening = 0;  ///< how far opening and separating may shift somebody, m
   Real closing = 0;  ///< how far contacts that last may close, m
+  /// Law 3, where contacts last: m g D of each, where broken_laws() takes what is missing to D / 2,
+  /// J.
+  Real lifted = 0;
   /// Law 3, where contacts last: m (g T)^2 / 2 of each, J.
   Real struck = 0;
   /// Law 3: what bodies with three unlike moments are off their flight when a blow ends it, J.
