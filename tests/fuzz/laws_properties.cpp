@@ -217,8 +217,9 @@ bool holds(const test::Ran& ran) {
   return true;
 }
 
-/// Law 1. Passed over is how far contacts may open or close: which of them press, and are opened or
-/// separated, may be decided by the rounding of places, and that is another one far along the way.
+/// Law 1. Passed over is how far contacts may open or close: the margin, and with it D, grows with
+/// the way of a step, and which contacts press, and are opened or separated, may be decided by the
+/// rounding of places. Law 1 has no such term.
 bool holds_frame(const Laws& laws, const test::Choices& choices, int steps) {
   const test::OffFrame off = laws.frame_breach(choices, steps);
   if (off.by <= 0 || (!asks_all() && off.besides_gaps <= 0)) return true;
