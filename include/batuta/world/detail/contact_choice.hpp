@@ -103,22 +103,24 @@ std::size_t root_of(const Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups,
 }
 
 /// Group by group, from the ground up; heap sort, because it neither recurses nor asks for room.
+/// The keys are kept where sweeps will keep theirs (ContactPoint): each is computed once.
 template <class SceneT>
 void put_in_order(const Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups) {
   using Scalar = Scalar_of<SceneT>;
   Vec3<Scalar> down_W = Vec3<Scalar>::Zero();
   if constexpr (SceneT::kGravity) down_W = bodies.settings.gravity_W;
   join_all(bodies, groups, false);
+  for (int k = 0; k < groups.solved_count; ++k) {  // Bound: kMaxContacts
+    auto& contact = groups.solved_at(k);
+    contact.points[0].start = static_cast<Scalar>(root_of(bodies, groups, contact));
+    contact.points[0].ahead = down_W.dot(point_W(groups, contact));
+  }
   const auto precedes = [&](std::uint16_t x, std::uint16_t y) {
-    const auto& P = groups.contacts[x];
-    const auto& Q = groups.contacts[y];
-    const std::size_t p = root_of(bodies, groups, P);
-    const std::size_t q = root_of(bodies, groups, Q);
-    if (p != q) return p < q;
-    const Scalar low_p = down_W.dot(point_W(groups, P));
-    const Scalar low_q = down_W.dot(point_W(groups, Q));
-    if (low_p > low_q || low_q > low_p) return low_p > low_q;
-    return batuta::detail::precedes(P.pair, Q.pair);
+    const auto& P = groups.contacts[x].points[0];
+    const auto& Q = groups.contacts[y].points[0];
+    if (P.start < Q.start || Q.start < P.start) return P.start < Q.start;
+    if (P.ahead > Q.ahead || Q.ahead > P.ahead) return P.ahead > Q.ahead;
+    return batuta::detail::precedes(groups.contacts[x].pair, groups.contacts[y].pair);
   };
   const auto end = groups.order.begin() + groups.solved_count;
   std::make_heap(groups.order.begin(), end, precedes);

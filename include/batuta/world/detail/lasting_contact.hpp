@@ -66,8 +66,8 @@ struct ContactPoint : FeatureIf<Traits::kFriction, PointFriction<typename Traits
   /// Of this step, before what is being solved: cannot be taken back
   Scalar spent_normal = 0;
   Scalar opening = 0;  ///< what is being solved of the velocity that opens the gap, N s
-  Scalar start = 0;    ///< the impulse when the sweep began, N s
-  Scalar ahead = 0;    ///< where the sweeps have led it last, N s
+  Scalar start = 0;    ///< the impulse when the sweep began, N s; before sweeps, its group
+  Scalar ahead = 0;    ///< where the sweeps have led it last, N s; before sweeps, how low it is
 };
 
 /// Of a contact with friction, and with rolling resistance.
