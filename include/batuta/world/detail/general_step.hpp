@@ -111,7 +111,7 @@ template <class SceneT>
 void GeneralWorld<SceneT>::run_round() {
   pairs_.refresh(bodies_, is_begin_);
   is_begin_ = false;
-  pairs_.search_all(bodies_, [this](ProxyPair pair) { return lasts(pair); });
+  pairs_.search_all(bodies_, [this](ProxyPair pair) { return parts_along(pair); });
   const Scalar released = next_release();
   CandidateType candidate;
   Scalar time = 0;
@@ -132,16 +132,16 @@ void GeneralWorld<SceneT>::run_round() {
   }
 }
 
-/// D of a pair whose contact is solved for the rest of the step: the search then speaks of contact
-/// only where the two would be in each other. 0: it is not.
+/// The normal of a pair whose contact is solved for the rest of the step, out of the first: the
+/// search then speaks of contact only where the two would be in each other. Zero: it is not.
 template <class SceneT>
-typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::lasts(ProxyPair pair) const {
+Vec3<typename GeneralWorld<SceneT>::Scalar> GeneralWorld<SceneT>::parts_along(
+    ProxyPair pair) const {
   if constexpr (kSolves) {
     const int i = groups_.contacts.find(pair);
-    return i >= 0 && groups_.contacts[i].is_solved ? groups_.contacts[i].rest_gap : Scalar(0);
-  } else {
-    return Scalar(0);
+    if (i >= 0 && groups_.contacts[i].is_solved) return -groups_.contacts[i].points[0].normal_W;
   }
+  return Vec3<Scalar>::Zero();
 }
 
 /// The first time at which a group parts or a course ends, or the end of the step.

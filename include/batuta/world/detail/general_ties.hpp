@@ -30,7 +30,7 @@ bool GeneralWorld<SceneT>::is_due(ProxyPair pair) {
   };
   const Scalar rate =
       witness.axes.normal_AB.dot(velocity(b, witness.surface_B) - velocity(a, witness.surface_A));
-  return rate < slowest_closing(bodies_, query, lasts(pair) > Scalar(0));
+  return rate < slowest_closing(bodies_, query, !is_zero(parts_along(pair)));
 }
 
 /// In the order of their pairs, from the one that was answered on. Bound: kTies.

@@ -142,7 +142,7 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   void wake_touched();
   void plan_solved(std::size_t slot);
   void run_round();
-  Scalar lasts(ProxyPair pair) const;
+  Vec3<Scalar> parts_along(ProxyPair pair) const;
   Scalar next_release() const;
   void end_courses(Scalar time);
   void release(Scalar time);

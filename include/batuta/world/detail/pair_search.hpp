@@ -66,11 +66,15 @@ bool stays_apart(const Bodies<SceneT>& bodies, ProxyPair pair,
 
 /// What was seen of the earliest candidate is kept: its contact then needs no other evaluation.
 template <class SceneT>
-template <class Lasts>
-void Pairs<SceneT>::search(BodiesT& bodies, CandidateType& candidate, const Lasts& lasts) {
+template <class PartsAlong>
+void Pairs<SceneT>::search(BodiesT& bodies, CandidateType& candidate,
+                           const PartsAlong& parts_along) {
   candidate.asked = true;
   if constexpr (kLasts<SceneT>) {
-    if (stays_apart(bodies, candidate.pair, seed(candidate.pair))) {
+    // Of two pairs with one place in the memory one is forgotten: its contact still knows.
+    Vec3<Scalar> normal = seed(candidate.pair);
+    if (is_zero(normal)) normal = parts_along(candidate.pair);
+    if (stays_apart(bodies, candidate.pair, normal)) {
       candidate.outcome = Outcome::kFree;
       return;
     }
@@ -86,7 +90,7 @@ void Pairs<SceneT>::search(BodiesT& bodies, CandidateType& candidate, const Last
   until = min_of(until, min_of(bodies.plan_end(BodiesT::body_of(candidate.pair.first)),
                                bodies.plan_end(BodiesT::body_of(candidate.pair.second))));
   PairQuery& query = queries_.spare();
-  search_pair(bodies, candidate.pair, until, lasts(candidate.pair), query);
+  search_pair(bodies, candidate.pair, until, !is_zero(parts_along(candidate.pair)), query);
   bodies.report.evaluations += query.evaluations();
   candidate.outcome = query.outcome();
   candidate.since = bodies.now;
@@ -247,7 +251,7 @@ void search_straight(Bodies<SceneT>& bodies, ProxyPair pair, Scalar_of<SceneT> u
 }
 
 template <class SceneT>
-void Pairs<SceneT>::search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, Scalar lasts,
+void Pairs<SceneT>::search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, bool is_solved,
                                 PairQuery& query) {
   if constexpr (!SceneT::kRotation) {
     search_straight(bodies, pair, until, query);
@@ -262,7 +266,6 @@ void Pairs<SceneT>::search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, S
     query.origin_W = moving_pair.value.origin_W;
     query.scale = moving_pair.value.scale;
     query.contact_gap = Search::contact_gap(moving_pair.value, bodies.settings.search);
-    const bool is_solved = kLasts<SceneT> && lasts > Scalar(0);
     const Scalar radius_A = moving_pair.value.A.radius;
     const Scalar radius_B = moving_pair.value.B.radius;
     // Half of what the search calls contact: as much again is left for what closes slowly.

@@ -47,9 +47,10 @@ class Pairs : private SeedsOf<SceneT> {
   /// Plans who has changed, and collects the pairs of those. Bound: kMaxBodies + 1 passes.
   void refresh(BodiesT& bodies, bool is_begin);
   /// Asks for every candidate that was not asked for, and drops those that are free.
-  /// @param lasts  D of a pair whose contact was solved for the rest of the step; of others 0
-  template <class Lasts>
-  void search_all(BodiesT& bodies, const Lasts& lasts);
+  /// @param parts_along  the normal, out of the first, of a pair whose contact was solved for the
+  ///   rest of the step; of others zero
+  template <class PartsAlong>
+  void search_all(BodiesT& bodies, const PartsAlong& parts_along);
 
   /// The candidate that ends the round, taken out; false: none does.
   /// @param has_had  tells of a pair and a time whether it was answered at that time
@@ -90,9 +91,9 @@ class Pairs : private SeedsOf<SceneT> {
   void drop_changed(const BodiesT& bodies);
   void collect_fresh(BodiesT& bodies);
   void collect(BodiesT& bodies, ProxyPair pair);
-  template <class Lasts>
-  void search(BodiesT& bodies, CandidateType& candidate, const Lasts& lasts);
-  void search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, Scalar lasts, PairQuery& query);
+  template <class PartsAlong>
+  void search(BodiesT& bodies, CandidateType& candidate, const PartsAlong& parts_along);
+  void search_pair(BodiesT& bodies, ProxyPair pair, Scalar until, bool is_solved, PairQuery& query);
 
   SweepList<Scalar, BodiesT::kProxies, SceneT::kSweepAxis> sweep_;
   EarliestQuery<PairQuery, Scalar, (SceneT::kMaxPairs > 1)> queries_;
@@ -267,10 +268,10 @@ void Pairs<SceneT>::collect(BodiesT& bodies, ProxyPair pair) {
 }
 
 template <class SceneT>
-template <class Lasts>
-void Pairs<SceneT>::search_all(BodiesT& bodies, const Lasts& lasts) {
+template <class PartsAlong>
+void Pairs<SceneT>::search_all(BodiesT& bodies, const PartsAlong& parts_along) {
   for (int i = 0; i < candidates.size(); ++i) {  // Bound: kMaxPairs
-    if (!candidates[i].asked) search(bodies, candidates[i], lasts);
+    if (!candidates[i].asked) search(bodies, candidates[i], parts_along);
   }
   for (int i = candidates.size() - 1; i >= 0; --i) {  // Bound: kMaxPairs
     if (candidates[i].outcome == Outcome::kFree) candidates.remove_swapping(i);
