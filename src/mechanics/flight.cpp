@@ -33,6 +33,14 @@ static_assert(kMostParts > 2 * kHalfTurn<float> / kTurnOfPart<float>);
 template <class Scalar>
 constexpr Scalar kOuterShare = Scalar(1.35120719195965763405);
 
+/// Corrections of the energy at the end of a flight: one, and so many where it began on a chord,
+/// off by more than rounding (motion.md).
+constexpr int kPassesFromChord = 4;
+/// How far one of them turns at most, of the turn of the flight: who is far off comes back to its
+/// energy over several flights, and does not leap.
+template <class Scalar>
+constexpr Scalar kOfTurn = Scalar(1) / 16;
+
 /// How far the excess of an orientation may be from the one that is remembered, relative to the
 /// largest there is, to be that of the same flight (motion.md).
 template <class Scalar>
@@ -161,9 +169,10 @@ template <class Scalar>
 BATUTA_RARE detail::FlightMemory<Scalar> memory_of(const Body<Scalar>& body) {
   detail::FlightMemory<Scalar> flight = body.flight;
   const Excess<Scalar> now = excess_of(body, body.X_WB.q_WB, flight.axis);
-  const bool is_same = detail::is_same(flight.angular_W, body.momentum.angular_W) &&
-                       std::abs(now.value - flight.excess) <= kSameFlight<Scalar> * now.most;
-  if (is_same) return flight;
+  const bool is_near = std::abs(now.value - flight.excess) <= kSameFlight<Scalar> * now.most;
+  const bool is_same = detail::is_same(flight.angular_W, body.momentum.angular_W);
+  if (is_same && (is_near || flight.is_on_chord)) return flight;
+  flight.is_on_chord = false;
   flight.axis = 0;
   for (int i = 1; i < 3; ++i) {  // Bound: two axes
     const bool is_nearer = std::abs(now.b_B(i)) > std::abs(now.b_B(flight.axis));
@@ -176,16 +185,32 @@ BATUTA_RARE detail::FlightMemory<Scalar> memory_of(const Body<Scalar>& body) {
 
 /// q turned on the shortest way to the orientations of the flight's energy, to first order; by a
 /// quarter of the way to an axis at most, where the first order ends.
+/// @param most_turn  and by no more than that, rad
 template <class Scalar>
-BATUTA_RARE Quat<Scalar> with_energy(const Body<Scalar>& body, const Quat<Scalar>& q_WB) {
-  const detail::FlightMemory<Scalar> flight = memory_of(body);
+BATUTA_RARE Quat<Scalar> nearer_to(const detail::FlightMemory<Scalar>& flight,
+                                   const Body<Scalar>& body, const Quat<Scalar>& q_WB,
+                                   Scalar most_turn) {
   const Excess<Scalar> now = excess_of(body, q_WB, flight.axis);
   const Vec3<Scalar> gradient_B = now.b_B.cross(now.rate);
   const Scalar square = 2 * gradient_B.squaredNorm();
   if (!(square > std::numeric_limits<Scalar>::min())) return q_WB;
-  const Scalar most = square / (4 * now.most);
+  const Scalar most = min_of(square / (4 * now.most), std::sqrt(2 * square) * most_turn);
   const Scalar missing = clamp(flight.excess - now.value, -most, most);
   return turned(q_WB, Vec3<Scalar>((-missing / square) * gradient_B));
+}
+
+/// q with the energy of the flight, or nearer to it. Bound: kPassesFromChord.
+template <class Scalar>
+BATUTA_RARE Quat<Scalar> with_energy(const Body<Scalar>& body, const Quat<Scalar>& q_WB,
+                                     Scalar duration) {
+  const detail::FlightMemory<Scalar> flight = memory_of(body);
+  if (!flight.is_on_chord) return nearer_to(flight, body, q_WB, kHalfTurn<Scalar>);
+  const Scalar most_turn = kOfTurn<Scalar> * duration * length(twist_of(body).w_W);
+  Quat<Scalar> q = q_WB;
+  for (int i = 0; i < kPassesFromChord; ++i) {  // Bound: kPassesFromChord
+    q = nearer_to(flight, body, q, most_turn);
+  }
+  return q;
 }
 
 /// The spins, one after the other: about the odd axis, the minor one and the odd one again, with
@@ -206,7 +231,7 @@ BATUTA_RARE Quat<Scalar> tumbled(const Body<Scalar>& body, const Splitting<Scala
     q = spun(body, split, q, split.minor, share * part);
     q = spun(body, split, q, split.odd, odd * part);
   }
-  return with_energy(body, renewed(q));
+  return with_energy(body, renewed(q), duration);
 }
 
 /// The orientation at the end of a flight whose turn is less than `most`.
@@ -261,7 +286,10 @@ bool detail::tumbles(const Body<Scalar>& body) {
 
 template <class Scalar>
 void move_along(Body<Scalar>& body, const Motion<Scalar>& motion, Scalar t) {
-  if (detail::tumbles(body)) body.flight = memory_of(body);
+  if (detail::tumbles(body)) {
+    body.flight = memory_of(body);
+    body.flight.is_on_chord = t < motion.duration;
+  }
   body.X_WB = pose_at(motion, t);
 }
 

@@ -170,8 +170,8 @@ bool is_struck(const test::Found& found) {
   return found.told.impulses > 0 && is_energy(breach) && breach.by <= breach.may_be + stated;
 }
 
-/// World.md, "Known faults": a body with three unlike moments that comes near another and does not
-/// strike it. At most what a blow would have left of it, and half of what bodies turn with.
+/// World.md, "Bent turns": who left its flight far from its ends comes back to its energy over
+/// several flights. At most what a blow would have left of it, and half of what bodies turn with.
 bool is_off_flight(const test::Found& found) {
   const test::Breach& breach = found.breach;
   const test::Real most = std::min(found.terms.off_flight, found.terms.turning / 2);

@@ -47,6 +47,8 @@ struct FlightMemory {
   /// 2 E - |b|^2 / I_axis, E the energy of turning, J.
   Scalar excess = 0;
   std::uint8_t axis = 0;  ///< the axis of B nearest to b when the flight began: 0, 1, 2
+  /// The body was left between the ends of a planned motion, where its energy is not the flight's.
+  bool is_on_chord = false;
 };
 
 }  // namespace detail

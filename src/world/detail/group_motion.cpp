@@ -164,6 +164,7 @@ BATUTA_RARE void take_along(Body<Scalar>& body, const Vec3<Scalar>& from_W,
                             const Pose<Scalar>& X_WG) {
   add(body.X_WB.p_W, Scalar(-1), from_W);
   body.X_WB = {to_world(X_WG, body.X_WB.p_W), composed(X_WG.q_WB, body.X_WB.q_WB)};
+  body.flight = {};  // it was turned as no flight of its own turns it
 }
 
 template <class Scalar>

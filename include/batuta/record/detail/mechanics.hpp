@@ -27,9 +27,13 @@ void archive(Archive& ar, Momentum<Scalar>& momentum) {
 
 template <class Scalar>
 void archive(Archive& ar, detail::FlightMemory<Scalar>& flight) {
-  auto& [angular_W, excess, axis] = flight;
+  auto& [angular_W, excess, axis, is_on_chord] = flight;
   ar(angular_W, excess);
-  axis = static_cast<std::uint8_t>(ar.count(axis, 2));
+  // One number, which is that of the axis between steps of a world: so it was before chords.
+  constexpr int kAxes = 3;
+  const int both = ar.count(axis + (is_on_chord ? kAxes : 0), 2 * kAxes - 1);
+  axis = static_cast<std::uint8_t>(both % kAxes);
+  is_on_chord = both >= kAxes;
 }
 
 /// Only a body with three unlike moments has a flight to remember: others have the bytes that they

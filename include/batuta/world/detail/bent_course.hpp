@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// After a contact: how long the chord of a bent turn may stand for it (src/world/world.md,
-// "Touching and parting"). Frame W, SI units.
+// Before and after a contact: how long the chord of a bent turn may stand for it
+// (src/world/world.md, "Bent turns"). Frame W, SI units.
 
+#include "batuta/geometry/direction.hpp"
 #include "batuta/response/impulse.hpp"
 #include "batuta/world/detail/bodies.hpp"
 
@@ -47,6 +48,37 @@ void shorten_courses(Bodies<SceneT>& bodies, ProxyPair pair,
   for (const std::size_t slot : {a, b}) {  // Bound: 2
     if (!bodies.is_led(slot)) end_course(bodies, slot, end);
   }
+}
+
+/// Twice the energy of a body's turn where its planned motion has it after t, J.
+template <class Scalar>
+Scalar turning_on(const Body<Scalar>& body, const Motion<Scalar>& motion, Scalar t) {
+  Body<Scalar> there = body;
+  there.X_WB = pose_at(motion, t);
+  return body.momentum.angular_W.dot(twist_of(there).w_W);
+}
+
+/// Whether a body that is on a course since now would be met, at a time of the step, where the
+/// energy of its turn is not that of the course's end, which is its flight's
+/// (src/mechanics/motion.md, "The energy on the chord").
+template <class SceneT>
+[[gnu::noinline]] bool is_off_flight(const Bodies<SceneT>& bodies, std::size_t slot,
+                                     Scalar_of<SceneT> time) {
+  using Scalar = Scalar_of<SceneT>;
+  constexpr Scalar kOfEnergy = Scalar(1) / 1024;
+  constexpr Scalar kLeastTurn = Scalar(1) / 256;  // rad: who turns less is not looked at
+  const auto& state = bodies.states[slot];
+  // Who came to now on the chord would be off its flight where the new course began.
+  const bool is_on_course = bodies.now <= state.start && state.group == Bodies<SceneT>::kAlone;
+  if (!is_on_course || bodies.is_led(slot)) return false;
+  if constexpr (kLasts<SceneT>) {
+    if (!is_zero(state.opening.w_W)) return false;
+  }
+  const auto& motion = state.plan.motion;
+  if (!(motion.duration * length(motion.twist.w_W) > kLeastTurn)) return false;
+  const auto& body = bodies.actor(slot).body;
+  const Scalar whole = turning_on(body, motion, motion.duration);
+  return std::abs(turning_on(body, motion, time - state.start) - whole) > kOfEnergy * whole;
 }
 
 }  // namespace batuta::detail

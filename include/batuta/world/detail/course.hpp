@@ -125,6 +125,9 @@ void move_on(Bodies<SceneT>& bodies, std::size_t slot, Scalar_of<SceneT> elapsed
     }
   }
   Kinematics::move(body, state.plan.motion, elapsed);
+  if constexpr (SceneT::kRotation && !Bodies<SceneT>::kIsFree) {
+    if (!state.plan.by_momentum) body.flight = {};  // it was led, and flew nowhere
+  }
 }
 
 /// Two bodies, which are where they are now, are off their parabolas by the same from now on: what

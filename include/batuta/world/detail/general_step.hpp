@@ -24,7 +24,7 @@ void GeneralWorld<SceneT>::begin_step(Scalar dt) {
   bodies_.report = {};
   bodies_.now = 0;
   bodies_.dt = dt;
-  contacts_answered_ = 0;
+  contacts_answered_ = courses_cut_ = 0;
   touches_.begin_step();
   pairs_.begin_step();
   this->clear_repeats();
@@ -121,6 +121,7 @@ void GeneralWorld<SceneT>::run_round() {
     return false;
   };
   if (pairs_.take_first(released, has_had, candidate, time)) {
+    if (cut_courses(candidate, time)) return;
     if constexpr (kSolves) struck_.clear();
     resolve(candidate, time);
     if constexpr (kSolves) {
@@ -130,6 +131,28 @@ void GeneralWorld<SceneT>::run_round() {
   } else {
     release(released);
   }
+}
+
+/// Who would be met where the chord of its turn has another energy than its flight goes on another
+/// course, which ends there: then it is met near its end, or on the next one near its start.
+/// @returns whether one does. Nothing has happened then
+template <class SceneT>
+bool GeneralWorld<SceneT>::cut_courses([[maybe_unused]] const CandidateType& candidate,
+                                       [[maybe_unused]] Scalar time) {
+  bool is_cut = false;
+  if constexpr (kBends<SceneT>) {
+    if (!candidate.is_contact() || !(bodies_.now < time)) return false;
+    for (const int proxy : {int{candidate.pair.first}, int{candidate.pair.second}}) {  // Bound: 2
+      const std::size_t slot = BodiesT::body_of(proxy);
+      if (courses_cut_ >= kCutsPerContact * SceneT::kMaxContacts) break;
+      if (!is_off_flight(bodies_, slot, time)) continue;
+      end_course(bodies_, slot, time);
+      bodies_.states[slot].changed = bodies_.is_changed = true;
+      ++courses_cut_;
+      is_cut = true;
+    }
+  }
+  return is_cut;
 }
 
 /// The normal of a pair whose contact is solved for the rest of the step, out of the first: the

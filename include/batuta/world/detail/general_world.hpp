@@ -33,13 +33,18 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   /// A FixedList of ContactEvent.
   using EventList = typename EventsOf<SceneT>::EventList;
 
-  /// Ends of rounds that one contact accounts for: the third is that of a course cut short.
-  static constexpr int kEndsPerContact = 2 + static_cast<int>(detail::kBends<SceneT>);
+  /// Courses that end early before a contact, for one contact.
+  static constexpr int kCutsPerContact = detail::kBends<SceneT> ? 2 : 0;
+  /// Ends of rounds that one contact accounts for: the third is that of a course cut short after
+  /// it; those before it end a round when they are cut and when they end.
+  static constexpr int kEndsPerContact =
+      2 + static_cast<int>(detail::kBends<SceneT>) + 2 * kCutsPerContact;
 
   /// Rounds of one step: each ends with a contact (kMaxContacts), with the end of the time that a
   /// separation takes (kMaxContacts), with two groups that become one or a group that comes to
   /// stand (2 kMaxBodies; where nobody answers contacts, with a pair that is left: kMaxPairs), with
-  /// the end of a course that a contact has cut short (kMaxContacts), or with the step (1).
+  /// the end of a course that a contact has cut short (kMaxContacts), with a course that is to end
+  /// where a contact was found, and its end (2 kCutsPerContact kMaxContacts), or with the step (1).
   static constexpr int kMaxRounds = kEndsPerContact * SceneT::kMaxContacts +
                                     max_of(2 * SceneT::kMaxBodies, SceneT::kMaxPairs) + 1;
   /// Most pairs searched in one round.
@@ -142,6 +147,7 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   void wake_touched();
   void plan_solved(std::size_t slot);
   void run_round();
+  bool cut_courses(const CandidateType& candidate, Scalar time);
   Vec3<Scalar> parts_along(ProxyPair pair) const;
   Scalar next_release() const;
   void end_courses(Scalar time);
@@ -219,6 +225,7 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   bool is_moved_ = false;  ///< where contacts last: the last one answered was moved apart
   std::uint16_t answers_of_pair_ = 0;  ///< where contacts last: of the pair that is answered
   int contacts_answered_ = 0;
+  int courses_cut_ = 0;  ///< before contacts
 };
 
 }  // namespace batuta::detail
