@@ -187,9 +187,8 @@ BATUTA_RARE detail::FlightMemory<Scalar> memory_of(const Body<Scalar>& body) {
 /// quarter of the way to an axis at most, where the first order ends.
 /// @param most_turn  and by no more than that, rad
 template <class Scalar>
-BATUTA_RARE Quat<Scalar> nearer_to(const detail::FlightMemory<Scalar>& flight,
-                                   const Body<Scalar>& body, const Quat<Scalar>& q_WB,
-                                   Scalar most_turn) {
+inline Quat<Scalar> nearer_to(const detail::FlightMemory<Scalar>& flight, const Body<Scalar>& body,
+                              const Quat<Scalar>& q_WB, Scalar most_turn) {
   const Excess<Scalar> now = excess_of(body, q_WB, flight.axis);
   const Vec3<Scalar> gradient_B = now.b_B.cross(now.rate);
   const Scalar square = 2 * gradient_B.squaredNorm();
@@ -204,10 +203,14 @@ template <class Scalar>
 BATUTA_RARE Quat<Scalar> with_energy(const Body<Scalar>& body, const Quat<Scalar>& q_WB,
                                      Scalar duration) {
   const detail::FlightMemory<Scalar> flight = memory_of(body);
-  if (!flight.is_on_chord) return nearer_to(flight, body, q_WB, kHalfTurn<Scalar>);
-  const Scalar most_turn = kOfTurn<Scalar> * duration * length(twist_of(body).w_W);
+  int passes = 1;
+  Scalar most_turn = kHalfTurn<Scalar>;
+  if (flight.is_on_chord) {
+    passes = kPassesFromChord;
+    most_turn = kOfTurn<Scalar> * duration * length(twist_of(body).w_W);
+  }
   Quat<Scalar> q = q_WB;
-  for (int i = 0; i < kPassesFromChord; ++i) {  // Bound: kPassesFromChord
+  for (int i = 0; i < passes; ++i) {  // Bound: kPassesFromChord
     q = nearer_to(flight, body, q, most_turn);
   }
   return q;

@@ -24,7 +24,7 @@ void GeneralWorld<SceneT>::begin_step(Scalar dt) {
   bodies_.report = {};
   bodies_.now = 0;
   bodies_.dt = dt;
-  contacts_answered_ = courses_cut_ = 0;
+  contacts_answered_ = cuts_made_ = 0;
   touches_.begin_step();
   pairs_.begin_step();
   this->clear_repeats();
@@ -144,11 +144,11 @@ bool GeneralWorld<SceneT>::cut_courses([[maybe_unused]] const CandidateType& can
     if (!candidate.is_contact() || !(bodies_.now < time)) return false;
     for (const int proxy : {int{candidate.pair.first}, int{candidate.pair.second}}) {  // Bound: 2
       const std::size_t slot = BodiesT::body_of(proxy);
-      if (courses_cut_ >= kCutsPerContact * SceneT::kMaxContacts) break;
+      if (cuts_made_ >= kCutsPerContact * SceneT::kMaxContacts) break;
       if (!is_off_flight(bodies_, slot, time)) continue;
       end_course(bodies_, slot, time);
       bodies_.states[slot].changed = bodies_.is_changed = true;
-      ++courses_cut_;
+      ++cuts_made_;
       is_cut = true;
     }
   }

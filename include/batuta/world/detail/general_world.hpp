@@ -225,7 +225,7 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   bool is_moved_ = false;  ///< where contacts last: the last one answered was moved apart
   std::uint16_t answers_of_pair_ = 0;  ///< where contacts last: of the pair that is answered
   int contacts_answered_ = 0;
-  int courses_cut_ = 0;  ///< before contacts
+  int cuts_made_ = 0;  ///< before contacts
 };
 
 }  // namespace batuta::detail

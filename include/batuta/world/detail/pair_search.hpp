@@ -90,7 +90,8 @@ void Pairs<SceneT>::search(BodiesT& bodies, CandidateType& candidate,
   until = min_of(until, min_of(bodies.plan_end(BodiesT::body_of(candidate.pair.first)),
                                bodies.plan_end(BodiesT::body_of(candidate.pair.second))));
   PairQuery& query = queries_.spare();
-  search_pair(bodies, candidate.pair, until, !is_zero(parts_along(candidate.pair)), query);
+  const bool is_solved = kLasts<SceneT> && !is_zero(parts_along(candidate.pair));
+  search_pair(bodies, candidate.pair, until, is_solved, query);
   bodies.report.evaluations += query.evaluations();
   candidate.outcome = query.outcome();
   candidate.since = bodies.now;
