@@ -17,6 +17,8 @@ struct detail::Situation {
   float reach = 0;     ///< of the rival's arm: guard before trunk, m
   float thrust = 0;    ///< its speed, m/s
   float ahead = 0;     ///< from one's own trunk to the rival's point, m
+  float upright = 0;   ///< the distance if both stood upright, m
+  float gait = 0;      ///< the speed at which the rival's feet come, m/s
   int line = 0;        ///< in which the rival's blade comes, or would come
 };
 
@@ -69,11 +71,25 @@ constexpr float kHeldOut = 0.6F;        ///< m before its trunk: further, an arm
 constexpr float kComes = 0.1F;          ///< m/s: slower, an arm stands
 constexpr int kHeldLooks = 12;          ///< for which an arm stands that is held out
 constexpr float kTakeRange = 3.4F;      ///< m between trunks from which a blade is taken
-constexpr float kTaken = 2.1F;          ///< m at which who has taken it thrusts
+constexpr float kTaken = 2.2F;          ///< m at which who has taken it thrusts
 constexpr float kHighThrust = 0.6F;     ///< of the way of a lunge, high inside, and
 constexpr float kLowThrust = 0.75F;     ///< low inside: no further, the point is there still
-constexpr float kAlongBlade = 0.5F;  ///< order to the feet meanwhile: slower than a point touches
-constexpr float kForesight = 0.2F;   ///< s for which such a walk is thought on
+constexpr float kAlongBlade = 0.75F;    ///< m/s of the feet meanwhile: slower than a point touches
+constexpr float kForesight = 0.2F;      ///< s for which such a walk is thought on
+constexpr float kGuardReach = 0.52F;    ///< m before its trunk: an arm on guard
+constexpr float kLeanPerReach = 1.55F;  ///< m that a trunk leans for each m of reach beyond that
+constexpr float kRushes = 1.0F;         ///< m/s of the feet: faster, somebody may rush in
+constexpr int kRushLooks = 10;          ///< for which they are faster than slower: he does
+constexpr int kMostRushLooks = 14;      ///< blades that meet hide it for a few looks
+constexpr float kMeet = 2.8F;           ///< m between upright trunks within which he is met
+constexpr float kLead = 2.4F;           ///< m between them that is kept until then
+constexpr float kFarOff = 1.0F;         ///< m that it is off beyond which he is awaited
+constexpr float kLeadGain = 3.0F;       ///< m/s of the feet for each m that it is off
+constexpr int kMeetLine = 1;            ///< low inside
+constexpr int kLongestRhythm = 40;      ///< looks between two lunges, after which there is none
+constexpr int kArrival = 20;            ///< looks from what is seen to the end of a lunge
+constexpr float kBackOnGuard = 0.82F;   ///< of the rhythm, since a lunge was plain: from then on
+                                        ///< until the next is plain, who lunges cannot touch
 
 // Times of the moves, us.
 constexpr std::int32_t kStepTime = 60000;
@@ -108,6 +124,18 @@ float reach_of(const Observation& sight) {
   return sight.rival.torso_V.x() - sight.rival.guard_V.x();
 }
 
+/// The order to the feet for a speed forward, m/s.
+float feet_order(float forward) {
+  constexpr FeetSettings<float> kFeet;
+  const float most = forward > 0 ? kFeet.forward_speed : kFeet.backward_speed;
+  return std::clamp(forward / most, -1.0F, 1.0F);
+}
+
+/// How far a trunk has leant forward for a lunge, m: it goes with the arm.
+float lean_of(float reach) {
+  return kLeanPerReach * (reach - kGuardReach);
+}
+
 detail::Situation situation_of(const DelayedObservation& eye) {
   const Observation& now = eye.seen();
   const Observation& before = eye.before();
@@ -120,6 +148,9 @@ detail::Situation situation_of(const DelayedObservation& eye) {
   situation.thrust = (situation.reach - reach_of(before)) / kSecondsPerLook;
   situation.ahead = now.rival.point_V.x() - now.own.torso_V.x();
   situation.line = line_seen(now);
+  const float own_reach = now.own.guard_V.x() - now.own.torso_V.x();
+  situation.upright = situation.distance + lean_of(situation.reach) + lean_of(own_reach);
+  situation.gait = situation.pace - kLeanPerReach * situation.thrust;
   return situation;
 }
 
@@ -182,13 +213,32 @@ void Opponent::decide() {
   const detail::Situation now = situation_of(eye_);
   const Style& style = style_of(skill_);
   const bool comes = now.reach > style.alarm_reach && now.thrust > kComes;
+  look_at_rush(now, comes);
   look_on(now, comes);
   if (!is_free()) return;
-  if (comes && now.ahead < kDangerAhead) {
+  const bool over = move_ >= moves_.size();
+  if (style.meets && is_rushed()) {
+    const bool is_idle = over || intent_ == Intent::kWait || intent_ == Intent::kStep;
+    if (is_idle && place_.blade.y() < kDrawn) meet(now);
+  } else if (comes && now.ahead < kDangerAhead) {
     defend(now);
   } else {
-    choose(now, move_ >= moves_.size());
+    choose(now, over);
   }
+}
+
+/// Whether the rival's feet come and come, and how often he lunges meanwhile.
+void Opponent::look_at_rush(const detail::Situation& now, bool comes) {
+  rushed_ = std::clamp(rushed_ + (now.gait > kRushes ? 1 : -1), 0, kMostRushLooks);
+  since_ = std::min(since_ + 1, kLongestRhythm);
+  if (!comes || threatened_) return;
+  rhythm_ = since_ < kLongestRhythm ? since_ : 0;
+  since_ = 0;
+}
+
+/// A point that is held out and carried in is none: see take().
+bool Opponent::is_rushed() const {
+  return rushed_ >= kRushLooks && held_ < kHeldLooks;
 }
 
 /// At the end of an attack its line is plain, and whoever made it is open.
@@ -219,6 +269,27 @@ void Opponent::defend(const detail::Situation& now) {
   } else {
     parry(line_to_close(now.line));
   }
+}
+
+/// Somebody who rushes in: leads him back, and lunges so that the point is there when he is back on
+/// guard between two lunges, or at once if he makes none.
+void Opponent::meet(const detail::Situation& now) {
+  if (!is_time_to_meet() || now.upright > kMeet) {
+    begin(Intent::kStep);
+    const float off = now.upright - kLead;
+    const float forward = off < kFarOff ? kLeadGain * off - now.gait : 0.0F;
+    then(DelayedObservation::kLookUs, {at(0, 0), feet_order(forward)});
+  } else {
+    begin(Intent::kCounter);
+    then(style_of(skill_).lunge_us, near({line_of(kMeetLine).lunge, 0}));
+    then(kRecoveryTime, {at(0, 0), -1});
+  }
+}
+
+bool Opponent::is_time_to_meet() const {
+  if (rhythm_ == 0) return since_ >= kLongestRhythm;
+  const int arrives = (since_ + kArrival) % rhythm_;
+  return static_cast<float>(arrives) > kBackOnGuard * static_cast<float>(rhythm_);
 }
 
 void Opponent::parry(int line) {
@@ -283,15 +354,17 @@ bool Opponent::may_take(const detail::Situation& now) {
 /// Along a blade that is held out: in sixte, slower than a point has to come, and then inside of
 /// it.
 void Opponent::take(const detail::Situation& now) {
+  // As much slower as the rival walks in: what counts is how fast the two come together.
+  const float feet = feet_order(kAlongBlade - std::max(now.gait, 0.0F));
   if (now.soon < kTaken) {
     begin(Intent::kAttack);
     const Vec2f place =
         chance(0.5F) ? kHighThrust * line_of(0).lunge : kLowThrust * line_of(1).lunge;
-    then(style_of(skill_).lunge_us, near({place, kAlongBlade}));
+    then(style_of(skill_).lunge_us, near({place, feet}));
     then(kRecoveryTime, {at(0, 0), -1});
   } else {
     begin(Intent::kStep);
-    then(kParryTime, near({line_of(3).parry, kAlongBlade}));
+    then(kParryTime, near({line_of(3).parry, feet}));
   }
 }
 

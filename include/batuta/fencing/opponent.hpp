@@ -87,6 +87,10 @@ class Opponent {
   void attack(const detail::Situation& now, int index, Intent intent);
   void press(const detail::Situation& now);
   bool may_take(const detail::Situation& now);
+  void look_at_rush(const detail::Situation& now, bool comes);
+  bool is_rushed() const;
+  void meet(const detail::Situation& now);
+  bool is_time_to_meet() const;
   void take(const detail::Situation& now);
   void keep_measure(const detail::Situation& now);
   int guessed_line();
@@ -108,6 +112,9 @@ class Opponent {
   int opening_ = 0;          ///< looks for which an attack of the rival's is just over
   int came_ = 0;             ///< the line of that
   int held_ = 0;             ///< looks for which the rival's arm stands, and is out
+  int rushed_ = 0;           ///< looks for which the rival's feet came fast, less those since
+  int since_ = 0;            ///< looks since his arm came out
+  int rhythm_ = 0;           ///< looks from one time to the next; 0: none
   std::array<std::uint16_t, kLines> habits_{};  ///< attacks seen, by line
   Intent intent_ = Intent::kWait;
   bool presses_ = false;                   ///< walks in to attack

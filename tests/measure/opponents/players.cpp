@@ -12,7 +12,7 @@ using namespace batuta::fencing;
 
 /// The lines are those of the map (fencer.hpp); the feet bring each loop into measure and out of
 /// it.
-constexpr std::array<Loop, 6> kLoops = {{
+constexpr std::array<Loop, 8> kLoops = {{
     {"attack",
      {{{300, 0, 0, 0.6F},
        {120, 0.5F, 0.5F, 1},
@@ -55,6 +55,20 @@ constexpr std::array<Loop, 6> kLoops = {{
        {200, 0, 1, 0},
        {200, 0, 1, 0},
        {200, 0, 1, 0}}}},
+    {"rush",
+     {{{140, -1, 1, 1},
+       {140, 0, 0, 1},
+       {140, -1, 1, 1},
+       {140, 0, 0, 1},
+       {140, -1, 1, 1},
+       {140, 0, 0, 1}}}},
+    {"point walked in",
+     {{{200, 0, 1, 1},
+       {200, 0, 1, 1},
+       {200, 0, 1, 1},
+       {200, 0, 1, 1},
+       {200, 0, 1, 1},
+       {200, 0, 1, 1}}}},
 }};
 
 constexpr std::array<const char*, 3> kSkills = {"novice", "club", "master"};

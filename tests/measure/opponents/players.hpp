@@ -23,7 +23,8 @@ struct Loop {
   std::array<LoopMove, 6> moves;
 };
 
-/// The loops by their names: attack, parry, guard, retreat, beat and thrust, point held out.
+/// The loops by their names: attack, parry, guard, retreat, beat and thrust, point held out, rush,
+/// point walked in.
 std::vector<std::string> names_of_loops();
 
 /// A stick that somebody moves.
