@@ -79,8 +79,8 @@ constexpr float kForesight = 0.2F;      ///< s for which such a walk is thought 
 constexpr float kGuardReach = 0.52F;    ///< m before its trunk: an arm on guard
 constexpr float kLeanPerReach = 1.55F;  ///< m that a trunk leans for each m of reach beyond that
 constexpr float kRushes = 1.0F;         ///< m/s of the feet: faster, somebody may rush in
-constexpr int kRushLooks = 10;          ///< for which they are faster than slower: he does
-constexpr int kMostRushLooks = 14;      ///< blades that meet hide it for a few looks
+constexpr int kRushLooks = 16;          ///< for which they are faster than slower: he does
+constexpr int kMostRushLooks = 20;      ///< blades that meet hide it for a few looks
 constexpr float kMeet = 2.8F;           ///< m between upright trunks within which he is met
 constexpr float kLead = 2.4F;           ///< m between them that is kept until then
 constexpr float kFarOff = 1.0F;         ///< m that it is off beyond which he is awaited
@@ -98,6 +98,7 @@ constexpr std::int32_t kParryTime = 100000;
 constexpr std::int32_t kHoldTime = 80000;
 constexpr std::int32_t kBeatTime = 90000;
 constexpr std::int32_t kRecoveryTime = 250000;
+constexpr std::int32_t kApartTime = 500000;  ///< of a halt, so that no body walks onto a blade
 
 /// The line in which a blade lies, seen from one's own trunk: bounds between what the library's map
 /// brings there (map.md).
@@ -199,7 +200,8 @@ void Opponent::stand_down() {
   if (!eye_.sees()) return;
   eye_.clear();
   begin(Intent::kWait);
-  then(kRecoveryTime, {at(0, 0), 0});
+  then(kRecoveryTime, {at(0, 0), -1});
+  then(kApartTime, {at(0, 0), -1});
 }
 
 /// Nothing is under way that has to be gone through with: who recovers from an attack can defend.

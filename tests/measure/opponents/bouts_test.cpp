@@ -45,6 +45,13 @@ TEST_F(Pairings, Master_BeatsClub) {
   EXPECT_GE(tally.share(tally.ended), 95);
 }
 
+TEST_F(Pairings, BoutsWithNovices_End) {
+  for (const char* first : {"novice", "master"}) {
+    const Tally tally = play(first, "novice");
+    EXPECT_GE(tally.share(tally.ended), 95) << first;
+  }
+}
+
 TEST_F(Pairings, ClubAmongClub_TouchesInAllWays) {
   const Tally tally = play("club", "club");
   EXPECT_GE(tally.share(tally.ended), 95);
