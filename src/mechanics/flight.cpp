@@ -36,10 +36,10 @@ constexpr Scalar kOuterShare = Scalar(1.35120719195965763405);
 /// Corrections of the energy at the end of a flight: one, and so many where it began on a chord,
 /// off by more than rounding (motion.md).
 constexpr int kPassesFromChord = 4;
-/// How far one of them turns at most, of the turn of the flight: who is far off comes back to its
-/// energy over several flights, and does not leap.
+/// How far one of them turns at most, of the most that the flight turns: who is far off comes back
+/// to its energy over several flights, and does not leap.
 template <class Scalar>
-constexpr Scalar kOfTurn = Scalar(1) / 16;
+constexpr Scalar kOfTurn = Scalar(1) / 32;
 
 /// How far the excess of an orientation may be from the one that is remembered, relative to the
 /// largest there is, to be that of the same flight (motion.md).
@@ -198,17 +198,14 @@ inline Quat<Scalar> nearer_to(const detail::FlightMemory<Scalar>& flight, const 
   return turned(q_WB, Vec3<Scalar>((-missing / square) * gradient_B));
 }
 
-/// q with the energy of the flight, or nearer to it. Bound: kPassesFromChord.
+/// q with the energy of the flight, or nearer to it.
+/// @param most  that the flight turns, rad. Bound: kPassesFromChord.
 template <class Scalar>
 BATUTA_RARE Quat<Scalar> with_energy(const Body<Scalar>& body, const Quat<Scalar>& q_WB,
-                                     Scalar duration) {
+                                     Scalar most) {
   const detail::FlightMemory<Scalar> flight = memory_of(body);
-  int passes = 1;
-  Scalar most_turn = kHalfTurn<Scalar>;
-  if (flight.is_on_chord) {
-    passes = kPassesFromChord;
-    most_turn = kOfTurn<Scalar> * duration * length(twist_of(body).w_W);
-  }
+  const int passes = flight.is_on_chord ? kPassesFromChord : 1;
+  const Scalar most_turn = flight.is_on_chord ? kOfTurn<Scalar> * most : kHalfTurn<Scalar>;
   Quat<Scalar> q = q_WB;
   for (int i = 0; i < passes; ++i) {  // Bound: kPassesFromChord
     q = nearer_to(flight, body, q, most_turn);
@@ -217,11 +214,12 @@ BATUTA_RARE Quat<Scalar> with_energy(const Body<Scalar>& body, const Quat<Scalar
 }
 
 /// The spins, one after the other: about the odd axis, the minor one and the odd one again, with
-/// halves at both ends, three times a part. @pre 1 <= parts <= kMostParts
+/// halves at both ends, three times a part. @pre most < a whole turn: kMostParts parts at most
 /// Bound: 3 kMostParts + 1 spins about the odd axis, 3 kMostParts about the other.
 template <class Scalar>
 BATUTA_RARE Quat<Scalar> tumbled(const Body<Scalar>& body, const Splitting<Scalar>& split,
-                                 Scalar duration, int parts) {
+                                 Scalar duration, Scalar most) {
+  const int parts = 1 + static_cast<int>(most / kTurnOfPart<Scalar>);
   const Quat<Scalar>& q_WB = body.X_WB.q_WB;
   const Scalar part = duration / static_cast<Scalar>(parts);
   Quat<Scalar> q = spun(body, split, q_WB, split.odd, kOuterShare<Scalar> * part / 2);
@@ -234,7 +232,7 @@ BATUTA_RARE Quat<Scalar> tumbled(const Body<Scalar>& body, const Splitting<Scala
     q = spun(body, split, q, split.minor, share * part);
     q = spun(body, split, q, split.odd, odd * part);
   }
-  return with_energy(body, renewed(q), duration);
+  return with_energy(body, renewed(q), most);
 }
 
 /// The orientation at the end of a flight whose turn is less than `most`.
@@ -242,8 +240,7 @@ template <class Scalar>
 Quat<Scalar> flown(const Body<Scalar>& body, const Splitting<Scalar>& split, Scalar duration,
                    Scalar most) {
   const Vec3<Scalar> steady_W = (split.steady * duration) * body.momentum.angular_W;
-  const int parts = 1 + static_cast<int>(most / kTurnOfPart<Scalar>);
-  const Quat<Scalar> q_WB = split.tumbles ? tumbled(body, split, duration, parts)
+  const Quat<Scalar> q_WB = split.tumbles ? tumbled(body, split, duration, most)
                                           : spun(body, split, body.X_WB.q_WB, split.odd, duration);
   return renewed(Quat<Scalar>(exp_map(steady_W) * q_WB));
 }
