@@ -3,60 +3,23 @@
 
 #include <algorithm>
 
+#include "opponent_sight.hpp"
 #include "opponent_styles.hpp"
 
 // Numbers of the policy: opponent.md says what each was chosen for.
 
 namespace batuta::fencing {
 
-/// What two late looks come to.
-struct detail::Situation {
-  float distance = 0;  ///< between the trunks, m
-  float soon = 0;      ///< the distance kForesight later, if both go on
-  float pace = 0;      ///< of it, the rival's
-  float reach = 0;     ///< of the rival's arm: guard before trunk, m
-  float thrust = 0;    ///< its speed, m/s
-  float ahead = 0;     ///< from one's own trunk to the rival's point, m
-  float upright = 0;   ///< the distance if both stood upright, m
-  float gait = 0;      ///< the speed at which the rival's feet come, m/s
-  int line = 0;        ///< in which the rival's blade comes, or would come
-};
-
 namespace {
 
+using detail::at;
 using detail::kStyles;
+using detail::Line;
+using detail::line_of;
 using detail::Style;
 using detail::style_of;
 using Vec2f = Vec2<float>;
 
-/// A line: where the stick lunges into it, how it extends there before, what closes it, and the
-/// line of the riposte from there.
-struct Line {
-  Vec2f lunge;
-  Vec2f extension;
-  Vec2f parry;
-  int riposte;
-};
-
-Vec2f at(float x, float y) {
-  return {x, y};
-}
-
-/// High inside, low inside, low outside, high outside, as the library's map has them (map.md).
-Line line_of(int index) {
-  switch (index) {
-    case 0:
-      return {at(-1, 1), at(-0.5F, 0.5F), at(-1, 0), 1};
-    case 1:
-      return {at(-0.5F, 1), at(-0.25F, 0.5F), at(-1, -1), 1};
-    case 2:
-      return {at(0.5F, 1), at(0.25F, 0.5F), at(1, -1), 0};
-    default:
-      return {at(1, 1), at(0.5F, 0.5F), at(1, 0), 1};
-  }
-}
-
-constexpr float kSecondsPerLook = 1e-6F * static_cast<float>(DelayedObservation::kLookUs);
 constexpr float kMeasureSlack = 0.08F;  ///< m around the measure in which no step is made
 constexpr float kLungeRange = 2.30F;    ///< m between trunks that a lunge bridges without the feet
 constexpr float kStepLunge = 2.65F;     ///< m that it bridges when they go along
@@ -75,9 +38,6 @@ constexpr float kTaken = 2.2F;          ///< m at which who has taken it thrusts
 constexpr float kHighThrust = 0.6F;     ///< of the way of a lunge, high inside, and
 constexpr float kLowThrust = 0.75F;     ///< low inside: no further, the point is there still
 constexpr float kAlongBlade = 0.75F;    ///< m/s of the feet meanwhile: slower than a point touches
-constexpr float kForesight = 0.2F;      ///< s for which such a walk is thought on
-constexpr float kGuardReach = 0.52F;    ///< m before its trunk: an arm on guard
-constexpr float kLeanPerReach = 1.55F;  ///< m that a trunk leans for each m of reach beyond that
 constexpr float kRushes = 1.0F;         ///< m/s of the feet: faster, somebody may rush in
 constexpr int kRushLooks = 16;          ///< for which they are faster than slower: he does
 constexpr int kMostRushLooks = 20;      ///< blades that meet hide it for a few looks
@@ -100,29 +60,9 @@ constexpr std::int32_t kBeatTime = 90000;
 constexpr std::int32_t kRecoveryTime = 250000;
 constexpr std::int32_t kApartTime = 500000;  ///< of a halt, so that no body walks onto a blade
 
-/// The line in which a blade lies, seen from one's own trunk: bounds between what the library's map
-/// brings there (map.md).
-int line_seen(const Observation& sight) {
-  constexpr float kOutside = -0.10F;  // m to the viewer's left
-  constexpr float kLow = -0.01F;      // m above the trunk's middle
-  const Vec3<float> offset = sight.rival.guard_V - sight.own.torso_V;
-  const bool inside = offset.y() > kOutside;
-  const bool high = offset.z() > kLow;
-  if (inside) return high ? 0 : 1;
-  return high ? 3 : 2;
-}
-
 /// The line that a blade in this one leaves open.
 int across(int line) {
   return static_cast<int>(Opponent::kLines) - 1 - line;
-}
-
-float distance_of(const Observation& sight) {
-  return sight.rival.torso_V.x() - sight.own.torso_V.x();
-}
-
-float reach_of(const Observation& sight) {
-  return sight.rival.torso_V.x() - sight.rival.guard_V.x();
 }
 
 /// The order to the feet for a speed forward, m/s.
@@ -130,29 +70,6 @@ float feet_order(float forward) {
   constexpr FeetSettings<float> kFeet;
   const float most = forward > 0 ? kFeet.forward_speed : kFeet.backward_speed;
   return std::clamp(forward / most, -1.0F, 1.0F);
-}
-
-/// How far a trunk has leant forward for a lunge, m: it goes with the arm.
-float lean_of(float reach) {
-  return kLeanPerReach * (reach - kGuardReach);
-}
-
-detail::Situation situation_of(const DelayedObservation& eye) {
-  const Observation& now = eye.seen();
-  const Observation& before = eye.before();
-  detail::Situation situation;
-  situation.distance = distance_of(now);
-  const float nearing = (distance_of(before) - situation.distance) / kSecondsPerLook;
-  situation.soon = situation.distance - kForesight * nearing;
-  situation.pace = (before.rival.torso_V.x() - now.rival.torso_V.x()) / kSecondsPerLook;
-  situation.reach = reach_of(now);
-  situation.thrust = (situation.reach - reach_of(before)) / kSecondsPerLook;
-  situation.ahead = now.rival.point_V.x() - now.own.torso_V.x();
-  situation.line = line_seen(now);
-  const float own_reach = now.own.guard_V.x() - now.own.torso_V.x();
-  situation.upright = situation.distance + lean_of(situation.reach) + lean_of(own_reach);
-  situation.gait = situation.pace - kLeanPerReach * situation.thrust;
-  return situation;
 }
 
 /// 0 ... 1 with no slope at either end. Its steepest slope is 1.5.
@@ -212,7 +129,7 @@ bool Opponent::is_free() const {
 }
 
 void Opponent::decide() {
-  const detail::Situation now = situation_of(eye_);
+  const detail::Situation now = detail::situation_of(eye_);
   const Style& style = style_of(skill_);
   const bool comes = now.reach > style.alarm_reach && now.thrust > kComes;
   look_at_rush(now, comes);

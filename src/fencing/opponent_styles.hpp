@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The numbers that set the opponents' skills apart; opponent.md says what they were chosen for.
+// The numbers that set the opponents' skills apart, and the lines in which all of them attack;
+// opponent.md says what they were chosen for.
 
 #include "batuta/fencing/opponent.hpp"
 
@@ -41,6 +42,33 @@ inline constexpr std::array<Style, 3> kStyles = {{
 
 inline const Style& style_of(Skill skill) {
   return kStyles[static_cast<std::size_t>(skill)];
+}
+
+/// A line: where the stick lunges into it, how it extends there before, what closes it, and the
+/// line of the riposte from there.
+struct Line {
+  Vec2<float> lunge;
+  Vec2<float> extension;
+  Vec2<float> parry;
+  int riposte;
+};
+
+inline Vec2<float> at(float x, float y) {
+  return {x, y};
+}
+
+/// High inside, low inside, low outside, high outside, as the library's map has them (map.md).
+inline Line line_of(int index) {
+  switch (index) {
+    case 0:
+      return {at(-1, 1), at(-0.5F, 0.5F), at(-1, 0), 1};
+    case 1:
+      return {at(-0.5F, 1), at(-0.25F, 0.5F), at(-1, -1), 1};
+    case 2:
+      return {at(0.5F, 1), at(0.25F, 0.5F), at(1, -1), 0};
+    default:
+      return {at(1, 1), at(0.5F, 0.5F), at(1, 0), 1};
+  }
 }
 
 }  // namespace batuta::fencing::detail
