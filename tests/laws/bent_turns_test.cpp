@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The chord of a bent turn (src/mechanics/motion.md, "The energy on the chord"): who leaves its
-// flight between the ends of a step is on it again at the next end, and who is struck there wins
+// flight between the ends of a step comes back to it, and a sword that is struck there wins next to
 // no energy by it. Truths: both energies are computed from poses and momenta, in long double.
 #include <gtest/gtest.h>
 
