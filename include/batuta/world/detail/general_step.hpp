@@ -133,9 +133,10 @@ void GeneralWorld<SceneT>::run_round() {
   }
 }
 
-/// Who would be met where the chord of its turn has another energy than its flight goes on another
-/// course, which ends there: then it is met near its end, or on the next one near its start.
-/// @returns whether one does. Nothing has happened then
+/// Where a body would be met on the chord of its turn, and its energy there is not that of its
+/// flight, its course is made to end there: it is then met near that end, or near the start of the
+/// next course. After kCutsPerContact kMaxContacts of them it is met as it is.
+/// @returns whether a course was cut: then nothing else has happened
 template <class SceneT>
 bool GeneralWorld<SceneT>::cut_courses([[maybe_unused]] const CandidateType& candidate,
                                        [[maybe_unused]] Scalar time) {
