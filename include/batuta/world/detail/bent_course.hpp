@@ -58,27 +58,54 @@ Scalar turning_on(const Body<Scalar>& body, const Motion<Scalar>& motion, Scalar
   return body.momentum.angular_W.dot(twist_of(there).w_W);
 }
 
-/// Whether a body that is on a course since now would be met, at a time of the step, where the
-/// energy of its turn is not that of the course's end, which is its flight's
-/// (src/mechanics/motion.md, "The energy on the chord").
+/// Of the energy of a turn: what a contact may find it off that of the flight.
+template <class Scalar>
+inline constexpr Scalar kOffFlight = Scalar(1) / 1024;
+
+/// Whether a body turns so far on its planned motion that the energy on the way may be off its
+/// flight's. By no more than most / least of its moments, times the square of the turn, over 4, to
+/// second order (src/mechanics/motion.md, "The energy on the chord").
+template <class Scalar>
+bool turns_far(const Body<Scalar>& body, const Motion<Scalar>& motion) {
+  const Vec3<Scalar>& inverse = body.inverse_moments;
+  Scalar least = std::numeric_limits<Scalar>::max();  // 0: it does not turn about that axis
+  for (int i = 0; i < 3; ++i) {                       // Bound: 3
+    if (inverse[i] > Scalar(0)) least = min_of(least, inverse[i]);
+  }
+  const Scalar turn = motion.duration * length(motion.twist.w_W);
+  return turn * turn * inverse.maxCoeff() > kOffFlight<Scalar> * least;
+}
+
+/// By how much the energy of a body's turn is off that of its flight, which is that of its course's
+/// end, where it would be met at a time of the step; of the latter. 0 where its momentum does not
+/// turn it alone.
 template <class SceneT>
-[[gnu::noinline]] bool is_off_flight(const Bodies<SceneT>& bodies, std::size_t slot,
-                                     Scalar_of<SceneT> time) {
+[[gnu::noinline]] Scalar_of<SceneT> off_flight(const Bodies<SceneT>& bodies, std::size_t slot,
+                                               Scalar_of<SceneT> time) {
   using Scalar = Scalar_of<SceneT>;
-  constexpr Scalar kOfEnergy = Scalar(1) / 1024;
-  constexpr Scalar kLeastTurn = Scalar(1) / 256;  // rad: who turns less is not looked at
   const auto& state = bodies.states[slot];
-  // Who came to now on the chord would be off its flight where the new course began.
-  const bool is_on_course = bodies.now <= state.start && state.group == Bodies<SceneT>::kAlone;
-  if (!is_on_course || bodies.is_led(slot)) return false;
+  if (state.group != Bodies<SceneT>::kAlone || bodies.is_led(slot)) return Scalar(0);
   if constexpr (kLasts<SceneT>) {
-    if (!is_zero(state.opening.w_W)) return false;
+    if (!is_zero(state.opening.w_W)) return Scalar(0);
   }
   const auto& motion = state.plan.motion;
-  if (!(motion.duration * length(motion.twist.w_W) > kLeastTurn)) return false;
   const auto& body = bodies.actor(slot).body;
+  if (!(state.start < time) || !turns_far(body, motion)) return Scalar(0);
   const Scalar whole = turning_on(body, motion, motion.duration);
-  return std::abs(turning_on(body, motion, time - state.start) - whole) > kOfEnergy * whole;
+  return turning_on(body, motion, time - state.start) / whole - 1;
+}
+
+/// Whether one of two bodies would be met where its energy is more than that of its flight: it
+/// would keep that by a blow (src/world/world.md, "Bent turns").
+template <class SceneT>
+bool wins_by_chord([[maybe_unused]] const Bodies<SceneT>& bodies, [[maybe_unused]] std::size_t a,
+                   [[maybe_unused]] std::size_t b, [[maybe_unused]] Scalar_of<SceneT> time) {
+  using Scalar = Scalar_of<SceneT>;
+  if constexpr (kBends<SceneT>) {
+    return off_flight(bodies, a, time) > kOffFlight<Scalar> ||
+           off_flight(bodies, b, time) > kOffFlight<Scalar>;
+  }
+  return false;
 }
 
 }  // namespace batuta::detail

@@ -2,6 +2,7 @@
 #pragma once
 // ContactGroups: what a blow passes on through a group. Included by contact_groups.hpp.
 
+#include "batuta/world/detail/bent_course.hpp"
 #include "batuta/world/detail/contact_groups.hpp"
 
 namespace batuta::detail {
@@ -153,6 +154,13 @@ void pass_blow([[maybe_unused]] Bodies<SceneT>& bodies,
   }
 }
 
+/// Two that cannot be answered in this step go on together.
+template <class SceneT>
+[[gnu::cold]] void drop(Bodies<SceneT>& bodies, ProxyPair pair) {
+  ++bodies.report.contacts_dropped;
+  bodies.weld(Bodies<SceneT>::body_of(pair.first), Bodies<SceneT>::body_of(pair.second), bodies.dt);
+}
+
 template <class SceneT>
 template <class Struck, class Passing>
 void ContactGroups<SceneT>::pass_on(BodiesT& bodies, const Struck& struck, const Passing& passing) {
@@ -162,8 +170,7 @@ void ContactGroups<SceneT>::pass_on(BodiesT& bodies, const Struck& struck, const
   for (const auto& one : struck) {  // Bound: the blows of a round
     Contact* contact = add(bodies, one.pair, rest_gap(bodies, one.pair));
     if (contact == nullptr) {
-      ++bodies.report.contacts_dropped;
-      bodies.weld(BodiesT::body_of(one.pair.first), BodiesT::body_of(one.pair.second), bodies.dt);
+      drop(bodies, one.pair);
       continue;
     }
     if (is_welded(bodies, *contact)) continue;
@@ -238,6 +245,10 @@ void pass_around(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups, int part
       for (int i = list.first_of(slot); i != kNone; i = list.next_of(i, slot)) {
         if (!is_due(bodies, groups, static_cast<std::size_t>(i))) continue;
         is_done = false;
+        if (wins_by_chord(bodies, a_of<SceneT>(list[i]), b_of<SceneT>(list[i]), bodies.now)) {
+          drop(bodies, list[i].pair);
+          continue;
+        }
         wake_sides(bodies, list[i], passing);
         bring_to_now(bodies, groups, list[i]);
         if (i != parts) pass_blow(bodies, groups, list[i], passing);

@@ -20,6 +20,7 @@ bool GeneralWorld<SceneT>::is_due(ProxyPair pair) {
       bodies_.states[a].group == BodiesT::kAlone && bodies_.states[b].group == BodiesT::kAlone;
   const bool has_room = contacts_answered_ < SceneT::kMaxContacts;
   if (!is_alone || !has_room || this->answers_of(pair) >= SceneT::kMaxSeparations) return false;
+  if (wins_by_chord(bodies_, a, b, bodies_.now)) return false;
   const PairQuery& query = pairs_.seen(bodies_, pair, false);
   const auto& witness = query.search.witness;
   if (witness.gap > kNear * rest_gap(bodies_, pair)) return false;
