@@ -91,6 +91,23 @@ bool turns_about_one_axis(const Vec3<Scalar>& inverse_moments) {
   return m.x() * m.y() == Scalar(0) && m.y() * m.z() == Scalar(0) && m.z() * m.x() == Scalar(0);
 }
 
+/// Whether the axis of what is seen of the body turns steadily.
+template <class Scalar>
+bool is_steady(const Body<Scalar>& body, const Splitting<Scalar>& split) {
+  return (is_revolution(split) && !body.spin_shows) || turns_about_one_axis(body.inverse_moments);
+}
+
+/// By the spin of now; of revolution: by what its axis shows of it.
+template <class Scalar>
+[[gnu::noinline]] Motion<Scalar> steady_motion(const Body<Scalar>& body,
+                                               const Splitting<Scalar>& split, Scalar duration) {
+  Twist<Scalar> twist = twist_of(body);
+  if (is_revolution(split) && !body.spin_shows) {
+    twist.w_W = split.steady * body.momentum.angular_W;
+  }
+  return {body.X_WB, twist, duration};
+}
+
 template <class Scalar>
 bool is_on_axis(const Vec3<Scalar>& point, int axis) {
   const Scalar reach = length(point);
@@ -264,12 +281,21 @@ Vec3<Scalar> joining(const Body<Scalar>& body, const Splitting<Scalar>& split, S
 template <class Scalar>
 Motion<Scalar> free_flight(const Body<Scalar>& body, Scalar duration) {
   const Splitting<Scalar> split = splitting_of(body.inverse_moments);
-  const bool is_axis_only = is_revolution(split) && !body.spin_shows;
-  Twist<Scalar> twist = twist_of(body);
-  if (is_axis_only) twist.w_W = split.steady * body.momentum.angular_W;
-  const bool steady = is_axis_only || turns_about_one_axis(body.inverse_moments);
-  if (!steady && duration > Scalar(0)) twist.w_W = joining(body, split, duration);
-  return {body.X_WB, twist, duration};
+  Motion<Scalar> motion = steady_motion(body, split, duration);
+  if (!is_steady(body, split) && duration > Scalar(0)) {
+    motion.twist.w_W = joining(body, split, duration);
+  }
+  return motion;
+}
+
+template <class Scalar>
+bool detail::flies_bent(const Body<Scalar>& body) {
+  return !is_steady(body, splitting_of(body.inverse_moments));
+}
+
+template <class Scalar>
+Motion<Scalar> detail::steady_flight(const Body<Scalar>& body, Scalar duration) {
+  return steady_motion(body, splitting_of(body.inverse_moments), duration);
 }
 
 template <class Scalar>
@@ -285,6 +311,14 @@ bool detail::tumbles(const Body<Scalar>& body) {
 }
 
 template <class Scalar>
+Scalar detail::flight_energy_twice(const Body<Scalar>& body) {
+  const Vec3<Scalar>& b_W = body.momentum.angular_W;
+  if (!tumbles(body)) return b_W.dot(twist_of(body).w_W);
+  const FlightMemory<Scalar> flight = memory_of(body);
+  return flight.excess + b_W.squaredNorm() * body.inverse_moments(flight.axis);
+}
+
+template <class Scalar>
 void move_along(Body<Scalar>& body, const Motion<Scalar>& motion, Scalar t) {
   if (detail::tumbles(body)) {
     body.flight = memory_of(body);
@@ -297,6 +331,9 @@ void move_along(Body<Scalar>& body, const Motion<Scalar>& motion, Scalar t) {
   template Motion<Scalar> free_flight(const Body<Scalar>&, Scalar);              \
   template bool detail::hides_spin(const Body<Scalar>&, const Capsule<Scalar>&); \
   template bool detail::tumbles(const Body<Scalar>&);                            \
+  template bool detail::flies_bent(const Body<Scalar>&);                         \
+  template Motion<Scalar> detail::steady_flight(const Body<Scalar>&, Scalar);    \
+  template Scalar detail::flight_energy_twice(const Body<Scalar>&);              \
   template void move_along(Body<Scalar>&, const Motion<Scalar>&, Scalar);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE

@@ -57,9 +57,24 @@ namespace detail {
 template <class Scalar>
 bool hides_spin(const Body<Scalar>& body, const Capsule<Scalar>& capsule_B);
 
+/// Whether its flight is bent: three unlike moments, or of revolution and the spin shows. Between
+/// the ends of a flight it is then on a chord. Bound: no loop.
+template <class Scalar>
+bool flies_bent(const Body<Scalar>& body);
+
+/// free_flight() of a body whose flight is not bent: the same bits, without the rest of its code.
+/// @pre !flies_bent(body)
+template <class Scalar>
+Motion<Scalar> steady_flight(const Body<Scalar>& body, Scalar duration);
+
 /// Whether the three moments are unlike (to rounding), so that a flight has something to remember.
 template <class Scalar>
 bool tumbles(const Body<Scalar>& body);
+
+/// Twice the energy of turning of the flight that the body is on, J (move_along()); where none is
+/// remembered, of the body as it is.
+template <class Scalar>
+Scalar flight_energy_twice(const Body<Scalar>& body);
 
 }  // namespace detail
 

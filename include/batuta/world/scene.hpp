@@ -96,6 +96,7 @@ struct SceneConstants : SceneMark {
   static constexpr int kMaxSeparations = kStated.max_separations;
   static constexpr float kSleepTime = kStated.sleep_time;
   static constexpr bool kRotation = kStated.rotation;
+  static constexpr bool kBentTurns = kStated.rotation && kStated.bent_turns;
   static constexpr bool kResponse = kStated.response;
   static constexpr bool kRestitution = kStated.restitution;
   static constexpr bool kFriction = kStated.friction;

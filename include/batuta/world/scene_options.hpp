@@ -80,6 +80,11 @@ struct SceneOptions {
   /// Bodies turn. Off: StraightBody, no quaternion, no inertia; the search is Translation or
   /// Spheres.
   detail::TrueOrFalse rotation = true;
+  /// Bodies with three unlike moments, and bodies of revolution with a capsule off their axis:
+  /// their turn in a step is the chord of a bent one (src/world/world.md, "Bent turns"). Off: such
+  /// a body is refused, Status::kInvalidArgument; one that make_actor() makes of its capsule is
+  /// none.
+  detail::TrueOrFalse bent_turns = true;
   /// Contacts change the bodies. Off: they are found and told, and everybody moves on.
   detail::TrueOrFalse response = true;
   /// Actor::restitution. Off: C = 0.

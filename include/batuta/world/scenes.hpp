@@ -26,6 +26,7 @@ using StraightSpheres = Scene<straight_spheres, Spheres<float>>;
 /// nothing changes.
 constexpr SceneOptions detection_only() {
   SceneOptions scene;
+  scene.bent_turns = false;
   scene.response = false;
   scene.restitution = false;
   scene.owners = false;
@@ -35,20 +36,23 @@ constexpr SceneOptions detection_only() {
 /// The scene of detection_only().
 using DetectionOnly = Scene<detection_only>;
 
-/// Two capsules with impulses and the paper's separation.
+/// Two capsules with impulses and the paper's separation, each on the axis of its body.
 constexpr SceneOptions two_blades() {
-  return {};
+  SceneOptions scene;
+  scene.bent_turns = false;
+  return scene;
 }
 /// The scene of two_blades().
 using TwoBlades = Scene<two_blades>;
 
-/// 64 capsules that fall, rub, pile up and come to rest.
+/// 64 capsules that fall, rub, pile up and come to rest, each on the axis of its body.
 constexpr SceneOptions rack() {
   SceneOptions scene;
   scene.max_bodies = 64;
   scene.max_pairs = 640;
   scene.max_contacts = 512;
   scene.max_events = 512;
+  scene.bent_turns = false;
   scene.friction = true;
   scene.line_contact = true;
   scene.gravity = true;

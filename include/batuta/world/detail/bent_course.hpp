@@ -76,9 +76,8 @@ bool turns_far(const Body<Scalar>& body, const Motion<Scalar>& motion) {
   return turn * turn * inverse.maxCoeff() > kOffFlight<Scalar> * least;
 }
 
-/// By how much the energy of a body's turn is off that of its flight, which is that of its course's
-/// end, where it would be met at a time of the step; of the latter. 0 where its momentum does not
-/// turn it alone.
+/// By how much the energy of a body's turn is off that of its flight where it would be met at a
+/// time of the step; of the latter. 0 where its momentum does not turn it alone.
 template <class SceneT>
 [[gnu::noinline]] Scalar_of<SceneT> off_flight(const Bodies<SceneT>& bodies, std::size_t slot,
                                                Scalar_of<SceneT> time) {
@@ -91,8 +90,7 @@ template <class SceneT>
   const auto& motion = state.plan.motion;
   const auto& body = bodies.actor(slot).body;
   if (!(state.start < time) || !turns_far(body, motion)) return Scalar(0);
-  const Scalar whole = turning_on(body, motion, motion.duration);
-  return turning_on(body, motion, time - state.start) / whole - 1;
+  return turning_on(body, motion, time - state.start) / flight_energy_twice(body) - 1;
 }
 
 /// Whether one of two bodies would be met where its energy is more than that of its flight: it

@@ -41,8 +41,7 @@ struct CarriedState {
 };
 /// Where the turn of a body may be the chord of a bent one, and contacts are answered.
 template <class SceneT>
-inline constexpr bool kBends = SceneT::kRotation&& SceneT::kResponse &&
-                               (SceneT::kCapsulesPerBody > 1 || kLasts<SceneT>);
+inline constexpr bool kBends = SceneT::kBentTurns&& SceneT::kResponse;
 /// Of a body whose turn may be the chord of a bent one.
 template <class Scalar>
 struct BentState {
@@ -210,7 +209,8 @@ bool Bodies<SceneT>::begin(std::size_t slot) {
     state.was_welded = false;
   }
   ActorType& actor = actors.at(slot);
-  if (!has_valid_features(actor) || !Kinematics::is_usable(actor.body)) {
+  if (!has_valid_features(actor) || !Kinematics::is_usable(actor.body) ||
+      !Kinematics::may_turn(actor.body)) {
     ++report.plans_invalid;
     return false;
   }

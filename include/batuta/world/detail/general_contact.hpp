@@ -14,9 +14,8 @@ void GeneralWorld<SceneT>::resolve(const CandidateType& candidate, Scalar time) 
   const bool is_own_time = time == candidate.free_until();
   const std::size_t a = BodiesT::body_of(candidate.pair.first);
   const std::size_t b = BodiesT::body_of(candidate.pair.second);
-  // Who would win by its chord goes together from now on, where it may still be on its flight.
   const bool wins = candidate.is_contact() && wins_by_chord(bodies_, a, b, time);
-  if (!wins) bodies_.now = time;
+  if (!wins) bodies_.now = time;  // else together from now, where it may still be on its flight
   if constexpr (!SceneT::kResponse) return report_only(candidate);
   if constexpr (SceneT::kSleep) {
     for (const std::size_t slot : {a, b}) wake_with_all(slot);  // Bound: 2

@@ -249,6 +249,7 @@ Result<typename GeneralWorld<SceneT>::BodyId> GeneralWorld<SceneT>::add(const Ac
     return failure<BodyId>(Status::kInvalidArgument);
   ActorType added = actor;
   Kinematics::prepare(added);
+  if (!Kinematics::may_turn(added.body)) return failure<BodyId>(Status::kInvalidArgument);
   const auto id = bodies_.actors.make(added);
   if (!id.ok()) return id;
   if constexpr (SceneT::kSleep) {

@@ -60,6 +60,7 @@ struct StraightKinematics {
   static bool is_addable(const BodyType& body) {
     return is_inverse(body.inverse_mass) && is_usable(body);
   }
+  static bool may_turn(const BodyType& /*body*/) { return true; }
   static void prepare(ActorType& /*actor*/) {}
   static void ask(const ActorType& actor, Scalar /*t*/, Scalar duration, PlanType& plan) {
     plan.motion = {actor.body.p_W, velocity_of(actor.body), duration};

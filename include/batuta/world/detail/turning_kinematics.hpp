@@ -58,6 +58,8 @@ struct TurningKinematics {
            pose + momenta + moments == Scalar(0) && body.inverse_moments.x() >= Scalar(0) &&
            body.inverse_moments.y() >= Scalar(0) && body.inverse_moments.z() >= Scalar(0);
   }
+  /// Whether the scene has what its turn asks for.
+  static bool may_turn(const BodyType& body) { return SceneT::kBentTurns || !flies_bent(body); }
   /// The same of one that comes new: an orientation that is one, and masses that are finite.
   [[gnu::cold]] static bool is_addable(const BodyType& body) {
     bool has_inverses = is_inverse(body.inverse_mass);
@@ -83,10 +85,20 @@ struct TurningKinematics {
     const Quat<Scalar>& q = actor.body.X_WB.q_WB;
     const Scalar square = (q.x() * q.x() + q.y() * q.y()) + (q.z() * q.z() + q.w() * q.w());
     if (std::abs(square - Scalar(1)) <= kUnitWithin) {
-      plan = actor.controller.plan(actor.body, t, duration);
+      plan = planned(actor, t, duration);
     } else {
       plan.by_momentum = false;
       plan.motion.duration = std::numeric_limits<Scalar>::quiet_NaN();
+    }
+  }
+  /// What the controller says. Who flies by its momenta does so without the code of bent flights
+  /// where the scene has none.
+  static PlanType planned(const ActorType& actor, [[maybe_unused]] Scalar t, Scalar duration) {
+    constexpr bool kFlies = std::is_same_v<typename SceneT::Controller, FreeFlight<Scalar>>;
+    if constexpr (kFlies && !SceneT::kBentTurns) {
+      return {steady_flight(actor.body, duration), true};
+    } else {
+      return actor.controller.plan(actor.body, t, duration);
     }
   }
   static MotionType standing(const BodyType& body, Scalar duration) {
@@ -101,7 +113,11 @@ struct TurningKinematics {
     return is_same(body.X_WB.p_W, motion.X_WB.p_W) && is_same(body.X_WB.q_WB, motion.X_WB.q_WB);
   }
   static void move(BodyType& body, const MotionType& motion, Scalar t) {
-    move_along(body, motion, t);
+    if constexpr (SceneT::kBentTurns) {
+      move_along(body, motion, t);
+    } else {
+      body.X_WB = pose_at(motion, t);
+    }
   }
   /// What is left of a motion after t of it. @pre t <= duration
   static void skip(MotionType& motion, Scalar t, Scalar duration) {
