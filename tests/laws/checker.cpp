@@ -167,7 +167,10 @@ Real Checker::drift(std::size_t i) const {
 }
 
 Real Checker::off_flight(std::size_t i) const {
-  return 0.144L * turn(i) * turn(i) * bent(i);
+  const Real on_chord = 0.144L * turn(i) * turn(i) * bent(i);
+  const Real by_blows =
+      impulses() * std::max(before_[i].turning(), after_[i].turning()) / 1024 + drift(i);
+  return told_.complete ? std::min(on_chord, by_blows) : on_chord;
 }
 
 Real Checker::off_flights() const {

@@ -19,8 +19,7 @@ void Checker::check_energy() {
     // A velocity that moves nothing by a digit of D in a step.
     const Real least = 8 * told_.u * told_.D / told_.dt;
     slack += body.mass * least * least;
-    // Law 3: what a body with three unlike moments is off its flight when a blow ends it. Without
-    // one the flight is as near as motion.md says.
+    // Without a blow the flight of a body with three unlike moments is as near as motion.md says.
     if (body.is_unlike()) slack += impulses() > 0 ? off_flight(i) : drift(i);
   }
   slack += depth * opening();
