@@ -312,10 +312,10 @@ bool detail::tumbles(const Body<Scalar>& body) {
 
 template <class Scalar>
 Scalar detail::flight_energy_twice(const Body<Scalar>& body) {
-  const Vec3<Scalar>& b_W = body.momentum.angular_W;
-  if (!tumbles(body)) return b_W.dot(twist_of(body).w_W);
+  const Vec3<Scalar>& angular_W = body.momentum.angular_W;
+  if (!tumbles(body)) return angular_W.dot(twist_of(body).w_W);
   const FlightMemory<Scalar> flight = memory_of(body);
-  return flight.excess + b_W.squaredNorm() * body.inverse_moments(flight.axis);
+  return flight.excess + angular_W.squaredNorm() * body.inverse_moments(flight.axis);
 }
 
 template <class Scalar>

@@ -178,15 +178,14 @@ bool is_off_flight(const test::Found& found) {
   return is_energy(breach) && breach.by <= breach.may_be + most;
 }
 
-/// World.md, "Known faults": bodies that are separated, and spin, while they go on together. At
-/// most a share of what they turn with.
+/// Stated (world.md, law 3): a group of the paper's separation may part where its turn has won a
+/// 1024th of its energy. At most so much for each separation of what bodies turn with.
 bool is_separated(const test::Found& found) {
   const test::Told& told = found.told;
   const test::Breach& breach = found.breach;
-  constexpr test::Real kMostSeen = 1.0L / 4;
-  const bool goes_together = told.separates && told.separations > 0 && told.held > 0;
-  return goes_together && is_energy(breach) &&
-         breach.by <= breach.may_be + kMostSeen * found.terms.turning;
+  const test::Real stated = static_cast<test::Real>(told.separations) * found.terms.turning / 1024;
+  const bool goes_together = told.separates && told.held > 0;
+  return goes_together && is_energy(breach) && breach.by <= breach.may_be + stated;
 }
 
 bool is_passed_over(const test::Found& found) {

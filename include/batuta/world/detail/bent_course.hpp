@@ -79,11 +79,11 @@ bool turns_far(const Body<Scalar>& body, const Motion<Scalar>& motion) {
 /// By how much the energy of a body's turn is off that of its flight where it would be met at a
 /// time of the step; of the latter. 0 where its momentum does not turn it alone.
 template <class SceneT>
-[[gnu::noinline]] Scalar_of<SceneT> off_flight(const Bodies<SceneT>& bodies, std::size_t slot,
-                                               Scalar_of<SceneT> time) {
+[[gnu::noinline]] Scalar_of<SceneT> alone_off_flight(const Bodies<SceneT>& bodies, std::size_t slot,
+                                                     Scalar_of<SceneT> time) {
   using Scalar = Scalar_of<SceneT>;
   const auto& state = bodies.states[slot];
-  if (state.group != Bodies<SceneT>::kAlone || bodies.is_led(slot)) return Scalar(0);
+  if (bodies.is_led(slot)) return Scalar(0);
   if constexpr (kLasts<SceneT>) {
     if (!is_zero(state.opening.w_W)) return Scalar(0);
   }
@@ -93,13 +93,24 @@ template <class SceneT>
   return turning_on(body, motion, time - state.start) / flight_energy_twice(body) - 1;
 }
 
+/// The same, or of the group that parts where it is met.
+template <class SceneT>
+Scalar_of<SceneT> off_flight(Bodies<SceneT>& bodies, std::size_t slot, Scalar_of<SceneT> time) {
+  if (bodies.states[slot].group == Bodies<SceneT>::kAlone) {
+    if constexpr (kBends<SceneT>) return alone_off_flight(bodies, slot, time);
+  } else {
+    if constexpr (kPartsGroups<SceneT>) return bodies.group_off_flight(slot, time);
+  }
+  return 0;
+}
+
 /// Whether one of two bodies would be met where its energy is more than that of its flight: it
 /// would keep that by a blow (src/world/world.md, "Bent turns").
 template <class SceneT>
-bool wins_by_chord([[maybe_unused]] const Bodies<SceneT>& bodies, [[maybe_unused]] std::size_t a,
+bool wins_by_chord([[maybe_unused]] Bodies<SceneT>& bodies, [[maybe_unused]] std::size_t a,
                    [[maybe_unused]] std::size_t b, [[maybe_unused]] Scalar_of<SceneT> time) {
   using Scalar = Scalar_of<SceneT>;
-  if constexpr (kBends<SceneT>) {
+  if constexpr (kCuts<SceneT>) {
     return off_flight(bodies, a, time) > kOffFlight<Scalar> ||
            off_flight(bodies, b, time) > kOffFlight<Scalar>;
   }

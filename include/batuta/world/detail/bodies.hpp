@@ -42,6 +42,14 @@ struct CarriedState {
 /// Where the turn of a body may be the chord of a bent one, and contacts are answered.
 template <class SceneT>
 inline constexpr bool kBends = SceneT::kBentTurns&& SceneT::kResponse;
+/// Where a group of the paper's separation may be met before it parts: its turn is a chord, too.
+template <class SceneT>
+inline constexpr bool kPartsGroups = SceneT::kRotation&& SceneT::kResponse&& SceneT::kResting ==
+                                         RestingContact::kSeparation &&
+                                     (SceneT::kMaxBodies > 2);
+/// Where courses may end before a contact.
+template <class SceneT>
+inline constexpr bool kCuts = kBends<SceneT> || kPartsGroups<SceneT>;
 /// Of a body whose turn may be the chord of a bent one.
 template <class Scalar>
 struct BentState {
@@ -177,6 +185,11 @@ class Bodies : public Proxies<SceneT> {
   void weld(std::size_t a, std::size_t b, Scalar until);
   /// Those of the body's group go on alone, from now.
   void part_group(std::size_t slot);
+  /// They part then. @pre the group was made now
+  void shorten_group(std::size_t slot, Scalar until);
+  /// By how much the energy of the turn of the body's group would be off what it was when the group
+  /// was made, at a time of the step; of the latter.
+  Scalar group_off_flight(std::size_t slot, Scalar time);
 
   WorldSettings<SceneT> settings;
   StepReport<Scalar> report;

@@ -135,23 +135,27 @@ void GeneralWorld<SceneT>::run_round() {
 
 /// Where a body would be met on the chord of its turn, and its energy there is not that of its
 /// flight, its course is made to end there: it is then met near that end, or near the start of the
-/// next course. After kCutsPerContact kMaxContacts of them it is met as it is. Nor is a course cut
-/// that began before now: who came to now on the chord would be off its flight where the new course
-/// began.
+/// next course. A group parts there. After kCutsPerContact kMaxContacts of them it is met as it is.
+/// Nor is a course cut that began before now: who came to now on the chord would be off its flight
+/// where the new course began.
 /// @returns whether a course was cut: then nothing else has happened
 template <class SceneT>
 bool GeneralWorld<SceneT>::cut_courses([[maybe_unused]] const CandidateType& candidate,
                                        [[maybe_unused]] Scalar time) {
   bool is_cut = false;
-  if constexpr (kBends<SceneT>) {
+  if constexpr (kCuts<SceneT>) {
     if (!candidate.is_contact() || !(bodies_.now < time)) return false;
     for (const int proxy : {int{candidate.pair.first}, int{candidate.pair.second}}) {  // Bound: 2
       const std::size_t slot = BodiesT::body_of(proxy);
       if (cuts_made_ >= kCutsPerContact * SceneT::kMaxContacts) break;
       if (bodies_.states[slot].start < bodies_.now) continue;
       if (!(std::abs(off_flight(bodies_, slot, time)) > kOffFlight<Scalar>)) continue;
-      end_course(bodies_, slot, time);
-      bodies_.states[slot].changed = bodies_.is_changed = true;
+      if (bodies_.states[slot].group == BodiesT::kAlone) {
+        end_course(bodies_, slot, time);
+        bodies_.states[slot].changed = bodies_.is_changed = true;
+      } else if constexpr (kPartsGroups<SceneT>) {
+        bodies_.shorten_group(slot, time);
+      }
       ++cuts_made_;
       is_cut = true;
     }

@@ -37,6 +37,10 @@ class Welds {
   void weld(std::size_t a, std::size_t b, Scalar until);
   /// Bodies::part_group().
   void part_group(std::size_t slot);
+  /// Bodies::shorten_group().
+  void shorten(std::size_t slot, Scalar until);
+  /// Bodies::group_off_flight().
+  Scalar off_flight(std::size_t slot, Scalar time) const;
 
  private:
   using Kinematics = KinematicsOf<SceneT>;
@@ -69,6 +73,16 @@ template <class SceneT>
 template <class SceneT>
 [[gnu::cold]] void Bodies<SceneT>::part_group(std::size_t slot) {
   Welds<SceneT>(*this).part_group(slot);
+}
+
+template <class SceneT>
+[[gnu::cold]] void Bodies<SceneT>::shorten_group(std::size_t slot, Scalar until) {
+  Welds<SceneT>(*this).shorten(slot, until);
+}
+
+template <class SceneT>
+[[gnu::cold]] Scalar_of<SceneT> Bodies<SceneT>::group_off_flight(std::size_t slot, Scalar time) {
+  return Welds<SceneT>(*this).off_flight(slot, time);
 }
 
 /// A wall is no member: what else comes to it is not to stop there.
@@ -210,6 +224,28 @@ template <class SceneT>
   for (BodyState& state : bodies_.states) {  // Bound: kMaxBodies
     if (state.group == group) state.group = BodiesT::kAlone;
   }
+}
+
+/// It is planned anew from where it is, to end on its flight.
+template <class SceneT>
+[[gnu::cold]] void Welds<SceneT>::shorten(std::size_t slot, Scalar until) {
+  const Group name = bodies_.states[slot].group;
+  start_group(sums_of(name), name, until);
+}
+
+/// The inertia turns with the group, or the angular momentum the other way as the group sees it.
+template <class SceneT>
+[[gnu::cold]] Scalar_of<SceneT> Welds<SceneT>::off_flight(std::size_t slot, Scalar time) const {
+  const BodyState& state = bodies_.states[slot];
+  if (state.is_led_group || !(state.start < time)) return Scalar(0);
+  const auto group = sums_of(state.group).group;
+  const auto energy = [&group](const Vec3<Scalar>& L_W) {
+    return L_W.dot(group_twist(group, L_W).w_W);
+  };
+  const Vec3<Scalar>& L_W = group.momentum.angular_W;
+  const Quat<Scalar> q = pose_at(state.plan.motion, time - state.start).q_WB;
+  const Scalar whole = energy(L_W);
+  return whole > Scalar(0) ? energy(q.conjugate() * L_W) / whole - 1 : Scalar(0);
 }
 
 /// All of a group are where it has come to, each with the velocity of its place.
