@@ -66,8 +66,9 @@ class Checker {
   Real turn(std::size_t i) const;   ///< in the step, rad
   Real bent(std::size_t i) const;   ///< |b| |w|, J
   Real drift(std::size_t i) const;  ///< of the energy of a flight that nobody ends, J
-  /// What a body may be off the energy of its flight by within a step, at most 2 |b x w| max|w'|
-  /// T^2 / 8 with |w'| <= 2 |w|^2 / sqrt(3) (motion.md), J.
+  /// What a body may keep of what it is off the energy of its flight by within a step, J. In a
+  /// complete step a 1024th for each impulse (world.md, law 3), besides drift(); else all of it, at
+  /// most 2 |b x w| max|w'| T^2 / 8 with |w'| <= 2 |w|^2 / sqrt(3) (motion.md).
   Real off_flight(std::size_t i) const;
   /// Impulses of a step that round: those counted, and contacts that last, with one more for each
   /// body that goes on with others, and one that gives back what shifts changed of its moment. As

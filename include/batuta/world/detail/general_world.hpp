@@ -33,7 +33,7 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   /// A FixedList of ContactEvent.
   using EventList = typename EventsOf<SceneT>::EventList;
 
-  /// Courses that end early before a contact, for one contact.
+  /// Courses that end early before a contact, and groups that part before one, for one contact.
   static constexpr int kCutsPerContact = detail::kCuts<SceneT> ? 2 : 0;
   /// Ends of rounds that one contact accounts for: the third is that of a course cut short after
   /// it; those before it end a round when they are cut and when they end.
