@@ -97,14 +97,19 @@ bool is_steady(const Body<Scalar>& body, const Splitting<Scalar>& split) {
   return (is_revolution(split) && !body.spin_shows) || turns_about_one_axis(body.inverse_moments);
 }
 
+/// Whether the three moments are equal: it turns about the angular momentum, and its axes with it.
+template <class Scalar>
+bool has_equal_moments(const Vec3<Scalar>& inverse_moments) {
+  return are_equal_moments(inverse_moments.minCoeff(), inverse_moments.maxCoeff());
+}
+
 /// By the spin of now; of revolution: by what its axis shows of it.
 template <class Scalar>
 [[gnu::noinline]] Motion<Scalar> steady_motion(const Body<Scalar>& body,
                                                const Splitting<Scalar>& split, Scalar duration) {
   Twist<Scalar> twist = twist_of(body);
-  if (is_revolution(split) && !body.spin_shows) {
-    twist.w_W = split.steady * body.momentum.angular_W;
-  }
+  const bool shows = body.spin_shows && !has_equal_moments(body.inverse_moments);
+  if (is_revolution(split) && !shows) twist.w_W = split.steady * body.momentum.angular_W;
   return {body.X_WB, twist, duration};
 }
 
@@ -290,7 +295,8 @@ Motion<Scalar> free_flight(const Body<Scalar>& body, Scalar duration) {
 
 template <class Scalar>
 bool detail::flies_bent(const Body<Scalar>& body) {
-  return !is_steady(body, splitting_of(body.inverse_moments));
+  return !is_steady(body, splitting_of(body.inverse_moments)) &&
+         !has_equal_moments(body.inverse_moments);
 }
 
 template <class Scalar>

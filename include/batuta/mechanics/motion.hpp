@@ -57,12 +57,13 @@ namespace detail {
 template <class Scalar>
 bool hides_spin(const Body<Scalar>& body, const Capsule<Scalar>& capsule_B);
 
-/// Whether its flight is bent: three unlike moments, or of revolution and the spin shows. Between
+/// Whether its flight is bent: three unlike moments, or two equal ones and the spin shows. Between
 /// the ends of a flight it is then on a chord. Bound: no loop.
 template <class Scalar>
 bool flies_bent(const Body<Scalar>& body);
 
-/// free_flight() of a body whose flight is not bent: the same bits, without the rest of its code.
+/// free_flight() of a body whose flight is not bent, without the rest of its code: the same bits,
+/// or to rounding where all three moments are equal and the spin shows.
 /// @pre !flies_bent(body)
 template <class Scalar>
 Motion<Scalar> steady_flight(const Body<Scalar>& body, Scalar duration);

@@ -80,7 +80,7 @@ struct SceneOptions {
   /// Bodies turn. Off: StraightBody, no quaternion, no inertia; the search is Translation or
   /// Spheres.
   detail::TrueOrFalse rotation = true;
-  /// Bodies with three unlike moments, and bodies of revolution with a capsule off their axis:
+  /// Bodies with three unlike moments, and bodies with two equal ones and a capsule off their axis:
   /// their turn in a step is the chord of a bent one (src/world/world.md, "Bent turns"). Off: such
   /// a body is refused, Status::kInvalidArgument; one that make_actor() makes of its capsule is
   /// none.

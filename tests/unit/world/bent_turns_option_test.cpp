@@ -129,8 +129,29 @@ TYPED_TEST(BentTurnsOption, WhoseTurnIsBent_IsRefused) {
   EXPECT_EQ(status_of(Of::hinge({1, 1, 0})), Status::kInvalidArgument);           // two axes
   EXPECT_EQ(world->id_at(0), decltype(world->id_at(0)){});
   EXPECT_EQ(status_of(Of::rod({0.1, 0.2, 0.2}, 0)), Status::kOk);
+  EXPECT_EQ(status_of(Of::rod({0.2, 0.2, 0.2}, 0.1)), Status::kOk);  // equal moments: never bent
   EXPECT_EQ(status_of(Of::hinge({0, 0, 1})), Status::kOk);
   EXPECT_EQ(status_of(Of::hinge({0, 0, 0})), Status::kOk);
+}
+
+// Three equal moments and a capsule off the axis: the twist is that of the angular momentum, where
+// with bent turns it is the one that joins both ends of the flight.
+TYPED_TEST(BentTurnsOption, EqualMomentsOffTheAxis_SameFlight) {
+  using Bent = typename TypeParam::Bent;
+  using Steady = typename TypeParam::Steady;
+  using Scalar = typename Steady::Scalar;
+  const auto flown = [](auto world, const auto& actor) {
+    auto turning = actor;
+    turning.body.momentum.angular_W = {Scalar(1), Scalar(-2), Scalar(0.5)};
+    const auto id = world->add(turning).value;
+    for (int k = 0; k < 10; ++k) EXPECT_EQ(world->step(Scalar(0.01)), Status::kOk);
+    return world->get(id)->body.X_WB.q_WB;
+  };
+  const Vec3<double> moments(0.2, 0.2, 0.2);
+  const auto bent = flown(std::make_unique<World<Bent>>(), Sample<Bent>::rod(moments, 0.1));
+  const auto steady = flown(std::make_unique<World<Steady>>(), Sample<Steady>::rod(moments, 0.1));
+  // Ten steps of a few roundings each.
+  EXPECT_LE((bent.coeffs() - steady.coeffs()).norm(), 100 * kRoundOff<Scalar>);
 }
 
 // What a caller makes of a body later takes no part, and is told.
