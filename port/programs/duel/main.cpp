@@ -24,6 +24,7 @@
 #include "programs/duel/stick_feedback.hpp"
 #include "programs/duel/svg_picture.hpp"
 #include "programs/duel/touch_strip.hpp"
+#include "programs/duel/view/held_exit.hpp"
 #include "programs/duel/view/replay_show.hpp"
 #include "programs/duel/view/view.hpp"
 #include "programs/files/output_file.hpp"
@@ -58,6 +59,12 @@ struct Outputs {
     return {{{&options.svg, &svg}, {&options.figure, &figure}, {&options.strip, &strip}}};
   }
   ViewControls* controls() const { return view ? &view->controls() : nullptr; }
+  /// @param exit_code  of all the rest  @returns that of the program
+  int end_view(int exit_code) const {
+    const bool lost = view && view->is_lost();
+    return lost ? complain(kExitFailure, "--view: the window is lost: the display is gone")
+                : exit_code;
+  }
 };
 
 Observers make_observers(const Options& options, double limit, Outputs& outputs) {
@@ -307,7 +314,7 @@ int play(Options options) {
   tell_of_effects(options, outputs.forces);
   if (left.source->is_live() || right.source->is_live() || outputs.view) options.realtime = true;
   const int exit_code = play_bouts(options, setup, outputs);
-  if (exit_code == kExitOk) return finish(options, outputs);
+  if (exit_code == kExitOk) return outputs.end_view(finish(options, outputs));
   (void)outputs.record.close();  // what a bout that failed has recorded may tell why
   return exit_code;
 }
@@ -323,7 +330,7 @@ int play_again(const Options& options) {
   const int exit_code = exit_code_for(result);
   if (exit_code != kExitOk) return complain(exit_code, words_for(result));
   std::printf("%s\n", words_for(result).c_str());
-  return kExitOk;
+  return outputs.end_view(kExitOk);
 }
 
 int run_program(int count, char** words) {
@@ -341,5 +348,6 @@ int run_program(int count, char** words) {
 
 int main(int count, char** words) {
   batuta::host::begin_output();
-  return batuta::host::finish_output("batuta-duel", batuta::host::run_program(count, words));
+  const int exit_code = batuta::host::run_program(count, words);
+  batuta::host::HeldExit::end_program(batuta::host::finish_output("batuta-duel", exit_code));
 }

@@ -60,6 +60,10 @@ class Display:
         self.process.terminate()
         self.process.wait()
 
+    def die(self):
+        self.process.kill()
+        self.process.wait()
+
     def pixel(self, x, y):
         at = self.start + int(y) * self.pitch + 4 * int(x)
         blue, green, red = self.screen[at:at + 3]
@@ -77,8 +81,8 @@ class Display:
         rows = range(y + top, y + top + height)
         return [self.screen[self.start + row * self.pitch + 4 * (x + left):][:4 * width] for row in rows]
 
-    def press(self, key):
-        """Sends a key to the window, as XSendEvent(3) does."""
+    def for_each_window(self, call):
+        """Calls with libX11, this display, its root and a window of it."""
         x11 = ctypes.CDLL(ctypes.util.find_library("X11") or "libX11.so.6")
         x11.XOpenDisplay.restype = ctypes.c_void_p
         display = ctypes.c_void_p(x11.XOpenDisplay(self.name.encode()))
@@ -86,15 +90,25 @@ class Display:
         ids, windows = [ctypes.c_ulong(), ctypes.c_ulong()], ctypes.POINTER(ctypes.c_ulong)()
         count = ctypes.c_uint()
         x11.XQueryTree(display, root, ctypes.byref(ids[0]), ctypes.byref(ids[1]), ctypes.byref(windows), ctypes.byref(count))
-        code = x11.XKeysymToKeycode(display, ctypes.c_ulong(ord(key)))
         for window in windows[:count.value]:
+            call(x11, display, root, window)
+        x11.XSync(display, 0)
+        x11.XCloseDisplay(display)
+
+    def press(self, key):
+        """Sends a key to the window, as XSendEvent(3) does."""
+        def send(x11, display, root, window):
+            code = x11.XKeysymToKeycode(display, ctypes.c_ulong(ord(key)))
             for kind, mask in ((2, 1), (3, 2)):  # KeyPress, KeyRelease
                 # XKeyEvent: type, serial, send_event, display, window, root, subwindow, time, 4 coordinates, state, code, same
                 event = struct.pack("@iLiPLLLLiiiiIIi", kind, 0, 1, display.value, window, root.value, 0, 0, 1, 1, 1, 1, 0,
                                     code, 1)
                 x11.XSendEvent(display, ctypes.c_ulong(window), 1, ctypes.c_long(mask), event + bytes(192 - len(event)))
-        x11.XSync(display, 0)
-        x11.XCloseDisplay(display)
+        self.for_each_window(send)
+
+    def take_window(self):
+        """Destroys the window, as only its program should: an error to that, but no loss of the display."""
+        self.for_each_window(lambda x11, display, root, window: x11.XDestroyWindow(display, ctypes.c_ulong(window)))
 
 
 def environment(display=None, folder=None):
@@ -208,11 +222,53 @@ def replayed(folder, display):
     check("broken off" in leave(bout, display), "it was left before its end")
 
 
+def skip_without_xvfb():
+    if shutil.which("Xvfb") is None or not (ctypes.util.find_library("X11") or os.path.exists("/usr/lib/libX11.so.6")):
+        print("skipped: Xvfb or libX11 is not installed")
+        sys.exit(77)
+
+
+def lost(folder):
+    """Its window goes, with the display or alone: what is written is finished all the same, and it is told."""
+    skip_without_xvfb()
+    svg, record = os.path.join(folder, "bout.svg"), os.path.join(folder, "bout.batuta")
+    fencers = ["--left", "script:guard", "--right", "script:guard"]
+
+    def lose(words, lose_it):
+        display = Display(folder)
+        try:
+            bout = start(display, folder, *words)
+            soon(display.origin, "there is no window")
+            time.sleep(0.3)  # some steps of the bout
+            lose_it(display)
+            said, errors = bout.communicate(timeout=PATIENCE)
+        finally:
+            display.close()
+        check(bout.returncode == 1 and "--view: the window is lost" in errors.splitlines()[-1], (bout.returncode, errors))
+        return said
+
+    for lose_it in (Display.die, Display.take_window):
+        said = lose([*fencers, "--json", "--svg", svg, "--record", record], lose_it)
+        steps = json.loads(said.splitlines()[-1])["steps"]
+        with open(svg, encoding="utf-8") as file:
+            check(file.read().rstrip().endswith("</svg>"), "the picture is not whole")
+        again = subprocess.run([PROGRAM, "--replay", record], capture_output=True, text=True, timeout=PATIENCE, check=False)
+        check(again.returncode == 0 and "%d steps" % steps in again.stdout, (again, steps))
+        check(not [name for name in os.listdir(folder) if name.endswith(".part")], "something is left beside its place")
+        for file in svg, record:
+            os.remove(file)
+    over = ["--seconds", "0.1", "--record", record]
+    lose([*fencers, *over], Display.die)  # a bout that is over, and in sight
+    check(os.path.exists(record), "the recording of a bout that is over is lost")
+    longer = subprocess.run([PROGRAM, *fencers, "--seconds", "100", "--record", record], capture_output=True, timeout=PATIENCE,
+                            check=False)
+    check(longer.returncode == 0, longer)
+    check("broken off" in lose(["--replay", record], Display.die), "a replay whose window is lost goes on")
+
+
 def on_a_display(group):
     def with_display(folder):
-        if shutil.which("Xvfb") is None or not (ctypes.util.find_library("X11") or os.path.exists("/usr/lib/libX11.so.6")):
-            print("skipped: Xvfb or libX11 is not installed")
-            sys.exit(77)
+        skip_without_xvfb()
         display = Display(folder)
         try:
             group(folder, display)
@@ -222,6 +278,7 @@ def on_a_display(group):
 
 
 GROUPS = {"NoDisplay": no_display, "InSight": on_a_display(bout_in_sight), "Restart": on_a_display(restart),
-          "Replay": on_a_display(replayed)}
+          "Replay": on_a_display(replayed),
+          "Lost": lost}
 with tempfile.TemporaryDirectory() as scratch:
     GROUPS[GROUP](scratch)

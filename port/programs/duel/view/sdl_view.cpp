@@ -2,38 +2,64 @@
 
 #include "programs/duel/view/sdl_view.hpp"
 
+#include <chrono>
+
+#include "programs/duel/view/held_exit.hpp"
 #include "programs/duel/view/sdl_canvas.hpp"
 
 namespace batuta::host {
+namespace {
+
+constexpr std::chrono::milliseconds kLook(2);  // how often who waits for the thread looks up
+
+}  // namespace
 
 SdlView::SdlView(const ViewNames& names) : screen_(names), thread_([this] { run(); }) {}
 
 SdlView::~SdlView() {
   ending_ = true;
-  thread_.join();
+  while (!left_) std::this_thread::sleep_for(kLook);  // Bound: a picture
+  if (lost_) {
+    thread_.detach();  // it sleeps in exit(), for as long as the program lives
+  } else {
+    thread_.join();
+  }
 }
 
 void SdlView::run() {
+  const HeldExit held([this] { lose_window(); });
   {
     const SdlWindow window("batuta-duel", ViewScreen::kWidth, ViewScreen::kHeight);
+    is_open_ = true;
     opened_.set_value(window.problem());
-    if (!window.problem().empty()) return;
-    SdlCanvas canvas(window.renderer());
-    const auto state = std::make_unique<ViewState>();
-    const std::uint64_t second = SDL_GetPerformanceFrequency();
-    std::uint64_t due = SDL_GetPerformanceCounter();
-    while (!ending_) {  // Bound: until the view is destroyed
-      if (latest_.take(*state)) screen_.take(*state);
-      screen_.draw(canvas, controls());
-      SDL_RenderPresent(window.renderer());
-      ++pictures_;
-      due += second / kPicturesPerSecond;
-      const std::uint64_t now = SDL_GetPerformanceCounter();
-      if (due < now) due = now;  // too slow for so many: what was missed is not made up for
-      wait_until(due);
-    }
+    if (window.problem().empty()) draw_until_end(window.renderer());
   }
   SDL_TLSCleanup();
+  left_ = true;
+}
+
+void SdlView::draw_until_end(SDL_Renderer* renderer) {
+  SdlCanvas canvas(renderer);
+  const auto state = std::make_unique<ViewState>();
+  const std::uint64_t second = SDL_GetPerformanceFrequency();
+  std::uint64_t due = SDL_GetPerformanceCounter();
+  while (!ending_) {  // Bound: until the view is destroyed
+    if (latest_.take(*state)) screen_.take(*state);
+    screen_.draw(canvas, controls());
+    SDL_RenderPresent(renderer);
+    ++pictures_;
+    due += second / kPicturesPerSecond;
+    const std::uint64_t now = SDL_GetPerformanceCounter();
+    if (due < now) due = now;  // too slow for so many: what was missed is not made up for
+    wait_until(due);
+  }
+}
+
+void SdlView::lose_window() {
+  lost_ = true;
+  if (!is_open_) opened_.set_value("the display is gone");
+  controls().wish(ViewWish::kQuit);
+  left_ = true;
 }
 
 void SdlView::wait_until(std::uint64_t due) {

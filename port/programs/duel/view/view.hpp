@@ -22,6 +22,9 @@ class View {
   virtual void show(const ViewState& state) = 0;
   /// Drawn so far.
   virtual std::uint32_t pictures() const { return 0; }
+  /// Whether its window went with the display: nobody sees or presses anything, and the viewer's
+  /// wish is to quit.
+  virtual bool is_lost() const { return false; }
   ViewControls& controls() { return controls_; }
   const ViewControls& controls() const { return controls_; }
 

@@ -42,7 +42,8 @@ class ViewControls {
       slowness_ = 1;
     }
     steps_ = 0;
-    if (wish_ == ViewWish::kRestart) wish_ = ViewWish::kNone;
+    ViewWish fulfilled = ViewWish::kRestart;
+    wish_.compare_exchange_strong(fulfilled, ViewWish::kNone);  // no other wish gets lost
   }
   /// Whether a single step was asked for, once for each.
   bool take_step() {
