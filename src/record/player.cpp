@@ -59,6 +59,7 @@ Playback Player::fetch_state(detail::SnapshotHead& head) {
   const Playback fetched = fetch(detail::kSnapshotHead);
   if (fetched != Playback::kReady) return fetched;
   const Playback known = playback_of(detail::read_head(buffer_, filled_, head));
+  if (known != Playback::kForeign) state_version_ = head.version;
   if (known == Playback::kOtherScene) {
     stage_ = Stage::kOtherState;
     passing_ = std::uint64_t{head.length} + detail::kCheckSum;

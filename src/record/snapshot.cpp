@@ -44,7 +44,11 @@ Restored detail::read_head(const std::uint8_t* bytes, int size, detail::Snapshot
   if (words.magic != kMagic) return Restored::kForeign;
   if (!reader.ok()) return Restored::kDamaged;
   const detail::SnapshotHead& head = words.head;
-  if (head.version != wanted.version || words.zero != 0) return Restored::kOtherVersion;
+  if (head.version != wanted.version) {
+    wanted.version = head.version;
+    return Restored::kOtherVersion;
+  }
+  if (words.zero != 0) return Restored::kDamaged;  // no file of this version has it
   if (head.scalar != wanted.scalar) return Restored::kOtherScalar;
   wanted.length = head.length;
   if (head.fingerprint != wanted.fingerprint) return Restored::kOtherScene;

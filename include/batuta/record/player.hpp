@@ -61,6 +61,8 @@ class Player {
   /// Of the recording's format, once begin() has answered kReady, kOtherVersion or kOtherScene; 0:
   /// it could not be read.
   int version() const { return version_; }
+  /// Of the format of the state at the start, once begin() has answered; 0: it could not be read.
+  int state_version() const { return state_version_; }
   /// Steps of which the end mark says that they are missing.
   std::uint32_t lost() const { return lost_; }
 
@@ -95,6 +97,7 @@ class Player {
   std::uint32_t lost_ = 0;
   std::uint64_t passing_ = 0;  ///< bytes of a state of another type that are still to come
   std::uint16_t version_ = 0;
+  std::uint16_t state_version_ = 0;
   Playback end_ = Playback::kWaiting;
   Stage stage_ = Stage::kState;
   bool compared_ = false;  ///< the state after steps() steps

@@ -50,8 +50,8 @@ SnapshotHead head_of(const ArchiveShape& shape, int length);
 /// Writes the head to the front of `bytes`. @pre room for kSnapshotHead bytes
 void write_head(const SnapshotHead& head, std::uint8_t* bytes);
 /// Whether `bytes` begin with a head, and whether it is that of `wanted`, length apart. The length
-/// found is put into `wanted`, for kOk and kOtherScene. @returns kOk | kForeign | kOtherVersion |
-/// kOtherScalar | kOtherScene | kDamaged (too short)
+/// found is put into `wanted`, for kOk and kOtherScene, and for kOtherVersion the version. @returns
+/// kOk | kForeign | kOtherVersion | kOtherScalar | kOtherScene | kDamaged (too short)
 Restored read_head(const std::uint8_t* bytes, int size, SnapshotHead& wanted);
 /// Puts the check sum behind the `size` bytes. @pre room for kCheckSum more
 void seal(std::uint8_t* bytes, int size);

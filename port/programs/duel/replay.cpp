@@ -31,20 +31,21 @@ void play_on(Player& player, DuelType& duel, ReplayWatcher* watcher, Replay& res
   }
 }
 
-/// @param version  of the recording's format; 0: not known
-std::string other_version(int version) {
-  if (version == 0) return "is a recording of another version of the format";
-  return "is of version " + std::to_string(version) +
-         " of the format; this program reads version " +
-         std::to_string(batuta::detail::kRecordingVersion);
+/// A recording is a state and what was done to it; each has a format and a version of its own.
+std::string other_version(const Replay& replay) {
+  const bool is_state = replay.state_version != batuta::detail::kSnapshotVersion;
+  const int found = is_state ? replay.state_version : replay.version;
+  const int known = is_state ? batuta::detail::kSnapshotVersion : batuta::detail::kRecordingVersion;
+  return "is of version " + std::to_string(found) + " of the format" +
+         (is_state ? " of states" : "") + "; this program reads version " + std::to_string(known);
 }
 
-std::string why_not(Playback answer, int version) {
-  switch (answer) {
+std::string why_not(const Replay& replay) {
+  switch (replay.answer) {
     case Playback::kForeign:
       return "is not a recording";
     case Playback::kOtherVersion:
-      return other_version(version);
+      return other_version(replay);
     case Playback::kOtherScalar:
     case Playback::kOtherScene:
     case Playback::kTooLarge:
@@ -65,11 +66,10 @@ std::string why_not(Playback answer, int version) {
   return "is damaged here";
 }
 
-std::string why_not_begun(Playback answer, int version) {
-  const bool cut = answer == Playback::kCut || answer == Playback::kWaiting;
+std::string why_not_begun(const Replay& replay) {
+  const bool cut = replay.answer == Playback::kCut || replay.answer == Playback::kWaiting;
   if (cut) return "ends before its first step";
-  return answer == Playback::kDamaged ? "is damaged before its first step"
-                                      : why_not(answer, version);
+  return replay.answer == Playback::kDamaged ? "is damaged before its first step" : why_not(replay);
 }
 
 template <class DuelType>
@@ -91,6 +91,7 @@ Replay replay_with(SearchKind search, const std::string& path, ReplayWatcher* wa
   result.hashes = player.agreed();
   result.lost = player.lost();
   result.version = player.version();
+  result.state_version = player.state_version();
   return result;
 }
 
@@ -106,7 +107,7 @@ Replay replay(const std::string& path, ReplayWatcher* watcher) {
 
 std::string words_for(const Replay& replay) {
   if (!replay.error.empty()) return replay.error;
-  if (!replay.began) return replay.path + ": it " + why_not_begun(replay.answer, replay.version);
+  if (!replay.began) return replay.path + ": it " + why_not_begun(replay);
   const std::string file = replay.path + ": ";
   const std::string steps = std::to_string(replay.steps) + " steps, ";
   const std::string hashes =
@@ -116,8 +117,7 @@ std::string words_for(const Replay& replay) {
     return file + steps + hashes + "; the recording goes on behind its end mark";
   }
   if (replay.answer == Playback::kEnd) return file + steps + hashes;
-  std::string words =
-      file + steps + hashes + "; the recording " + why_not(replay.answer, replay.version);
+  std::string words = file + steps + hashes + "; the recording " + why_not(replay);
   if (replay.lost > 0) words += " (" + std::to_string(replay.lost) + " steps are missing)";
   return words;
 }

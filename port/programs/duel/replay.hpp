@@ -22,6 +22,7 @@ struct Replay {
   std::uint32_t hashes = 0;  ///< that agreed
   std::uint32_t lost = 0;    ///< steps that the recording says are missing
   int version = 0;           ///< of the recording's format; 0: it could not be read
+  int state_version = 0;     ///< of the format of its first state; 0: it could not be read
 };
 
 /// Sees a recorded bout go by.

@@ -32,6 +32,8 @@ class FrameReader {
   }
 
   const link::LinkCounters& counters() const { return decoder_.counters(); }
+  /// Of the protocol, in the frame that was last rejected for it.
+  int other_version() const { return decoder_.other_version(); }
   /// The tick's bytes were used up before those that had been read.
   bool holds_bytes() const { return next_ != size_; }
   /// The stream has said that nothing will come any more.

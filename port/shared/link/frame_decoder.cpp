@@ -71,7 +71,10 @@ Arrival FrameDecoderBase::unwrap() {
   fields.u8(version);
   fields.u8(type);
   fields.u16(candidate_.sequence);
-  if (version != kProtocolVersion) return reject(Rejection::kVersion);
+  if (version != kProtocolVersion) {
+    other_version_ = version;
+    return reject(Rejection::kVersion);
+  }
   candidate_.type = static_cast<MessageType>(type);
   candidate_.payload = raw_.data() + kHeaderBytes;
   candidate_.size = crc_at - kHeaderBytes;

@@ -51,6 +51,8 @@ class FrameDecoderBase {
   const Frame& frame() const { return frame_; }
   Rejection last_rejection() const { return last_rejection_; }
   const LinkCounters& counters() const { return counters_; }
+  /// The version of the frame that was last rejected for it; 0 where there was none.
+  int other_version() const { return other_version_; }
   /// Of the last Hello or Welcome accepted; 0: none yet.
   std::uint32_t session() const { return session_; }
 
@@ -75,6 +77,7 @@ class FrameDecoderBase {
   bool started_ = false;  ///< there was a byte since the last delimiter
   bool too_long_ = false;
   bool in_sequence_ = false;  ///< last_sequence_ is one
+  std::uint8_t other_version_ = 0;
   std::uint16_t last_sequence_ = 0;
   std::uint32_t session_ = 0;
   Rejection last_rejection_ = Rejection::kTooLong;

@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <deque>
 
 #include "../firmware/cable.hpp"
+#include "../link/wire.hpp"
 
 namespace batuta::host {
 namespace {
@@ -106,6 +108,37 @@ TEST(DeviceLink, ASilentDevice_IsGivenUp_AsSoonAsThePatienceIsOver) {
       const std::string words = " within " + std::to_string(int(seconds * 1000)) + " ms";
       EXPECT_NE(link.problem().find(words), std::string::npos) << link.problem();
     }
+  }
+}
+
+/// Says the same over and over.
+class Parrot final : public link::ByteStream {
+ public:
+  std::vector<std::uint8_t> words;
+
+ private:
+  int do_read(std::uint8_t* bytes, int capacity) override {
+    const int count = std::min(capacity, static_cast<int>(words.size()));
+    std::copy_n(words.begin(), count, bytes);
+    return count;
+  }
+  int do_write(const std::uint8_t* /*bytes*/, int count) override { return count; }
+};
+
+TEST(DeviceLink, ADeviceOfAnotherVersion_IsToldByBothVersions) {
+  LinkRig rig;
+  for (const int version : {link::kProtocolVersion + 1, 0, 255}) {
+    Parrot device;
+    device.words = link::test::delimited(link::test::stuffed(
+        link::test::raw_frame(static_cast<std::uint8_t>(version),
+                              static_cast<std::uint8_t>(link::MessageType::kWelcome), 0, {})));
+    DeviceLink link({device, rig.clock, [&](int /*timeout_ms*/) { rig.clock.time += 1000; }},
+                    {20, 1, 1});
+    ASSERT_FALSE(link.open(link::Mode::kPaced));
+    const std::string words = "speaks version " + std::to_string(version) +
+                              " of the protocol; this program speaks version " +
+                              std::to_string(int{link::kProtocolVersion});
+    EXPECT_NE(link.problem().find(words), std::string::npos) << link.problem();
   }
 }
 

@@ -224,7 +224,12 @@ def replay(folder):
     body = whole[run_at:run_at + 3] + b"\1" + whole[run_at + 4:run_at + 17]
     older = body + zlib.crc32(body).to_bytes(4, "little") + whole[run_at + 21:]
     refuses(["--replay", altered("older", whole[:run_at] + older)], 2, "version 1", "version 2")
-    for name in "foreign", "other", "older":
+    for version in (0, 2, 513):
+        state = whole[:4] + version.to_bytes(2, "little") + whole[6:]
+        refuses(["--replay", altered("state", state)], 2, "version %d of the format of states" % version, "reads version 1")
+    refuses(["--replay", altered("word", whole[:4] + b"\7\0\0\7" + whole[8:])], 2, "version 7 ", "reads version 1")
+    refuses(["--replay", altered("zero", whole[:7] + b"\1" + whole[8:])], 1, "damaged before its first step")
+    for name in "foreign", "other", "older", "state", "word":
         told = run("--replay", os.path.join(folder, name)).stderr
         check("hashes" not in told and "steps" not in told, told)
     refuses(["--replay", altered("head", whole[:run_at])], 1, "ends before its first step")

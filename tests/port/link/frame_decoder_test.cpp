@@ -122,6 +122,16 @@ TEST(Rejections, OtherVersions_AreVersion) {
   }
 }
 
+TEST(Rejections, OfAnotherVersion_TheDecoderSaysWhich) {
+  DeviceDecoder decoder;
+  EXPECT_EQ(decoder.other_version(), 0);
+  for (const int version : {kProtocolVersion + 1, 255, kProtocolVersion - 1}) {
+    const Bytes raw = raw_frame(static_cast<std::uint8_t>(version), kStepType, 0, kStepPayload);
+    for (const std::uint8_t byte : delimited(stuffed(raw))) (void)decoder.push(byte);
+    EXPECT_EQ(decoder.other_version(), version);
+  }
+}
+
 TEST(Rejections, TypesThatTheHostDoesNotSend_AreType) {
   for (int type = 0; type < 256; ++type) {
     if (type >= 0x01 && type <= 0x03) continue;

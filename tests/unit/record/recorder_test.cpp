@@ -339,6 +339,22 @@ TEST(Player, OfAnotherVersion_SaysWhich) {
   EXPECT_EQ(begun(torn, LongerSum{}, 256), (std::pair{Playback::kOtherScene, 0}));
 }
 
+TEST(Player, OfAnotherVersionOfStates_SaysWhich) {
+  Bytes buffer(256);
+  for (const int version : {0, 0x0100, 2, 0x0201, 0xFFFF, 1}) {
+    Bytes bytes = recorded();
+    bytes[4] = static_cast<std::uint8_t>(version & 0xFF);
+    bytes[5] = static_cast<std::uint8_t>(version >> 8);
+    MemorySource source(bytes.data(), static_cast<int>(bytes.size()));
+    Player player(source, buffer.data(), 256);
+    Sum run;
+    const bool is_other = version != 1;
+    EXPECT_EQ(player.begin<Numbers>(run), is_other ? Playback::kOtherVersion : Playback::kReady);
+    EXPECT_EQ(player.state_version(), version);
+    EXPECT_EQ(player.version(), is_other ? 0 : 2);
+  }
+}
+
 /// Python's zlib and struct over the document (src/record/recorder.md): a recording of no step.
 TEST(Recording, RunRecord_BytesOfTheDocument) {
   const Bytes bytes = recorded(0);

@@ -92,6 +92,9 @@ TEST(Snapshot, OfAnotherKind_SaysWhich) {
   Bytes newer = saved(example());
   newer[4] = 2;
   EXPECT_EQ(restored(state, newer), Restored::kOtherVersion);
+  Bytes not_zero = saved(example());
+  not_zero[7] = 1;
+  EXPECT_EQ(restored(state, not_zero), Restored::kDamaged);
 }
 
 TEST(Snapshot, OutOfRangeUnderAGoodCheckSum_IsRefused) {

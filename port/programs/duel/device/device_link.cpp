@@ -175,7 +175,9 @@ std::string DeviceLink::silence(const std::string& what, int tries) const {
   const int waited_ms = tries * patience_.resend_after_ms;
   std::string words = what + " within " + std::to_string(waited_ms) + " ms";
   if (counters().count(link::Rejection::kVersion) > 0) {
-    return words + ": the device speaks another version of the protocol";
+    return words + ": the device speaks version " + std::to_string(reader_.other_version()) +
+           " of the protocol; this program speaks version " +
+           std::to_string(link::kProtocolVersion);
   }
   return words + ": is the device running, and the cable in place?";
 }
