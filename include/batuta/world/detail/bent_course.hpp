@@ -53,9 +53,8 @@ void shorten_courses(Bodies<SceneT>& bodies, ProxyPair pair,
 /// Twice the energy of a body's turn where its planned motion has it after t, J.
 template <class Scalar>
 Scalar turning_on(const Body<Scalar>& body, const Motion<Scalar>& motion, Scalar t) {
-  Body<Scalar> there = body;
-  there.X_WB = pose_at(motion, t);
-  return body.momentum.angular_W.dot(twist_of(there).w_W);
+  const Vec3<Scalar> b_B = pose_at(motion, t).q_WB.conjugate() * body.momentum.angular_W;
+  return body.inverse_moments.dot(b_B.cwiseProduct(b_B));
 }
 
 /// Of the energy of a turn: what a contact may find it off that of the flight.

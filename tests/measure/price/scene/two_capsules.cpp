@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// A world of two capsules in free flight: detection, impulse, separation, events.
+// A world of two capsules in free flight, each on the axis of its body: detection, impulse,
+// separation, events.
 
 #include "batuta/world/world.hpp"
 
 namespace {
 
 constexpr batuta::SceneOptions two_capsules() {
-  return {};
+  batuta::SceneOptions scene;
+  scene.bent_turns = false;
+  return scene;
 }
 using Scene = batuta::Scene<two_capsules>;
 
