@@ -153,6 +153,9 @@ Status Duel<SceneT>::arm(const Fencer<Scalar>& fencer, FencerSetup& setup) {
     setup.blade.capsules_B.push(setup.weapon.hand_B);
   }
   if constexpr (Played::kRestitution) setup.blade.restitution = fencer.weapon.restitution;
+  using Kinematics = batuta::detail::KinematicsOf<SceneType>;
+  Kinematics::prepare(setup.blade);  // as the world will
+  if (!Kinematics::may_turn(setup.blade.body)) return Status::kInvalidArgument;
   return setup.blade.controller.take(X_WB, fencer.grip,
                                      to_body(setup.weapon.X_HB, Vec3<Scalar>(0, 0, 0)));
 }

@@ -22,12 +22,14 @@ inline constexpr int kWeaponCapsules = 3;
 /// two_fencers();` and what is different.
 struct DuelOptions : SceneOptions {
   /// A weapon is blade, guard and hand. With capsules_per_body = 1 and max_pairs = 1 it is the
-  /// blade alone, and passes through guards and hands.
+  /// blade alone, and passes through guards and hands. Its parts lie on one axis (bent_turns is
+  /// off): a weapon that is curved, or heavier on one side, is refused.
   constexpr DuelOptions() {
     capsules_per_body = kWeaponCapsules;
     max_pairs = kWeaponCapsules * kWeaponCapsules;
     max_contacts = 16;
     max_events = 10;
+    bent_turns = false;
   }
   /// Blades are held by a grip that a blow loosens [Kavan eq. 32]. Off: each blade is carried by a
   /// Hand, which has whatever strength it takes; Fencer::grip is not looked at.

@@ -63,8 +63,8 @@ template <class Scalar>
 bool flies_bent(const Body<Scalar>& body);
 
 /// free_flight() of a body whose flight is not bent, without the rest of its code: the same bits,
-/// or to rounding where all three moments are equal and the spin shows.
-/// @pre !flies_bent(body)
+/// or to rounding where all three moments are equal and the spin shows. Of others: it goes on as it
+/// turns now. @pre duration >= 0
 template <class Scalar>
 Motion<Scalar> steady_flight(const Body<Scalar>& body, Scalar duration);
 

@@ -224,6 +224,30 @@ TEST(DuelFeatures, WithoutGrip_ABladeThatNobodyStrikesFollowsTheHand) {
   EXPECT_GT(stiff->steps(), 100U);
 }
 
+constexpr DuelOptions curved_options() {
+  DuelOptions scene;
+  scene.bent_turns = true;
+  return scene;
+}
+
+// A sabre: the blade leaves the axis of its grip, and three moments are unlike.
+TEST(DuelFeatures, CurvedWeapon_FencesWhereTheSceneHasBentTurns) {
+  using Sabres = Duel<DuelScene<curved_options>>;
+  const auto duel = std::make_unique<Sabres>();
+  Fencer<float> left = first_fencer<float>();
+  Fencer<float> right = second_fencer<float>();
+  left.weapon.parts[0].capsule_H.axis.b.y() = 0.1F;
+  right.weapon.parts[0].capsule_H.axis.b.y() = -0.1F;
+  ASSERT_EQ(duel->configure({}, left, right), Status::kOk);
+  double least = 1;
+  for (int k = 0; k < 10000 && !duel->bout().is_over(); ++k) {
+    advance(*duel, hacking, counter_sway);
+    least = std::min(least, blade_gap(*duel));
+  }
+  EXPECT_GT(duel->report().blows, 20U);
+  EXPECT_GT(least, -1e-5F);
+}
+
 TEST(DuelFeatures, WithoutGrip_ALungeStillTouches) {
   const auto stiff = configured<Stiff>();
   while (!stiff->bout().is_over() && stiff->steps() < 1000U) advance(*stiff, lunge, guard);

@@ -100,6 +100,8 @@ TYPED_TEST(DuelRefusals, FencerOutOfRange_IsRefused) {
   keys[5].hand_F[2] = nan;
   EXPECT_TRUE(refused([small](auto& f) { f.map = small; }));
   EXPECT_TRUE(refused([](auto& f) { f.weapon.parts[1].mass = 0; }));
+  // A bell beside the axis of the blade: its turn would be bent (DuelOptions, bent_turns).
+  EXPECT_TRUE(refused([](auto& f) { f.weapon.parts[1].capsule_H.axis.a.y() = S(0.02); }));
   EXPECT_TRUE(refused([](auto& f) { f.weapon.restitution = 2; }));
   EXPECT_TRUE(refused([](auto& f) { f.weapon.restitution = S(-0.1); }));
   EXPECT_TRUE(refused([nan](auto& f) { f.weapon.hand_H.radius = nan; }));
