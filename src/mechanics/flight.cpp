@@ -267,14 +267,30 @@ Quat<Scalar> flown(const Body<Scalar>& body, const Splitting<Scalar>& split, Sca
   return renewed(Quat<Scalar>(exp_map(steady_W) * q_WB));
 }
 
+/// Whether a flight would end with more energy than it has, or than it begins with: what is seen of
+/// it is then another flight. So where moments are no matter's, or extreme.
+template <class Scalar>
+BATUTA_RARE bool wins_energy(const Body<Scalar>& body, const Quat<Scalar>& q_WB) {
+  constexpr Scalar kMost = Scalar(1) / 1024;  // of it
+  const detail::FlightMemory<Scalar> flight = memory_of(body);
+  const Scalar first = excess_of(body, body.X_WB.q_WB, flight.axis).value;
+  const Scalar last = excess_of(body, q_WB, flight.axis).value;
+  const Scalar about_axis =
+      body.momentum.angular_W.squaredNorm() * body.inverse_moments(flight.axis);
+  const Scalar may_be = max_of(first, flight.excess);
+  return last - may_be > kMost * (about_axis + may_be);
+}
+
 /// The angular velocity that joins both ends of a flight; NaN where that turns by half a turn or
-/// more. The sign of the quaternion at the end tells: none of its factors lost it.
+/// more, or its energy is lost. The sign of the quaternion at the end tells: none of its factors
+/// lost it.
 template <class Scalar>
 Vec3<Scalar> joining(const Body<Scalar>& body, const Splitting<Scalar>& split, Scalar duration) {
   const Scalar most = most_turn(body, split, duration);
   if (most < 2 * kHalfTurn<Scalar>) {
     const Pose<Scalar> end{body.X_WB.p_W, flown(body, split, duration, most)};
-    if (end.q_WB.dot(body.X_WB.q_WB) > Scalar(0)) {
+    const bool is_lost = split.tumbles && wins_energy(body, end.q_WB);
+    if (!is_lost && end.q_WB.dot(body.X_WB.q_WB) > Scalar(0)) {
       return motion_between(body.X_WB, end, duration).twist.w_W;
     }
   }

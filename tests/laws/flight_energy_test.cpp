@@ -142,5 +142,34 @@ TYPED_TEST(FlightEnergyOf, RestoredBody_FliesOnWithTheSameBits) {
   }
 }
 
+// Moments that no body of matter has (one more than the other two together), and an axis that is
+// locked: the flight keeps its energy as well as it does elsewhere, or is none.
+TYPED_TEST(FlightEnergyOf, MomentsOfNoMatter_WinNothing) {
+  constexpr int kTries = 20000;
+  constexpr Real kMost = 1 / 1024.0L;
+  test::Draws draws(3, 1, 6);
+  int flown = 0;
+  int refused = 0;
+  for (int i = 0; i < kTries; ++i) {
+    const double second = draws.power_of_two(-6, 0);
+    const double third =
+        draws.chance(0.5) ? std::numeric_limits<double>::infinity() : draws.power_of_two(1, 4);
+    const Vec3<double> moments(1, second, third);
+    Body<TypeParam> body = make_body<TypeParam>({}, TypeParam(1), moments.cast<TypeParam>()).value;
+    const double turn = draws.between(0.01, 1.5);
+    const Vec3<double> momentum = turn * moments.cwiseMin(4).cwiseProduct(draws.direction());
+    body.momentum.angular_W = momentum.cast<TypeParam>();
+    const Real before = turning_energy(top_of(body));
+    if (fly(body, TypeParam(1))) {
+      ++flown;
+      ASSERT_LE(turning_energy(top_of(body)) / before - 1, kMost + 1e-5L) << text(moments);
+    } else {
+      ++refused;
+    }
+  }
+  EXPECT_GT(flown, kTries / 4);
+  EXPECT_GT(refused, 0);
+}
+
 }  // namespace
 }  // namespace batuta::laws

@@ -38,7 +38,8 @@ Motion<Scalar> motion_between(const Pose<Scalar>& X0_WB, const Pose<Scalar>& X1_
 /// constant twist that joins them.
 /// @pre duration >= 0
 /// @returns a motion that is not valid (see is_valid()) where such a body turns by half a turn or
-///   more in the time, because that could not be told from a shorter turn
+///   more in the time, because that could not be told from a shorter turn; or would end with more
+///   energy, by a 1024th, than it has
 /// Bound: kMostParts = 26 parts of six turns each.
 template <class Scalar>
 Motion<Scalar> free_flight(const Body<Scalar>& body, Scalar duration);

@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "batuta/world/any_controller.hpp"
 #include "batuta/world/make_actor.hpp"
 #include "batuta/world/scenes.hpp"
 #include "batuta/world/world.hpp"
@@ -32,11 +33,17 @@ constexpr SceneOptions crowd_of() {
   return crowd(kResting, kBends, kResponds);
 }
 
-/// A scene with bent turns, and the same without.
+template <class Scalar>
+using Anybody = AnyController<Scalar, FreeFlight<Scalar>, Fixed<Scalar>, Hand<Scalar>>;
+
+/// A scene with bent turns, and the same without; and both where some are led.
 template <class Scalar, RestingContact kResting, bool kResponds>
 struct Both {
   using Bent = Scene<crowd_of<kResting, true, kResponds>, Advancement<Scalar>>;
   using Steady = Scene<crowd_of<kResting, false, kResponds>, Advancement<Scalar>>;
+  using BentLed = Scene<crowd_of<kResting, true, kResponds>, Advancement<Scalar>, Anybody<Scalar>>;
+  using SteadyLed =
+      Scene<crowd_of<kResting, false, kResponds>, Advancement<Scalar>, Anybody<Scalar>>;
 };
 
 template <class BothT>
@@ -93,6 +100,59 @@ TYPED_TEST(BentTurnsOption, BodiesOfOneCapsule_SameBits) {
     }
   }
   EXPECT_EQ(blows > 0, Bent::kResponse);
+}
+
+/// A rod that flies, and one that stays or that a hand leads, near it.
+template <class SceneT>
+void fill_led(World<SceneT>& world, std::uint64_t seed) {
+  using Scalar = typename SceneT::Scalar;
+  test::Draws draws(seed, 1, 0);
+  for (const bool is_led : {false, true}) {
+    const Vec3<double> half = draws.between(0.05, 0.25) * Vec3<double>::UnitZ();
+    const Capsule<Scalar> shape = {{-half.cast<Scalar>(), half.cast<Scalar>()}, Scalar(0.02)};
+    const Vec3<double> place = draws.in_ball(0.2);
+    const Quat<double> q = draws.rotation();
+    const Vec3<double> speed = is_led ? Vec3<double>::Zero() : draws.in_ball(3);
+    const Vec3<double> spin = is_led ? Vec3<double>::Zero() : draws.in_ball(40);
+    auto actor = make_actor<SceneT>(shape, Scalar(1000), {place.cast<Scalar>(), q.cast<Scalar>()},
+                                    {speed.cast<Scalar>(), spin.cast<Scalar>()});
+    actor.value.restitution = static_cast<Scalar>(draws.unit());
+    if (is_led && draws.chance(0.5)) actor.value.controller = Fixed<Scalar>{};
+    if (is_led && draws.chance(0.5)) {
+      Hand<Scalar> hand;
+      hand.target_W = actor.value.body.X_WB;
+      hand.target_W.p_W += draws.in_ball(0.05).template cast<Scalar>();
+      hand.step = Scalar(0.01);
+      actor.value.controller = hand;
+    }
+    ASSERT_EQ(world.add(actor.value).status, Status::kOk);
+  }
+}
+
+// Who is led turns as it is led: no course is cut for it.
+TYPED_TEST(BentTurnsOption, BesideOneThatIsLed_SameBits) {
+  using Scalar = typename TypeParam::Bent::Scalar;
+  if constexpr (TypeParam::Bent::kResponse) {
+    using Bent = typename TypeParam::BentLed;
+    using Steady = typename TypeParam::SteadyLed;
+    std::uint32_t blows = 0;
+    for (std::uint64_t seed = 0; seed < 400; ++seed) {
+      auto bent = std::make_unique<World<Bent>>();
+      auto steady = std::make_unique<World<Steady>>();
+      fill_led(*bent, seed);
+      fill_led(*steady, seed);
+      for (int k = 0; k < 20; ++k) {
+        ASSERT_EQ(bent->step(Scalar(0.01)), Status::kOk);
+        ASSERT_EQ(steady->step(Scalar(0.01)), Status::kOk);
+        blows += steady->report().collisions;
+        const auto& one = bent->get(bent->id_at(0))->body;
+        const auto& other = steady->get(steady->id_at(0))->body;
+        ASSERT_EQ(one.X_WB.p_W, other.X_WB.p_W) << seed << ", step " << k;
+        ASSERT_EQ(one.momentum.angular_W, other.momentum.angular_W) << seed << ", step " << k;
+      }
+    }
+    EXPECT_GT(blows, 50U);
+  }
 }
 
 template <class SceneT>

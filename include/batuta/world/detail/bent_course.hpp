@@ -31,6 +31,7 @@ void shorten_courses(Bodies<SceneT>& bodies, ProxyPair pair,
   constexpr int kHalvings = 12;
   const std::size_t a = Bodies<SceneT>::body_of(pair.first);
   const std::size_t b = Bodies<SceneT>::body_of(pair.second);
+  if (!flies_bent(bodies.actor(a).body) && !flies_bent(bodies.actor(b).body)) return;
   const auto apart = [&](Scalar duration) {
     return relative_velocity(contact, bodies.actor(a).body.X_WB, chord_after(bodies, a, duration),
                              bodies.actor(b).body.X_WB, chord_after(bodies, b, duration));
@@ -88,7 +89,7 @@ template <class SceneT>
   }
   const auto& motion = state.plan.motion;
   const auto& body = bodies.actor(slot).body;
-  if (!(state.start < time) || !turns_far(body, motion)) return Scalar(0);
+  if (!(state.start < time) || !turns_far(body, motion) || !flies_bent(body)) return Scalar(0);
   return turning_on(body, motion, time - state.start) / flight_energy_twice(body) - 1;
 }
 

@@ -161,6 +161,10 @@ class Bodies : public Proxies<SceneT> {
     if constexpr (kBends<SceneT>) return states[slot].plan_end;
     return dt;
   }
+  /// In the step, s: until then it goes alone, or with its group.
+  Scalar course_end(std::size_t slot) const {
+    return states[slot].group == kAlone ? plan_end(slot) : states[slot].held_until;
+  }
   /// Nothing that happened to it has changed how it is led: its controller is asked once a step.
   bool keeps_course(std::size_t slot) const {
     if constexpr (kIsFree) return false;

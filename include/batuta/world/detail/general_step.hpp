@@ -148,7 +148,8 @@ bool GeneralWorld<SceneT>::cut_courses([[maybe_unused]] const CandidateType& can
     for (const int proxy : {int{candidate.pair.first}, int{candidate.pair.second}}) {  // Bound: 2
       const std::size_t slot = BodiesT::body_of(proxy);
       if (cuts_made_ >= kCutsPerContact * SceneT::kMaxContacts) break;
-      if (bodies_.states[slot].start < bodies_.now) continue;
+      const bool ends_there = !(time < bodies_.course_end(slot));
+      if (bodies_.states[slot].start < bodies_.now || ends_there) continue;
       if (!(std::abs(off_flight(bodies_, slot, time)) > kOffFlight<Scalar>)) continue;
       if (bodies_.states[slot].group == BodiesT::kAlone) {
         end_course(bodies_, slot, time);
@@ -199,6 +200,8 @@ void GeneralWorld<SceneT>::end_courses(Scalar time) {
     if (!bodies_.states[slot].present || time < bodies_.plan_end(slot)) continue;
     bodies_.advance_to_now(slot);
     end_course(bodies_, slot, bodies_.dt);
+    // Also who was answered at the end of its course: it was planned for no time.
+    bodies_.states[slot].changed = bodies_.is_changed = true;
   }
 }
 
