@@ -135,9 +135,9 @@ void GeneralWorld<SceneT>::run_round() {
 
 /// Where a body would be met on the chord of its turn, and its energy there is not that of its
 /// flight, its course is made to end there: it is then met near that end, or near the start of the
-/// next course. A group parts there. After kCutsPerContact kMaxContacts of them it is met as it is.
-/// Nor is a course cut that began before now: who came to now on the chord would be off its flight
-/// where the new course began.
+/// next course. A group parts there. At most kCutsPerContact kMaxContacts in a step. Nor is a
+/// course cut that began before now: who came to now on the chord would be off its flight where the
+/// new course began. What is left is met as it is, where it does not win by that (resolve()).
 /// @returns whether a course was cut: then nothing else has happened
 template <class SceneT>
 bool GeneralWorld<SceneT>::cut_courses([[maybe_unused]] const CandidateType& candidate,
