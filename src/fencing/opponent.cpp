@@ -12,7 +12,9 @@ namespace batuta::fencing {
 
 namespace {
 
+using detail::across;
 using detail::at;
+using detail::is_attack;
 using detail::kStyles;
 using detail::Line;
 using detail::line_of;
@@ -30,6 +32,9 @@ constexpr float kDrawn = 0.25F;         ///< of the stick, forward: more, and th
 constexpr float kEagerness = 2.0F;      ///< order to the feet for each m that the measure is off
 constexpr float kDangerAhead = 1.15F;   ///< m: a point further off is not answered
 constexpr float kWalksIn = 0.6F;        ///< m/s: above, somebody walks in
+constexpr float kGoesBack = -0.6F;      ///< m/s of the feet: below, somebody gives ground
+constexpr int kYieldLooks = 20;         ///< at an attack for which he does: he will again
+constexpr int kMostYieldLooks = 40;     ///< so long does he keep that name
 constexpr float kHeldOut = 0.6F;        ///< m before its trunk: further, an arm is out
 constexpr float kComes = 0.1F;          ///< m/s: slower, an arm stands
 constexpr int kHeldLooks = 12;          ///< for which an arm stands that is held out
@@ -59,11 +64,6 @@ constexpr std::int32_t kHoldTime = 80000;
 constexpr std::int32_t kBeatTime = 90000;
 constexpr std::int32_t kRecoveryTime = 250000;
 constexpr std::int32_t kApartTime = 500000;  ///< of a halt, so that no body walks onto a blade
-
-/// The line that a blade in this one leaves open.
-int across(int line) {
-  return static_cast<int>(Opponent::kLines) - 1 - line;
-}
 
 /// The order to the feet for a speed forward, m/s.
 float feet_order(float forward) {
@@ -124,8 +124,7 @@ void Opponent::stand_down() {
 /// Nothing is under way that has to be gone through with: who recovers from an attack can defend.
 bool Opponent::is_free() const {
   if (move_ >= moves_.size() || intent_ == Intent::kWait || intent_ == Intent::kStep) return true;
-  const bool attacks = intent_ != Intent::kParry && intent_ != Intent::kRetreat;
-  return attacks && move_ == moves_.size() - 1;
+  return is_attack(intent_) && move_ == moves_.size() - 1;
 }
 
 void Opponent::decide() {
@@ -163,6 +162,9 @@ bool Opponent::is_rushed() const {
 /// At the end of an attack its line is plain, and whoever made it is open.
 void Opponent::look_on(const detail::Situation& now, bool comes) {
   if (opening_ > 0) --opening_;
+  if (is_attack(intent_)) {
+    yields_ = std::clamp(yields_ + (now.gait < kGoesBack ? 1 : -1), 0, kMostYieldLooks);
+  }
   const bool stands = now.reach > kHeldOut && now.thrust < kComes && now.thrust > -kComes;
   held_ = stands ? std::min(held_ + 1, kHeldLooks) : 0;
   if (threatened_ && !comes) {
@@ -251,9 +253,9 @@ void Opponent::choose(const detail::Situation& now, bool over) {
 void Opponent::choose_attack(const detail::Situation& now, bool over) {
   const Style& style = style_of(skill_);
   const bool is_open = opening_ > 0;
-  const bool in_range = now.distance < style.range + (is_open ? kFollow : 0.0F);
-  const bool walks_in = now.pace > kWalksIn && now.soon < kStepLunge;
-  if (over && intent_ == Intent::kParry && now.distance < kRiposteRange && chance(style.ripostes)) {
+  const bool in_range = now.upright < style.range + (is_open ? kFollow : 0.0F);
+  const bool walks_in = now.gait > kWalksIn && is_near(now);
+  if (over && intent_ == Intent::kParry && now.upright < kRiposteRange && chance(style.ripostes)) {
     attack(now, line_of(line_to_close(now.line)).riposte, Intent::kRiposte);
   } else if (walks_in && chance(style.stops)) {
     attack(now, line_to_attack(), Intent::kCounter);
@@ -287,10 +289,16 @@ void Opponent::take(const detail::Situation& now) {
   }
 }
 
+/// Whether a lunge would arrive, when it does, where the feet of both will be: who leans in his own
+/// lunge is back by then.
+bool Opponent::is_near(const detail::Situation& now) const {
+  return now.upright - style_of(skill_).foresight * now.closing < kStepLunge;
+}
+
 /// Attacks where it is near enough; else it walks in, and looks on: what comes there is answered.
 void Opponent::press(const detail::Situation& now) {
   const bool may_beat = chance(style_of(skill_).beats);
-  if (now.soon < kStepLunge) {
+  if (is_near(now)) {
     attack(now, line_to_attack(), may_beat ? Intent::kBeat : Intent::kAttack);
   } else if (move_ >= moves_.size() || !presses_) {
     begin(Intent::kStep);
@@ -321,9 +329,9 @@ void Opponent::attack(const detail::Situation& now, int index, Intent intent) {
   const Style& style = style_of(skill_);
   const Line line = line_of(index);
   // The feet bring it into reach, and no further: who runs on runs onto the other's point.
-  const float feet = now.distance > kLungeRange ? 1.0F : 0.0F;
+  const float feet = now.upright > kLungeRange ? 1.0F : 0.0F;
   // No time for an extension where the rival is open, or walks in.
-  const bool is_urgent = opening_ > 0 || now.pace > kWalksIn;
+  const bool is_urgent = opening_ > 0 || now.gait > kWalksIn;
   begin(intent);
   if (intent == Intent::kBeat) then(kBeatTime, {at(0, 0.5F), feet});
   if (intent == Intent::kAttack && !is_urgent) {
@@ -331,7 +339,8 @@ void Opponent::attack(const detail::Situation& now, int index, Intent intent) {
     then(style.extension_us, near({line_of(shown).extension, feet}));
   }
   then(style.lunge_us, near({line.lunge, feet}));
-  then(kRecoveryTime, {at(0, 0), -1});
+  // Who gives ground gets none back.
+  then(kRecoveryTime, {at(0, 0), yields_ >= kYieldLooks ? 0.0F : -1.0F});
 }
 
 void Opponent::begin(Intent intent) {

@@ -16,6 +16,7 @@ struct Situation {
   float ahead = 0;     ///< from one's own trunk to the rival's point, m
   float upright = 0;   ///< the distance if both stood upright, m
   float gait = 0;      ///< the speed at which the rival's feet come, m/s
+  float closing = 0;   ///< the same of both fencers' feet together, m/s
   int line = 0;        ///< in which the rival's blade comes, or would come
 };
 
@@ -63,8 +64,11 @@ inline Situation situation_of(const DelayedObservation& eye) {
   situation.ahead = now.rival.point_V.x() - now.own.torso_V.x();
   situation.line = line_seen(now);
   const float own_reach = now.own.guard_V.x() - now.own.torso_V.x();
+  const float own_before = before.own.guard_V.x() - before.own.torso_V.x();
   situation.upright = situation.distance + lean_of(situation.reach) + lean_of(own_reach);
   situation.gait = situation.pace - kLeanPerReach * situation.thrust;
+  situation.closing =
+      nearing - kLeanPerReach * (situation.thrust + (own_reach - own_before) / kSecondsPerLook);
   return situation;
 }
 

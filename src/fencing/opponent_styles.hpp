@@ -28,20 +28,32 @@ struct Style {
   float feints;                ///< of its attacks, begun by an extension in another line
   float learns;                ///< goes by the rival's habits where it cannot read a line
   float takes;                 ///< goes for a blade that is held out, of the looks at it
+  float foresight;             ///< s for which it thinks on two who come together, to attack
   bool meets;                  ///< knows what to do about a rival who rushes in
 };
 
 inline constexpr std::array<Style, 3> kStyles = {{
-    {90000, 250000, 150000, 0.12F, 0.62F, 2.7F, 2.9F, 0.3F, 0.3F, 0.15F,
-     0.45F, 0.5F,   0.016F, 0.01F, 0.0F,  0.2F, 0.0F, 0.0F, 0.0F, false},
-    {22000, 160000, 85000, 0.05F, 0.57F, 3.1F,  3.2F, 0.97F, 0.05F, 0.04F,
-     0.75F, 1.0F,   0.02F, 0.1F,  0.04F, 0.21F, 0.1F, 0.5F,  1.0F,  true},
-    {0,    145000, 90000,  0.02F, 0.58F, 2.95F, 3.1F, 1.0F, 0.25F, 0.04F,
-     1.0F, 1.0F,   0.004F, 0.9F,  0.05F, 0.0F,  0.0F, 1.0F, 1.0F,  true},
+    {90000, 250000, 150000, 0.12F, 0.62F, 2.7F, 2.9F, 0.25F, 0.3F, 0.15F, 0.45F,
+     0.5F,  0.016F, 0.01F,  0.0F,  0.2F,  0.0F, 0.0F, 0.0F,  0.1F, false},
+    {22000, 160000, 85000, 0.05F, 0.57F, 3.1F, 3.2F, 0.97F, 0.05F, 0.04F, 0.75F,
+     1.0F,  0.02F,  0.14F, 0.04F, 0.21F, 0.1F, 0.5F, 1.0F,  0.24F, true},
+    {0,    140000, 90000, 0.02F, 0.58F, 2.95F, 3.1F, 1.0F, 0.4F,  0.04F, 1.0F,
+     1.0F, 0.004F, 0.9F,  0.05F, 0.0F,  0.0F,  1.0F, 1.0F, 0.28F, true},
 }};
 
 inline const Style& style_of(Skill skill) {
   return kStyles[static_cast<std::size_t>(skill)];
+}
+
+/// Begun by oneself, or an answer that goes to the rival.
+inline bool is_attack(Intent intent) {
+  return intent == Intent::kAttack || intent == Intent::kBeat || intent == Intent::kCounter ||
+         intent == Intent::kRiposte;
+}
+
+/// The line that a blade in this one leaves open.
+inline int across(int line) {
+  return static_cast<int>(Opponent::kLines) - 1 - line;
 }
 
 /// A line: where the stick lunges into it, how it extends there before, what closes it, and the

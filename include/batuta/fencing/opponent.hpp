@@ -86,6 +86,7 @@ class Opponent {
   void choose_attack(const detail::Situation& now, bool over);
   void attack(const detail::Situation& now, int index, Intent intent);
   void press(const detail::Situation& now);
+  bool is_near(const detail::Situation& now) const;
   bool may_take(const detail::Situation& now);
   void look_at_rush(const detail::Situation& now, bool comes);
   bool is_rushed() const;
@@ -112,6 +113,7 @@ class Opponent {
   int opening_ = 0;          ///< looks for which an attack of the rival's is just over
   int came_ = 0;             ///< the line of that
   int held_ = 0;             ///< looks for which the rival's arm stands, and is out
+  int yields_ = 0;           ///< looks in which he gave ground before an attack, less the others
   int rushed_ = 0;           ///< looks for which the rival's feet came fast, less those since
   int since_ = 0;            ///< looks since his arm came out
   int rhythm_ = 0;           ///< looks from one time to the next; 0: none
