@@ -46,9 +46,14 @@ inline float reach_of(const Observation& sight) {
   return sight.rival.torso_V.x() - sight.rival.guard_V.x();
 }
 
-/// How far a trunk has leant forward for a lunge, m: it goes with the arm.
+inline float own_reach_of(const Observation& sight) {
+  return sight.own.guard_V.x() - sight.own.torso_V.x();
+}
+
+/// How far a trunk has leant forward for a lunge, m: it goes with the arm. A parry draws the guard
+/// back, and no trunk.
 inline float lean_of(float reach) {
-  return kLeanPerReach * (reach - kGuardReach);
+  return reach > kGuardReach ? kLeanPerReach * (reach - kGuardReach) : 0.0F;
 }
 
 inline Situation situation_of(const DelayedObservation& eye) {
@@ -63,12 +68,13 @@ inline Situation situation_of(const DelayedObservation& eye) {
   situation.thrust = (situation.reach - reach_of(before)) / kSecondsPerLook;
   situation.ahead = now.rival.point_V.x() - now.own.torso_V.x();
   situation.line = line_seen(now);
-  const float own_reach = now.own.guard_V.x() - now.own.torso_V.x();
-  const float own_before = before.own.guard_V.x() - before.own.torso_V.x();
-  situation.upright = situation.distance + lean_of(situation.reach) + lean_of(own_reach);
-  situation.gait = situation.pace - kLeanPerReach * situation.thrust;
-  situation.closing =
-      nearing - kLeanPerReach * (situation.thrust + (own_reach - own_before) / kSecondsPerLook);
+  const float lean = lean_of(situation.reach);
+  const float own_lean = lean_of(own_reach_of(now));
+  const float leaning = (lean - lean_of(reach_of(before))) / kSecondsPerLook;
+  const float own_leaning = (own_lean - lean_of(own_reach_of(before))) / kSecondsPerLook;
+  situation.upright = situation.distance + lean + own_lean;
+  situation.gait = situation.pace - leaning;
+  situation.closing = nearing - leaning - own_leaning;
   return situation;
 }
 

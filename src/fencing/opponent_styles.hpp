@@ -38,7 +38,7 @@ inline constexpr std::array<Style, 3> kStyles = {{
     {22000, 160000, 85000, 0.05F, 0.57F, 3.1F, 3.2F, 0.97F, 0.05F, 0.04F, 0.75F,
      1.0F,  0.02F,  0.14F, 0.04F, 0.21F, 0.1F, 0.5F, 1.0F,  0.24F, true},
     {0,    140000, 90000, 0.02F, 0.58F, 2.95F, 3.1F, 1.0F, 0.4F,  0.04F, 1.0F,
-     1.0F, 0.004F, 0.9F,  0.05F, 0.0F,  0.0F,  1.0F, 1.0F, 0.28F, true},
+     1.0F, 0.004F, 0.9F,  0.05F, 0.0F,  0.0F,  1.0F, 1.0F, 0.24F, true},
 }};
 
 inline const Style& style_of(Skill skill) {
