@@ -356,31 +356,38 @@ void drop_at_random(World<SceneT>& world, int rods, double restitution, std::uin
   }
 }
 
+/// Until all sleep, for 5 s. @returns whether they do
 template <class SceneT>
-void fall_asleep(World<SceneT>& world, int rods, double dt) {
+bool fall_asleep(World<SceneT>& world, int rods, double dt) {
   using S = typename SceneT::Scalar;
   double deepest = 1;
+  const auto is_asleep = [&] { return static_cast<int>(world.report().asleep) >= rods; };
   const int count = static_cast<int>(std::lround(5 / dt));
-  for (int i = 0; i < count && static_cast<int>(world.report().asleep) < rods; ++i) {
-    ASSERT_EQ(world.step(static_cast<S>(dt)), Status::kOk);
+  for (int i = 0; i < count && !is_asleep(); ++i) {
+    EXPECT_EQ(world.step(static_cast<S>(dt)), Status::kOk);
     if (i % 8 == 0) deepest = std::min(deepest, test::smallest_gap(world));
   }
-  EXPECT_EQ(static_cast<int>(world.report().asleep), rods);
-  EXPECT_GT(deepest, -margin_of<S>(2, 3));  // they begin within 3 m of the origin
+  const bool is_done = is_asleep();
+  if (is_done) EXPECT_GT(deepest, -margin_of<S>(2, 3));  // they begin within 3 m of the origin
+  return is_done;
 }
 
-// At 1/60 s one pile in sixteen jams (src/world/world.md, "Known faults").
-TYPED_TEST(Lying, RandomPilesOf20_SleepWithin5Seconds) {
+// Of 280 such piles 16 jammed (src/world/world.md, "Known faults"): of 16, more than 3 in one of
+// seventy draws of them.
+TYPED_TEST(Lying, RandomPilesOf20_NearlyAllSleepWithin5Seconds) {
   using SceneT = Settling<TypeParam, test::kRolling>;
-  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+  constexpr int kMostJams = 3;
+  int jams = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     for (const double restitution : {0.0, 0.3}) {
       SCOPED_TRACE(::testing::Message() << seed << ", C " << restitution);
       auto world = std::make_unique<World<SceneT>>();
       add_tray(*world);
       drop_at_random(*world, 20, restitution, seed);
-      fall_asleep(*world, 20, 1e-3);
+      if (!fall_asleep(*world, 20, 1e-3)) ++jams;
     }
   }
+  EXPECT_LE(jams, kMostJams);
 }
 
 }  // namespace

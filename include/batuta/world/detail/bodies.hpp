@@ -162,7 +162,7 @@ class Bodies : public Proxies<SceneT> {
     return dt;
   }
   /// In the step, s: until then it goes alone, or with its group.
-  Scalar course_end(std::size_t slot) const {
+  Scalar goes_until(std::size_t slot) const {
     return states[slot].group == kAlone ? plan_end(slot) : states[slot].held_until;
   }
   /// Nothing that happened to it has changed how it is led: its controller is asked once a step.

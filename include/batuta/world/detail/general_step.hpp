@@ -148,7 +148,7 @@ bool GeneralWorld<SceneT>::cut_courses([[maybe_unused]] const CandidateType& can
     for (const int proxy : {int{candidate.pair.first}, int{candidate.pair.second}}) {  // Bound: 2
       const std::size_t slot = BodiesT::body_of(proxy);
       if (cuts_made_ >= kCutsPerContact * SceneT::kMaxContacts) break;
-      const bool ends_there = !(time < bodies_.course_end(slot));
+      const bool ends_there = !(time < bodies_.goes_until(slot));
       if (bodies_.states[slot].start < bodies_.now || ends_there) continue;
       if (!(std::abs(off_flight(bodies_, slot, time)) > kOffFlight<Scalar>)) continue;
       if (bodies_.states[slot].group == BodiesT::kAlone) {
