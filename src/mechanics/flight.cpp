@@ -297,6 +297,30 @@ Vec3<Scalar> joining(const Body<Scalar>& body, const Splitting<Scalar>& split, S
   return Vec3<Scalar>::Constant(std::numeric_limits<Scalar>::quiet_NaN());
 }
 
+/// Whether a body turns so far on its planned motion that the energy on the way may be off its
+/// flight's: by no more than most / least of its moments, times the square of the turn, over 4, to
+/// second order (motion.md, "The energy on the chord").
+template <class Scalar>
+bool turns_far(const Body<Scalar>& body, const Motion<Scalar>& motion) {
+  const Vec3<Scalar>& inverse = body.inverse_moments;
+  Scalar least = std::numeric_limits<Scalar>::max();  // 0: it does not turn about that axis
+  for (int i = 0; i < 3; ++i) {                       // Bound: 3
+    if (inverse(i) > Scalar(0)) least = min_of(least, inverse(i));
+  }
+  const Scalar turn = motion.duration * length(motion.twist.w_W);
+  return turn * turn * inverse.maxCoeff() > detail::kOffFlight<Scalar> * least;
+}
+
+/// Twice the energy of turning of the flight that the body is on, J; where none is remembered, of
+/// the body as it is.
+template <class Scalar>
+Scalar flight_energy_twice(const Body<Scalar>& body) {
+  const Vec3<Scalar>& angular_W = body.momentum.angular_W;
+  if (!detail::tumbles(body)) return angular_W.dot(twist_of(body).w_W);
+  const detail::FlightMemory<Scalar> flight = memory_of(body);
+  return flight.excess + angular_W.squaredNorm() * body.inverse_moments(flight.axis);
+}
+
 }  // namespace
 
 template <class Scalar>
@@ -333,11 +357,10 @@ bool detail::tumbles(const Body<Scalar>& body) {
 }
 
 template <class Scalar>
-Scalar detail::flight_energy_twice(const Body<Scalar>& body) {
-  const Vec3<Scalar>& angular_W = body.momentum.angular_W;
-  if (!tumbles(body)) return angular_W.dot(twist_of(body).w_W);
-  const FlightMemory<Scalar> flight = memory_of(body);
-  return flight.excess + angular_W.squaredNorm() * body.inverse_moments(flight.axis);
+Scalar detail::off_flight_energy(const Body<Scalar>& body, const Motion<Scalar>& motion, Scalar t) {
+  if (!turns_far(body, motion) || !flies_bent(body)) return Scalar(0);
+  const Vec3<Scalar> b_B = in_body(pose_at(motion, t).q_WB, body.momentum.angular_W);
+  return body.inverse_moments.dot(b_B.cwiseProduct(b_B)) / flight_energy_twice(body) - 1;
 }
 
 template <class Scalar>
@@ -349,13 +372,13 @@ void move_along(Body<Scalar>& body, const Motion<Scalar>& motion, Scalar t) {
   body.X_WB = pose_at(motion, t);
 }
 
-#define BATUTA_INSTANTIATE(Scalar)                                               \
-  template Motion<Scalar> free_flight(const Body<Scalar>&, Scalar);              \
-  template bool detail::hides_spin(const Body<Scalar>&, const Capsule<Scalar>&); \
-  template bool detail::tumbles(const Body<Scalar>&);                            \
-  template bool detail::flies_bent(const Body<Scalar>&);                         \
-  template Motion<Scalar> detail::steady_flight(const Body<Scalar>&, Scalar);    \
-  template Scalar detail::flight_energy_twice(const Body<Scalar>&);              \
+#define BATUTA_INSTANTIATE(Scalar)                                                               \
+  template Motion<Scalar> free_flight(const Body<Scalar>&, Scalar);                              \
+  template bool detail::hides_spin(const Body<Scalar>&, const Capsule<Scalar>&);                 \
+  template bool detail::tumbles(const Body<Scalar>&);                                            \
+  template bool detail::flies_bent(const Body<Scalar>&);                                         \
+  template Motion<Scalar> detail::steady_flight(const Body<Scalar>&, Scalar);                    \
+  template Scalar detail::off_flight_energy(const Body<Scalar>&, const Motion<Scalar>&, Scalar); \
   template void move_along(Body<Scalar>&, const Motion<Scalar>&, Scalar);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE

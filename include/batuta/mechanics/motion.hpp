@@ -73,10 +73,16 @@ Motion<Scalar> steady_flight(const Body<Scalar>& body, Scalar duration);
 template <class Scalar>
 bool tumbles(const Body<Scalar>& body);
 
-/// Twice the energy of turning of the flight that the body is on, J (move_along()); where none is
-/// remembered, of the body as it is.
+/// Of the energy of a turn: what a contact may find it off that of the flight.
 template <class Scalar>
-Scalar flight_energy_twice(const Body<Scalar>& body);
+inline constexpr Scalar kOffFlight = Scalar(1) / 1024;
+
+/// By how much the energy of a turn is off that of the flight that the body is on, where a motion
+/// that free_flight() planned for it has it after t; of the latter. 0 where its flight is not bent,
+/// or the turn is so short that it is off by no more than kOffFlight (src/mechanics/motion.md, "The
+/// energy on the chord"). @pre 0 <= t <= duration
+template <class Scalar>
+Scalar off_flight_energy(const Body<Scalar>& body, const Motion<Scalar>& motion, Scalar t);
 
 }  // namespace detail
 

@@ -51,31 +51,6 @@ void shorten_courses(Bodies<SceneT>& bodies, ProxyPair pair,
   }
 }
 
-/// Twice the energy of a body's turn where its planned motion has it after t, J.
-template <class Scalar>
-Scalar turning_on(const Body<Scalar>& body, const Motion<Scalar>& motion, Scalar t) {
-  const Vec3<Scalar> b_B = pose_at(motion, t).q_WB.conjugate() * body.momentum.angular_W;
-  return body.inverse_moments.dot(b_B.cwiseProduct(b_B));
-}
-
-/// Of the energy of a turn: what a contact may find it off that of the flight.
-template <class Scalar>
-inline constexpr Scalar kOffFlight = Scalar(1) / 1024;
-
-/// Whether a body turns so far on its planned motion that the energy on the way may be off its
-/// flight's. By no more than most / least of its moments, times the square of the turn, over 4, to
-/// second order (src/mechanics/motion.md, "The energy on the chord").
-template <class Scalar>
-bool turns_far(const Body<Scalar>& body, const Motion<Scalar>& motion) {
-  const Vec3<Scalar>& inverse = body.inverse_moments;
-  Scalar least = std::numeric_limits<Scalar>::max();  // 0: it does not turn about that axis
-  for (int i = 0; i < 3; ++i) {                       // Bound: 3
-    if (inverse[i] > Scalar(0)) least = min_of(least, inverse[i]);
-  }
-  const Scalar turn = motion.duration * length(motion.twist.w_W);
-  return turn * turn * inverse.maxCoeff() > kOffFlight<Scalar> * least;
-}
-
 /// By how much the energy of a body's turn is off that of its flight where it would be met at a
 /// time of the step; of the latter. 0 where its momentum does not turn it alone.
 template <class SceneT>
@@ -87,10 +62,8 @@ template <class SceneT>
   if constexpr (kLasts<SceneT>) {
     if (!is_zero(state.opening.w_W)) return Scalar(0);
   }
-  const auto& motion = state.plan.motion;
-  const auto& body = bodies.actor(slot).body;
-  if (!(state.start < time) || !turns_far(body, motion) || !flies_bent(body)) return Scalar(0);
-  return turning_on(body, motion, time - state.start) / flight_energy_twice(body) - 1;
+  if (!(state.start < time)) return Scalar(0);
+  return off_flight_energy(bodies.actor(slot).body, state.plan.motion, time - state.start);
 }
 
 /// The same, or of the group that parts where it is met.

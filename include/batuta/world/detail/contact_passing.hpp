@@ -228,8 +228,27 @@ void wake_sides([[maybe_unused]] const Bodies<SceneT>& bodies,
   }
 }
 
-/// From body to body, until no contact of those that have changed has anything to answer.
+/// The i-th contact, of a body that has changed: what it has to answer is answered.
 /// @param parts  the contact that was struck alone: it parts, and is not struck again; or kNone
+/// @returns whether it had anything to answer
+template <class SceneT, class Passing>
+bool pass_to(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups, int i, int parts,
+             Scalar_of<SceneT>& energy, const Passing& passing) {
+  if (!is_due(bodies, groups, static_cast<std::size_t>(i))) return false;
+  LastingContactOf<SceneT>& contact = groups.contacts[i];
+  if (wins_by_chord(bodies, a_of<SceneT>(contact), b_of<SceneT>(contact), bodies.now)) {
+    drop(bodies, contact.pair);
+    return true;
+  }
+  wake_sides(bodies, contact, passing);
+  bring_to_now(bodies, groups, contact);
+  if (i != parts) pass_blow(bodies, groups, contact, passing);
+  relax_now(bodies, groups, contact, energy);
+  return true;
+}
+
+/// From body to body, until no contact of those that have changed has anything to answer.
+/// @param parts  that of pass_to()
 template <class SceneT, class Passing>
 void pass_around(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups, int parts,
                  Scalar_of<SceneT> energy, const Passing& passing) {
@@ -243,16 +262,7 @@ void pass_around(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups, int part
       const std::size_t slot = groups.changes.dirty[d];
       // Bound: the contacts of a body.
       for (int i = list.first_of(slot); i != kNone; i = list.next_of(i, slot)) {
-        if (!is_due(bodies, groups, static_cast<std::size_t>(i))) continue;
-        is_done = false;
-        if (wins_by_chord(bodies, a_of<SceneT>(list[i]), b_of<SceneT>(list[i]), bodies.now)) {
-          drop(bodies, list[i].pair);
-          continue;
-        }
-        wake_sides(bodies, list[i], passing);
-        bring_to_now(bodies, groups, list[i]);
-        if (i != parts) pass_blow(bodies, groups, list[i], passing);
-        relax_now(bodies, groups, list[i], energy);
+        if (pass_to(bodies, groups, i, parts, energy, passing)) is_done = false;
       }
     }
   }

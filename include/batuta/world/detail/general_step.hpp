@@ -142,26 +142,29 @@ void GeneralWorld<SceneT>::run_round() {
 template <class SceneT>
 bool GeneralWorld<SceneT>::cut_courses([[maybe_unused]] const CandidateType& candidate,
                                        [[maybe_unused]] Scalar time) {
-  bool is_cut = false;
   if constexpr (kCuts<SceneT>) {
     if (!candidate.is_contact() || !(bodies_.now < time)) return false;
-    for (const int proxy : {int{candidate.pair.first}, int{candidate.pair.second}}) {  // Bound: 2
-      const std::size_t slot = BodiesT::body_of(proxy);
-      if (cuts_made_ >= kCutsPerContact * SceneT::kMaxContacts) break;
-      const bool ends_there = !(time < bodies_.goes_until(slot));
-      if (bodies_.states[slot].start < bodies_.now || ends_there) continue;
-      if (!(std::abs(off_flight(bodies_, slot, time)) > kOffFlight<Scalar>)) continue;
-      if (bodies_.states[slot].group == BodiesT::kAlone) {
-        end_course(bodies_, slot, time);
-        bodies_.states[slot].changed = bodies_.is_changed = true;
-      } else if constexpr (kPartsGroups<SceneT>) {
-        bodies_.shorten_group(slot, time);
-      }
-      ++cuts_made_;
-      is_cut = true;
-    }
+    const bool is_cut = cut_course(BodiesT::body_of(candidate.pair.first), time);
+    return cut_course(BodiesT::body_of(candidate.pair.second), time) || is_cut;
   }
-  return is_cut;
+  return false;
+}
+
+/// The same of one body. @pre now < time
+template <class SceneT>
+bool GeneralWorld<SceneT>::cut_course(std::size_t slot, Scalar time) {
+  const bool is_off_course =
+      bodies_.states[slot].start < bodies_.now || !(time < bodies_.goes_until(slot));
+  if (is_off_course || cuts_made_ >= kCutsPerContact * SceneT::kMaxContacts) return false;
+  if (!(std::abs(off_flight(bodies_, slot, time)) > kOffFlight<Scalar>)) return false;
+  if (bodies_.states[slot].group == BodiesT::kAlone) {
+    end_course(bodies_, slot, time);
+    bodies_.states[slot].changed = bodies_.is_changed = true;
+  } else if constexpr (kPartsGroups<SceneT>) {
+    bodies_.shorten_group(slot, time);
+  }
+  ++cuts_made_;
+  return true;
 }
 
 /// The normal of a pair whose contact is solved for the rest of the step, out of the first: the

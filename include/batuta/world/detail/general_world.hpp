@@ -148,6 +148,7 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   void plan_solved(std::size_t slot);
   void run_round();
   bool cut_courses(const CandidateType& candidate, Scalar time);
+  bool cut_course(std::size_t slot, Scalar time);
   Vec3<Scalar> parts_along(ProxyPair pair) const;
   Scalar next_release() const;
   void end_courses(Scalar time);
