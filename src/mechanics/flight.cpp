@@ -271,14 +271,13 @@ Quat<Scalar> flown(const Body<Scalar>& body, const Splitting<Scalar>& split, Sca
 /// it is then another flight. So where moments are no matter's, or extreme.
 template <class Scalar>
 BATUTA_RARE bool wins_energy(const Body<Scalar>& body, const Quat<Scalar>& q_WB) {
-  constexpr Scalar kMost = Scalar(1) / 1024;  // of it
   const detail::FlightMemory<Scalar> flight = memory_of(body);
   const Scalar first = excess_of(body, body.X_WB.q_WB, flight.axis).value;
   const Scalar last = excess_of(body, q_WB, flight.axis).value;
   const Scalar about_axis =
       body.momentum.angular_W.squaredNorm() * body.inverse_moments(flight.axis);
   const Scalar may_be = max_of(first, flight.excess);
-  return last - may_be > kMost * (about_axis + may_be);
+  return last - may_be > detail::kOffFlight<Scalar> * (about_axis + may_be);
 }
 
 /// The angular velocity that joins both ends of a flight; NaN where that turns by half a turn or
