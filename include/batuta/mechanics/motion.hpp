@@ -73,8 +73,8 @@ Motion<Scalar> steady_flight(const Body<Scalar>& body, Scalar duration);
 template <class Scalar>
 bool tumbles(const Body<Scalar>& body);
 
-/// Of the energy of a turn: what a contact may find it off that of the flight, and what a flight may
-/// end with besides it.
+/// Of the energy of a turn: what a contact may find it off that of the flight, and what a flight
+/// may end with besides it.
 template <class Scalar>
 inline constexpr Scalar kOffFlight = Scalar(1) / 1024;
 
