@@ -191,8 +191,8 @@ void Grip<Scalar>::on_contact(const Body<Scalar>& body, const Feedback<Scalar>& 
   if (!(feedback.impulse > Scalar(0))) return;  // a separation shows in the body's pose, and fades
   const Vec3<Scalar> lever_W = feedback.point_W - to_world(body.X_WB, hand_B_);
   const HandBlow<Scalar> blow{lever_W.norm(), lever_W.cross(feedback.impulse_W).norm()};
-  // Of a weapon whose flight is bent: as it turns now. In so long a time it may turn by half a turn,
-  // of which no bent flight is known.
+  // Of a weapon whose flight is bent: as it turns now. In so long a time it may turn by half a
+  // turn, of which no bent flight is known.
   start_flight(detail::steady_flight(body, settings_.max_regain), feedback.time);
   set_regain(blow, feedback.impulse_W.norm(), body, hand_at(feedback.time));
   lost_ = max_of(lost_, lost_time(settings_, blow));
