@@ -254,7 +254,7 @@ void pass_around(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups, int part
                  Scalar_of<SceneT> energy, const Passing& passing) {
   constexpr int kNone = ContactGroups<SceneT>::kNone;
   constexpr int kEventSweeps = 32;
-  auto& list = groups.contacts;
+  const auto& list = groups.contacts;
   bool is_done = false;
   for (int s = 0; s < kEventSweeps && !is_done; ++s) {  // Bound: kEventSweeps
     is_done = true;
