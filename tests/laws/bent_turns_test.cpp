@@ -28,9 +28,9 @@ Body<Scalar> any_top(test::Choices& draw, double speed) {
   // Of matter: no moment is more than the sum of the other two.
   const Vec3<double> squares(draw.between(0.02, 1), draw.between(0.02, 1), draw.between(0.02, 1));
   const Vec3<double> moments = Vec3<double>::Constant(squares.sum()) - squares;
-  Body<Scalar> body =
-      make_body<Scalar>({{}, draw.rotation().cast<Scalar>()}, Scalar(1), moments.cast<Scalar>())
-          .value;
+  Body<Scalar> body = make_body<Scalar>({Vec3<Scalar>::Zero(), draw.rotation().cast<Scalar>()},
+                                        Scalar(1), moments.cast<Scalar>())
+                          .value;
   const Vec3<double> axis = draw.in_cube().normalized();
   body.momentum =
       momentum_of(body, Twist<Scalar>{Vec3<Scalar>::Zero(), (speed * axis).cast<Scalar>()});
