@@ -109,6 +109,14 @@ void throw_body(Actor<SceneT>& actor, const Vector& v_W, const Vector& w_W = Vec
   actor.body.momentum = momentum_of(actor.body, Twist<S>{v_W.cast<S>(), w_W.cast<S>()});
 }
 
+/// What the search cannot tell from contact, twice, between bars whose lengths and distance come to
+/// `scale`; and what places `far` from the origin are rounded by (src/world/detail/margin.md), m.
+template <class S>
+double margin_of(double scale, double far) {
+  const double u = static_cast<double>(kRoundOff<S>);
+  return 2 * (1e-6 + 72 * u) * scale + 2 * 64 * u * far;
+}
+
 /// Sums over all bodies that can be moved, in double.
 struct Sums {
   double mass = 0;

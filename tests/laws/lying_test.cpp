@@ -15,9 +15,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <vector>
 
-#include "choices.hpp"
 #include "law_worlds.hpp"
 
 namespace batuta {
@@ -259,14 +257,6 @@ TYPED_TEST(Lying, RodThatRests_StaysWithinD) {
   }
 }
 
-/// What the search cannot tell from contact, twice, between bars whose lengths and distance come to
-/// `scale`; and what places `far` from the origin are rounded by (src/world/detail/margin.md), m.
-template <class S>
-double margin_of(double scale, double far) {
-  const double u = static_cast<double>(kRoundOff<S>);
-  return 2 * (1e-6 + 72 * u) * scale + 2 * 64 * u * far;
-}
-
 /// Layers of four bars, 2 mm apart, each across the one below, on four fixed logs.
 template <class SceneT>
 void pile(int bars, double dt) {
@@ -295,7 +285,7 @@ void pile(int bars, double dt) {
     if (steps % 8 == 0) deepest = std::min(deepest, test::smallest_gap(*world));
   }
   EXPECT_EQ(static_cast<int>(world->report().asleep), bars);
-  EXPECT_GT(deepest, -margin_of<S>(2, 0));
+  EXPECT_GT(deepest, -test::margin_of<S>(2, 0));
 }
 
 TYPED_TEST(Lying, PilesOf20And32_SleepWithin5Seconds) {
@@ -305,89 +295,6 @@ TYPED_TEST(Lying, PilesOf20And32_SleepWithin5Seconds) {
       pile<Settling<TypeParam, test::kRolling>>(bars, dt);
     }
   }
-}
-
-/// A tray of touching logs with walls of 0.6 m on all sides, 0.8 m by 0.7 m.
-template <class SceneT>
-void add_tray(World<SceneT>& world) {
-  using S = typename SceneT::Scalar;
-  const auto add = [&world](double radius, const Vector& place, const test::Rotation& q_WB) {
-    auto log = test::fixed_rod<SceneT>(1, radius, place, q_WB);
-    log.friction = S(0.5);
-    log.rolling_resistance = static_cast<S>(kLever);
-    ASSERT_TRUE(world.add(log).ok());
-  };
-  for (int i = -4; i <= 4; ++i) add(0.05, {0, 0.1 * i, -0.05}, test::along_x());
-  for (const double height : {0.1, 0.3, 0.5}) {
-    for (const double side : {-1.0, 1.0}) {
-      add(0.1, {0, 0.45 * side, height}, test::along_x());
-      add(0.1, {0.5 * side, 0, height}, test::along_y());
-    }
-  }
-}
-
-/// Rods turned at random that fall into it from above, none in another one.
-template <class SceneT>
-void drop_at_random(World<SceneT>& world, int rods, double restitution, std::uint64_t seed) {
-  using S = typename SceneT::Scalar;
-  test::Choices draw(seed);
-  std::vector<Capsule<S>> placed;
-  for (int i = 0; i < rods; ++i) {
-    Actor<SceneT> rod;
-    Capsule<S> shape_W;
-    const auto is_free = [&] {
-      return std::all_of(placed.begin(), placed.end(), [&](const Capsule<S>& other_W) {
-        return capsule_gap(shape_W, other_W).gap > S(1e-3);
-      });
-    };
-    int tries = 0;
-    do {  // Bound: 1,000
-      const double x = 0.2 * draw.signed_share();
-      const Vector place(x, 0.1 * draw.signed_share(), 0.5 + 0.1 * i + 0.001 * tries);
-      rod = test::solid_rod<SceneT>(0.3, kRod, place, draw.rotation(), 700);
-      shape_W = to_world(rod.body.X_WB, rod.capsule_B);
-      ASSERT_LT(++tries, 1000);
-    } while (!is_free());
-    placed.push_back(shape_W);
-    rod.friction = S(0.5);
-    rod.restitution = static_cast<S>(restitution);
-    rod.rolling_resistance = static_cast<S>(kLever);
-    ASSERT_TRUE(world.add(rod).ok());
-  }
-}
-
-/// Until all sleep, for 5 s. @returns whether they do
-template <class SceneT>
-bool fall_asleep(World<SceneT>& world, int rods, double dt) {
-  using S = typename SceneT::Scalar;
-  double deepest = 1;
-  const auto is_asleep = [&] { return static_cast<int>(world.report().asleep) >= rods; };
-  const int count = static_cast<int>(std::lround(5 / dt));
-  for (int i = 0; i < count && !is_asleep(); ++i) {
-    EXPECT_EQ(world.step(static_cast<S>(dt)), Status::kOk);
-    if (i % 8 == 0) deepest = std::min(deepest, test::smallest_gap(world));
-  }
-  const bool is_done = is_asleep();
-  if (is_done) EXPECT_GT(deepest, -margin_of<S>(2, 3));  // they begin within 3 m of the origin
-  return is_done;
-}
-
-// Of 280 such piles 16 jammed (src/world/world.md, "Known faults"): of 16, more than 3 in one of
-// seventy draws of them.
-TYPED_TEST(Lying, RandomPilesOf20_NearlyAllSleepWithin5Seconds) {
-  using SceneT = Settling<TypeParam, test::kRolling>;
-  constexpr int kMostJams = 3;
-  int jams = 0;
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    for (const double restitution : {0.0, 0.3}) {
-      SCOPED_TRACE(::testing::Message() << seed << ", C " << restitution);
-      auto world = std::make_unique<World<SceneT>>();
-      add_tray(*world);
-      drop_at_random(*world, 20, restitution, seed);
-      if (!fall_asleep(*world, 20, 1e-3)) ++jams;
-    }
-  }
-  EXPECT_LE(jams, kMostJams);
 }
 
 }  // namespace

@@ -46,7 +46,8 @@ void open_gaps(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups) {
 }
 
 /// In a group that something holds, what lies below counts as held while gaps are opened: its
-/// opening lifts all that lies on it (world.md, "Opening").
+/// opening lifts all that lies on it (world.md, "Opening"). Not below what nothing pushes: a rod
+/// whose end is wedged under a fixed one comes out by itself or not at all.
 template <class SceneT>
 void find_held(const Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups) {
   join_all(bodies, groups, false);
@@ -58,7 +59,9 @@ void find_held(const Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups) {
       constexpr Scalar kUpright = Scalar(0.5);  // beside each other: neither is below
       const Scalar gravity = length(bodies.settings.gravity_W);
       const Scalar down = bodies.settings.gravity_W.dot(contact.points[0].normal_W);
-      if (contact.is_held && std::abs(down) > kUpright * gravity) {
+      const std::size_t upper = down > Scalar(0) ? b_of<SceneT>(contact) : a_of<SceneT>(contact);
+      const bool is_lifted = groups.solved[upper].inverse_mass > Scalar(0);
+      if (contact.is_held && is_lifted && std::abs(down) > kUpright * gravity) {
         contact.below = down > Scalar(0) ? 1 : 2;
       }
     }
