@@ -28,6 +28,7 @@ struct NoCollaborator {};
 template <class SceneT>
 class ContactGroups {
  public:
+  using SceneType = SceneT;
   using Scalar = Scalar_of<SceneT>;
   using BodiesT = Bodies<SceneT>;
   using PairsT = Pairs<SceneT>;
