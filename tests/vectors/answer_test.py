@@ -230,6 +230,20 @@ class Answer(unittest.TestCase):
             self.assertEqual(file.read(), text)
         self.assertEqual(sorted(os.listdir(self.folder.name)), ["link.csv", "queries.csv"])
 
+    def test_answers_are_not_appended_to_their_questions(self):
+        text = "".join(",".join(row) + "\n" for row in distance_file())
+        queries = self.path("queries.csv")
+        with open(queries, "w", encoding="ascii") as file:
+            file.write(text)
+        for read in queries, "-":
+            with open(queries, encoding="ascii") as asked, open(queries, "a", encoding="ascii") as answered:
+                done = subprocess.run([PROGRAM, "distance", "--in", read], stdin=asked, stdout=answered,
+                                      stderr=subprocess.PIPE, text=True, timeout=60, check=False)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("standard output is what --in reads", done.stderr)
+        with open(queries, encoding="ascii") as file:
+            self.assertEqual(file.read(), text)
+
     def test_questions_from_standard_input_are_not_written_over(self):
         text = "".join(",".join(row) + "\n" for row in distance_file())
         queries, link = self.path("queries.csv"), self.path("link.csv")

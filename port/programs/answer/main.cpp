@@ -33,9 +33,10 @@ class Answers {
   /// @returns an empty text | why they cannot be written there
   std::string open(const Command& command) {
     to_file_ = command.out != kStandardStream;
-    if (!to_file_) return {};
-    std::string clash = host::clash_of(inputs_of(command), {{"--out", command.out}});
-    if (!clash.empty()) return clash;
+    std::vector<host::NamedFile> outputs;
+    if (to_file_) outputs.push_back({"--out", command.out});
+    std::string clash = host::clash_of(inputs_of(command), outputs);
+    if (!clash.empty() || !to_file_) return clash;
     return told(command, file_.open(command.out));
   }
   std::ostream& stream() { return to_file_ ? file_.stream() : std::cout; }
@@ -49,11 +50,12 @@ class Answers {
   static std::string told(const Command& command, const std::string& problem) {
     return problem.empty() ? "" : "cannot write " + command.out + ": " + problem;
   }
-  /// What is read, where it has a name: standard input that of --out, if it is that file.
+  /// What is read, where it has a name: standard input that of --out, if it is that file; or where
+  /// systems have one for it.
   static std::vector<host::NamedFile> inputs_of(const Command& command) {
     if (command.in != kStandardStream) return {{"--in", command.in}};
     if (host::is_standard_input(command.out)) return {{"--in", command.out}};
-    return {};
+    return {{"--in", "/dev/stdin"}};
   }
 
   bool to_file_ = false;

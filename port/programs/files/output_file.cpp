@@ -86,20 +86,35 @@ bool are_same_file(const std::string& one, const std::string& other) {
   return (!error && linked) || resolved(one) == resolved(other);
 }
 
-bool is_standard_input(const std::string& path) {
+namespace {
+
+/// Whether a stream that the shell has opened is this file. Not told on Windows.
+bool is_stream([[maybe_unused]] int stream, [[maybe_unused]] const std::string& path) {
 #ifdef _WIN32
-  (void)path;
   return false;
 #else
-  struct stat input = {};
+  struct stat opened = {};
   struct stat named = {};
-  return fstat(STDIN_FILENO, &input) == 0 && S_ISREG(input.st_mode) &&
-         stat(path.c_str(), &named) == 0 && input.st_dev == named.st_dev &&
-         input.st_ino == named.st_ino;
+  return fstat(stream, &opened) == 0 && S_ISREG(opened.st_mode) &&
+         stat(path.c_str(), &named) == 0 && opened.st_dev == named.st_dev &&
+         opened.st_ino == named.st_ino;
 #endif
 }
 
+constexpr int kStandardInput = 0;
+constexpr int kStandardOutput = 1;
+
+}  // namespace
+
+bool is_standard_input(const std::string& path) {
+  return is_stream(kStandardInput, path);
+}
+
 std::string clash_of(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
+  for (const NamedFile& in : inputs) {  // Bound: inputs
+    if (is_stream(kStandardOutput, in.path))
+      return "standard output is what " + in.option + " reads: it would be lost, or have no end";
+  }
   for (std::size_t i = 0; i < outputs.size(); ++i) {  // Bound: outputs
     const NamedFile& out = outputs[i];
     if (is_special(out.path)) continue;

@@ -50,7 +50,8 @@ bool are_same_file(const std::string& one, const std::string& other);
 /// replaced.
 bool is_standard_input(const std::string& path);
 
-/// @returns an empty text | which output is also read, or written by another option, in one line.
+/// @returns an empty text | which output is also read, or written by another option, in one line;
+///   standard output, too, where the shell has opened a file that is read for it.
 ///   A pipe, a terminal or /dev/null may be so often as one likes.
 std::string clash_of(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
 
