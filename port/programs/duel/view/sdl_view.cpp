@@ -10,7 +10,7 @@
 namespace batuta::host {
 namespace {
 
-constexpr std::chrono::milliseconds kLook(2);  // how often who waits for the thread looks up
+constexpr std::chrono::milliseconds kLookForEnd(2);  // how often who waits for the thread looks up
 
 }  // namespace
 
@@ -18,7 +18,7 @@ SdlView::SdlView(const ViewNames& names) : screen_(names), thread_([this] { run(
 
 SdlView::~SdlView() {
   ending_ = true;
-  while (!left_) std::this_thread::sleep_for(kLook);  // Bound: a picture
+  while (!left_) std::this_thread::sleep_for(kLookForEnd);  // Bound: a picture
   if (lost_) {
     thread_.detach();  // it sleeps in exit(), for as long as the program lives
   } else {
