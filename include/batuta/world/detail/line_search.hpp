@@ -10,13 +10,6 @@
 
 namespace batuta::detail {
 
-/// Contacts of one group, in the order in which they are visited: from the first one to before the
-/// last one.
-struct GroupRange {
-  int first = 0;
-  int last = 0;
-};
-
 /// Calls visit(point, A, B) for each point of a group. Bound: kMaxContacts, of two points.
 template <class Groups, class Visit>
 void for_each_point(Groups& groups, GroupRange group, const Visit& visit) {
