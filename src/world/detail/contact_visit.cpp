@@ -283,6 +283,29 @@ Scalar relax(LastingContact<Traits>& contact, SolvedBody<Scalar>& A, SolvedBody<
 }
 
 template <class Traits, class Scalar>
+void go_ahead(LastingContact<Traits>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
+              Scalar share, Scalar& energy) {
+  for (int i = 0; i < contact.count; ++i) {  // Bound: 2
+    auto& point = contact.points[static_cast<std::size_t>(i)];
+    const Scalar change = max_of(share * point.ahead, -point.normal);
+    if (change != Scalar(0)) {
+      const NormalSide<Scalar> side = side_of(point, A, B);
+      const Scalar gain = change * (side.rate + change * point.softness / 2);
+      if (!(gain > Scalar(0)) || !(energy + gain > Scalar(0))) {
+        energy += gain;
+        point.normal += change;
+        A.v_W += (A.inverse_mass * change) * point.normal_W;
+        B.v_W -= (B.inverse_mass * change) * point.normal_W;
+        A.w_W += A.inverse_inertia_W * (change * side.moment_A_W);
+        B.w_W -= B.inverse_inertia_W * (change * side.moment_B_W);
+      }
+    }
+    point.ahead = point.normal - point.start;
+    point.start = point.normal;
+  }
+}
+
+template <class Traits, class Scalar>
 Scalar relax_opening(LastingContact<Traits>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
                      Scalar time, Scalar share) {
   const Scalar mass = A.inverse_mass + B.inverse_mass;
@@ -311,6 +334,8 @@ Scalar relax_opening(LastingContact<Traits>& contact, SolvedBody<Scalar>& A, Sol
 #define BATUTA_INSTANTIATE_CONTACT(S, F, R, L)                                                     \
   template S relax(LastingContact<ContactTraits<S, F, R, L>>&, SolvedBody<S>&, SolvedBody<S>&, S&, \
                    const Vec3<S>&);                                                                \
+  template void go_ahead(LastingContact<ContactTraits<S, F, R, L>>&, SolvedBody<S>&,               \
+                         SolvedBody<S>&, S, S&);                                                   \
   template S relax_opening(LastingContact<ContactTraits<S, F, R, L>>&, SolvedBody<S>&,             \
                            SolvedBody<S>&, S, S);
 #define BATUTA_INSTANTIATE(S) BATUTA_FOR_EACH_CONTACT(BATUTA_INSTANTIATE_CONTACT, S)

@@ -21,13 +21,6 @@ struct StruckPair {
   Scalar contact_gap = 0;  ///< of its search, m
 };
 
-/// Contacts of one group, in the order in which they are visited: from the first one to before the
-/// last one.
-struct GroupRange {
-  int first = 0;
-  int last = 0;
-};
-
 /// In the place of a collaborator that a scene does without.
 template <int kNumber>
 struct NoCollaborator {};
@@ -35,7 +28,6 @@ struct NoCollaborator {};
 template <class SceneT>
 class ContactGroups {
  public:
-  using SceneType = SceneT;
   using Scalar = Scalar_of<SceneT>;
   using BodiesT = Bodies<SceneT>;
   using PairsT = Pairs<SceneT>;

@@ -3,9 +3,15 @@
 // ContactGroups: contacts that last, solved before anybody moves. Included by contact_groups.hpp.
 
 #include "batuta/world/detail/contact_choice.hpp"
-#include "batuta/world/detail/line_search.hpp"
 
 namespace batuta::detail {
+
+/// Contacts of one group, in the order in which they are visited: from the first one to before the
+/// last one.
+struct GroupRange {
+  int first = 0;
+  int last = 0;
+};
 
 /// What gravity makes in half of what is left of the step, m/s, of what a contact gives to A, where
 /// one of the two is led: between two that fall it is nothing.
@@ -30,9 +36,14 @@ template <class SceneT>
 Scalar_of<SceneT> work_of(const ContactGroups<SceneT>& groups, GroupRange group) {
   using Scalar = Scalar_of<SceneT>;
   Scalar sum = 0;
-  for_each_point(groups, group, [&sum](const auto& point, const auto& A, const auto& B) {
-    sum += power_of(point, A, B);
-  });
+  for (int k = group.first; k < group.last; ++k) {  // Bound: kMaxContacts
+    const auto& contact = groups.solved_at(k);
+    for (int i = 0; i < contact.count; ++i) {  // Bound: 2
+      const auto& point = contact.points[static_cast<std::size_t>(i)];
+      sum += power_of(point, groups.solved[a_of<SceneT>(contact)],
+                      groups.solved[b_of<SceneT>(contact)]);
+    }
+  }
   return sum;
 }
 
@@ -94,6 +105,28 @@ Scalar least_change(const LastingContact<Traits>& contact, Scalar time) {
   return min_of(kEnough * D, max_of(kOfGap * least_gap(contact), kLeast * D)) / time;
 }
 
+/// Does something to both bodies of a contact, and adds what that changed to what is known of them.
+template <class SceneT, class Change>
+void watch(ContactGroups<SceneT>& groups, const LastingContactOf<SceneT>& contact,
+           const Change& change) {
+  using Scalar = Scalar_of<SceneT>;
+  const std::array<std::size_t, 2> slots = {a_of<SceneT>(contact), b_of<SceneT>(contact)};
+  std::array<Vec3<Scalar>, 4> before;
+  for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2
+    before[2 * i] = groups.solved[slots[i]].v_W;
+    before[2 * i + 1] = groups.solved[slots[i]].w_W;
+  }
+  change(groups.solved[slots[0]], groups.solved[slots[1]]);
+  const auto& point = contact.points[0];
+  for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2
+    const auto& solved = groups.solved[slots[i]];
+    const Vec3<Scalar> arm_W = point.arm_A_W + (groups.solved[slots[0]].place_W - solved.place_W);
+    const Scalar reach = arm_W.cwiseAbs().sum();
+    groups.changes.changed[slots[i]] += (solved.v_W - before[2 * i]).cwiseAbs().sum() +
+                                        reach * (solved.w_W - before[2 * i + 1]).cwiseAbs().sum();
+  }
+}
+
 /// One visit. @param energy  what was added to that of the group so far, J, <= 0: the visit adds
 /// its part  @returns the largest change along a normal, m/s
 template <class SceneT>
@@ -132,6 +165,26 @@ bool sweep_once(ContactGroups<SceneT>& groups, GroupRange group, bool is_up, Sca
   return is_done;
 }
 
+/// Between two sweeps: on, the way that they lead (world.md, "Sweeps that are ahead").
+/// @param led  how far the sweep before the last one has led, J; becomes that of the last one
+template <class SceneT>
+void go_on_ahead(ContactGroups<SceneT>& groups, GroupRange group, Scalar_of<SceneT>& led,
+                 Scalar_of<SceneT>& energy) {
+  using Scalar = Scalar_of<SceneT>;
+  Scalar now = 0;
+  for (int k = group.first; k < group.last; ++k) {  // Bound: kMaxContacts
+    now += led_by_sweep(groups.solved_at(k));
+  }
+  const Scalar share = now < led ? now / led : Scalar(0);
+  led = now;
+  for (int k = group.first; k < group.last; ++k) {  // Bound: kMaxContacts
+    auto& contact = groups.solved_at(k);
+    watch(groups, contact, [&](SolvedBody<Scalar>& A, SolvedBody<Scalar>& B) {
+      go_ahead(contact, A, B, share, energy);
+    });
+  }
+}
+
 /// Up and down, until nothing changes by enough to matter.
 /// @param energy  what was added to that of the group so far, J, <= 0
 template <class SceneT>
@@ -139,8 +192,9 @@ void sweep_group(ContactGroups<SceneT>& groups, GroupRange group, Scalar_of<Scen
                  Scalar_of<SceneT> energy) {
   using Scalar = Scalar_of<SceneT>;
   constexpr int kMaxSweeps = 60;
-  const bool is_long = group.last - group.first > 1;  // a visit solves one contact
-  for (int k = group.first; k < group.last; ++k) {    // Bound: kMaxContacts
+  constexpr int kFew = 3;  // contacts: so few need nobody ahead
+  const bool is_long = group.last - group.first > kFew;
+  for (int k = group.first; k < group.last; ++k) {  // Bound: kMaxContacts
     const std::size_t i = groups.order[static_cast<std::size_t>(k)];
     groups.changes.seen[i] = BodyChanges<SceneT>::kNever;
     for (auto& point : groups.contacts[static_cast<int>(i)].points) {  // Bound: 2
@@ -151,7 +205,7 @@ void sweep_group(ContactGroups<SceneT>& groups, GroupRange group, Scalar_of<Scen
   Scalar led = 0;
   for (int s = 0; s < kMaxSweeps; ++s) {  // Bound: kMaxSweeps
     if (sweep_once(groups, group, s % 2 == 0, time, energy)) return;
-    if (is_long && s + 1 < kMaxSweeps) search_line(groups, group, led, energy);
+    if (is_long && s + 1 < kMaxSweeps) go_on_ahead(groups, group, led, energy);
   }
 }
 

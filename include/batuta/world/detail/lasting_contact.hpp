@@ -67,7 +67,7 @@ struct ContactPoint : FeatureIf<Traits::kFriction, PointFriction<typename Traits
   Scalar spent_normal = 0;
   Scalar opening = 0;  ///< what is being solved of the velocity that opens the gap, N s
   Scalar start = 0;    ///< the impulse when the sweep began, N s; before sweeps, its group
-  Scalar ahead = 0;    ///< its part of the line searched, N s; before sweeps, how low it is
+  Scalar ahead = 0;    ///< where the sweeps have led it last, N s; before sweeps, how low it is
 };
 
 /// Of a contact with friction, and with rolling resistance.
@@ -201,6 +201,14 @@ void scale_impulses(LastingContact<Traits>& contact, Scalar share);
 template <class Traits, class Scalar>
 Scalar relax(LastingContact<Traits>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
              Scalar& energy, const Vec3<Scalar>& carried_W = Vec3<Scalar>::Zero());
+
+/// The normal impulses go `share` further the way that the sweeps have led them; one that would add
+/// more energy than was taken before it stays (world.md, "Sweeps that are ahead"). Then a new sweep
+/// begins.
+/// @param[in,out] energy  as in relax()
+template <class Traits, class Scalar>
+void go_ahead(LastingContact<Traits>& contact, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
+              Scalar share, Scalar& energy);
 
 /// How far a sweep has led a contact, as energy, J.
 template <class Traits, class Scalar = typename Traits::Scalar>
