@@ -237,7 +237,7 @@ class Answer(unittest.TestCase):
             file.write(text)
         for read in queries, "-":
             with open(queries, encoding="ascii") as asked, open(queries, "a", encoding="ascii") as answered:
-                done = subprocess.run([PROGRAM, "distance", "--in", read], stdin=asked, stdout=answered,
+                done = subprocess.run([PROGRAM, "distance", "--in", read, "--out", "-"], stdin=asked, stdout=answered,
                                       stderr=subprocess.PIPE, text=True, timeout=60, check=False)
             self.assertEqual(done.returncode, 2)
             self.assertIn("standard output is what --in reads", done.stderr)
