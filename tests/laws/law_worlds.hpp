@@ -26,6 +26,7 @@ constexpr LawFeatures kFalling = {true};
 constexpr LawFeatures kSleeping = {true, true};
 constexpr LawFeatures kRolling = {true, true, true};
 constexpr LawFeatures kRollingAwake = {true, false, true};
+constexpr LawFeatures kSleepingParts = {true, true, false, 3};
 constexpr LawFeatures kHeaps = {true, false, true, 3};
 constexpr LawFeatures kCompound = {false, false, false, 3, 4};
 constexpr LawFeatures kFallingCompound = {true, false, false, 3, 4};

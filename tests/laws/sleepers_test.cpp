@@ -360,5 +360,41 @@ TYPED_TEST(Sleepers, WhatAWeldHolds_StaysAwake) {
   EXPECT_GT(welded, 0) << "nothing was welded: another scene";
 }
 
+// One arm of a body lies just below a rod, the other just above it, each on rails of its own:
+// nobody presses, but each would if the other were gone, and wakes it when it falls asleep alone.
+TYPED_TEST(Sleepers, NearEachOther_FallAsleepTogether) {
+  using SceneT = test::Settling<TypeParam, test::kSleepingParts>;
+  using S = TypeParam;
+  constexpr double kR = 0.03;
+  constexpr double kNear = 6.4e-5;  // between arm and rod: 0.64 D, less in a step of the fall
+  constexpr double kRest = 5e-5;    // gap above rails: 0.5 D, where nothing moves
+  World<SceneT> world;
+  const double low = -2 * kR - kNear;
+  for (const double side : {-1.0, 1.0}) {
+    (void)world.add(
+        test::fixed_rod<SceneT>(1, 0.05, {0, 0.4 * side, -kR - 0.05 - kRest}, test::along_x()));
+    (void)world.add(test::fixed_rod<SceneT>(0.1, 0.05, {0.25 * side, 0, low - kR - 0.05 - kRest},
+                                            test::along_y()));
+  }
+  const auto part = [&](const Vector& a, const Vector& b) {
+    return CapsulePart<S>{{{a.cast<S>(), b.cast<S>()}, S(kR)}, 700};
+  };
+  const Vector end(0.3, 0, 0);
+  const Vector up(0, 0, -2 * low);
+  const CapsulePart<S> arms[] = {part(-end, end), part(end, end + up), part(end + up, up - end)};
+  auto around =
+      make_compound<3>(&arms[0], 3, Pose<S>{Vector(0, 0, low).cast<S>(), Quat<S>::Identity()})
+          .value;
+  Actor<SceneT> actor;
+  actor.body = around.body;
+  for (const auto& capsule_B : around.capsules_B) (void)actor.capsules_B.push(capsule_B);
+  (void)world.add(actor).value;
+  constexpr double kStep = 1e-3;  // s
+  for (double t = 0; t < 0.1; t += kStep) ASSERT_EQ(world.step(S(kStep)), Status::kOk);
+  (void)world.add(test::solid_rod<SceneT>(1, kR, Vector::Zero(), test::along_y(), 700)).value;
+  for (double t = 0; t < 2; t += kStep) ASSERT_EQ(world.step(S(kStep)), Status::kOk);
+  EXPECT_EQ(world.report().asleep, 2U);
+}
+
 }  // namespace
 }  // namespace batuta

@@ -254,23 +254,27 @@ bool is_carried(const Bodies<SceneT>& bodies, std::size_t led, std::size_t slot)
          !KinematicsOf<SceneT>::is_still(bodies.states[led].plan.motion);
 }
 
-/// Groups that something holds, of which each has been quiet for long enough.
+/// Groups that something holds, of which each has been quiet for long enough. Who is near enough to
+/// press on them, were they alone, would wake them, and sleeps with them.
 template <class SceneT>
 void Sleep<SceneT>::find_sleepers(const BodiesT& bodies, GroupsT& groups) {
   const auto time = static_cast<Scalar>(SceneT::kSleepTime);
   groups.group_all(bodies);
-  awake_.fill(false);
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    if (may_sleep(bodies, slot) && rests_[slot].quiet < time) awake_[groups.group_of(slot)] = true;
+    sleeps_[slot] = may_sleep(bodies, slot) && !(rests_[slot].quiet < time) &&
+                    groups.is_held(groups.group_of(slot));
   }
   for_each_solved(groups, false, [&](std::size_t a, std::size_t b) {
-    if (is_carried(bodies, a, b)) awake_[groups.group_of(b)] = true;
-    if (is_carried(bodies, b, a)) awake_[groups.group_of(a)] = true;
+    if (is_carried(bodies, a, b)) sleeps_[b] = false;
+    if (is_carried(bodies, b, a)) sleeps_[a] = false;
   });
+  join_all(bodies, groups, false);
+  awake_.fill(false);
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    const std::size_t group = groups.group_of(slot);
-    if (!may_sleep(bodies, slot) || awake_[group] || !groups.is_held(group)) continue;
-    sleeps_[slot] = true;
+    if (may_sleep(bodies, slot) && !sleeps_[slot]) awake_[groups.group_of(slot)] = true;
+  }
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
+    sleeps_[slot] = sleeps_[slot] && !awake_[groups.group_of(slot)];
   }
 }
 
