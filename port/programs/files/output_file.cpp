@@ -2,6 +2,7 @@
 
 #include "programs/files/output_file.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -111,10 +112,11 @@ bool is_standard_input(const std::string& path) {
 }
 
 std::string clash_of(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
-  for (const NamedFile& in : inputs) {  // Bound: inputs
-    if (is_stream(kStandardOutput, in.path))
-      return "standard output is what " + in.option + " reads: it would be lost, or have no end";
-  }
+  const auto read = std::find_if(inputs.begin(), inputs.end(), [](const NamedFile& in) {
+    return is_stream(kStandardOutput, in.path);
+  });
+  if (read != inputs.end())
+    return "standard output is what " + read->option + " reads: it would be lost, or have no end";
   for (std::size_t i = 0; i < outputs.size(); ++i) {  // Bound: outputs
     const NamedFile& out = outputs[i];
     if (is_special(out.path)) continue;

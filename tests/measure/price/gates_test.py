@@ -291,7 +291,7 @@ class Scenes(unittest.TestCase):
 
     def test_turning_in_a_scene_without(self):
         found = self.left_out_of("StraightSpheres", "TwoBlades")
-        for name in ("pose_at<float>", "free_flight<float>", "swept_aabb<float>", "search_advancement<float>"):
+        for name in ("pose_at<float>", "steady_flight<float>", "swept_aabb<float>", "search_advancement<float>"):
             self.assertIn(name, found)
 
     def test_another_search(self):

@@ -68,7 +68,7 @@ LAYOUT_BYTES = 64
 LAYOUT_SHARE = 0.01
 
 # What is left out is not in the image: names, as c++filt writes them, that a scene must not have.
-TURNING = r"Quaternion|\bpose_at<|\bfree_flight<|\bsin_cos|\barc_|\bcapsule_path|\bswept_aabb<"
+TURNING = r"Quaternion|\bpose_at<|\b(free|steady)_flight<|\bsin_cos|\barc_|\bcapsule_path|\bswept_aabb<"
 RESPONSE = r"_impulse<|\bseparate<|\bresolve_contact<"
 EXTRAS = r"\bfriction_impulse<|\bpressure_contact<|\bcoarse_swept|Grip|Duel|Fencer"
 OTHER_SEARCHES = r"\bsearch_(translation|stepping|spheres)<"
