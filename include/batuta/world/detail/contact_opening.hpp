@@ -46,8 +46,8 @@ void open_gaps(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups) {
 }
 
 /// In a group that something holds, what lies below counts as held while gaps are opened: its
-/// opening lifts all that lies on it (world.md, "Opening"). Not below what nothing pushes: a rod
-/// whose end is wedged under a fixed one comes out by itself or not at all.
+/// opening lifts all that lies on it (world.md, "Opening"). Not where the upper one is fixed:
+/// both would be held then, and their gap could not open.
 template <class SceneT>
 void find_held(const Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups) {
   join_all(bodies, groups, false);

@@ -254,8 +254,8 @@ bool is_carried(const Bodies<SceneT>& bodies, std::size_t led, std::size_t slot)
          !KinematicsOf<SceneT>::is_still(bodies.states[led].plan.motion);
 }
 
-/// Groups that something holds, of which each has been quiet for long enough. Who is near enough to
-/// press on them, were they alone, would wake them, and sleeps with them.
+/// Groups that something holds, of which each has been quiet for long enough. A body that is near
+/// enough to press on them would wake them, so it falls asleep with them.
 template <class SceneT>
 void Sleep<SceneT>::find_sleepers(const BodiesT& bodies, GroupsT& groups) {
   const auto time = static_cast<Scalar>(SceneT::kSleepTime);
