@@ -280,13 +280,12 @@ Kdop<Scalar, K> kdop_along(const MovingCapsule<Scalar>& moving, Scalar turn) {
   const Scalar local = reach + travel.cwiseAbs().sum();
   const Scalar other = X_WB.p_W.cwiseAbs().sum() + radius;
   if (!(local + other <= kLargestCoordinate<Scalar>)) return unbounded<Scalar, K>();
-  const Capsule<Scalar> from{{X_WB.p_W + arm_a, X_WB.p_W + arm_b}, radius};
-  const Capsule<Scalar> to{
-      {from.axis.a + (travel + spin.cross(arm_a)), from.axis.b + (travel + spin.cross(arm_b))},
-      radius};
+  const Segment<Scalar> from{X_WB.p_W + arm_a, X_WB.p_W + arm_b};
+  const Segment<Scalar> to{from.a + (travel + spin.cross(arm_a)),
+                           from.b + (travel + spin.cross(arm_b))};
   const Scalar aside = turn * turn * reach / 2;
   const Scalar outward = kLocalOutward<Scalar> * local + kOriginOutward<Scalar> * other;
-  return detail::kdop_of<Scalar, K>(from, to, aside + outward);
+  return detail::kdop_of<Scalar, K>(from, to, radius + (aside + outward));
 }
 
 }  // namespace

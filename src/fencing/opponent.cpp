@@ -375,21 +375,26 @@ StickPlace Opponent::near(StickPlace place) {
 }
 
 void Opponent::advance(std::int32_t step_us) {
+  const float most = kHandSpeed * static_cast<float>(step_us) * 1e-6F;  // as the blade's hand
+  place_.feet += std::clamp(move_blade(step_us) - place_.feet, -most, most);
+}
+
+/// @returns what the feet are asked meanwhile
+float Opponent::move_blade(std::int32_t step_us) {
   spent_us_ += step_us;
   for (; move_ < moves_.size(); ++move_) {  // Bound: kMaxMoves
     const StickMove& move = moves_[move_];
     if (spent_us_ < move.duration_us) {
       const float share = static_cast<float>(spent_us_) / static_cast<float>(move.duration_us);
       place_.blade = from_.blade + eased(share) * (move.to.blade - from_.blade);
-      place_.feet = move.to.feet;
-      return;
+      return move.to.feet;
     }
     spent_us_ -= move.duration_us;
     from_ = move.to;
-    place_ = move.to;
+    place_.blade = move.to.blade;
   }
-  place_.feet = 0;
   spent_us_ = 0;
+  return 0;
 }
 
 }  // namespace batuta::fencing

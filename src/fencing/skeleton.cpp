@@ -43,7 +43,7 @@ struct Posing {
   const FencerBuild<Scalar>& build;
   const Pose<Scalar>& X_WF;
   Scalar share;  ///< of a full lunge
-  BodyShape<Scalar> shape{};
+  BodyShape<Scalar>& shape;
   Pose<Scalar> pelvis{};  ///< X_WJ
   Pose<Scalar> torso{};   ///< X_WJ
 
@@ -185,10 +185,11 @@ Scalar lunge_share(const FencerBuild<Scalar>& build, Scalar hand_x_F) {
 }
 
 template <class Scalar>
-BodyShape<Scalar> pose_body(const FencerBuild<Scalar>& build, const Pose<Scalar>& X_WF,
-                            const Pose<Scalar>& X_WH) {
+void pose_body(const FencerBuild<Scalar>& build, const Stance<Scalar>& stance,
+               BodyShape<Scalar>& shape) {
+  const auto& [X_WF, X_WH] = stance;
   const Scalar share = lunge_share(build, to_body(X_WF, X_WH.p_W).x());
-  Posing<Scalar> posing{build, X_WF, share};
+  Posing<Scalar> posing{build, X_WF, share, shape};
   posing.stand();
   const Vec3<Scalar> wrist = posing.reach(BodyPart::kWeaponUpperArm, posing.torso, X_WH.p_W,
                                           build.weapon_arm.bend_F, build.shoulder_give);
@@ -200,7 +201,14 @@ BodyShape<Scalar> pose_body(const FencerBuild<Scalar>& build, const Pose<Scalar>
                      build.front_leg.bend_F);
   (void)posing.reach(BodyPart::kRearThigh, posing.pelvis, to_world(X_WF, build.rear_leg.goal_F),
                      build.rear_leg.bend_F);
-  return posing.shape;
+}
+
+template <class Scalar>
+BodyShape<Scalar> pose_body(const FencerBuild<Scalar>& build, const Pose<Scalar>& X_WF,
+                            const Pose<Scalar>& X_WH) {
+  BodyShape<Scalar> shape;
+  pose_body(build, {X_WF, X_WH}, shape);
+  return shape;
 }
 
 #define BATUTA_INSTANTIATE(S)                                                      \
@@ -208,6 +216,7 @@ BodyShape<Scalar> pose_body(const FencerBuild<Scalar>& build, const Pose<Scalar>
   template Reach<S> two_bone_reach(const Vec3<S>&, const Vec3<S>&, const Vec2<S>&, \
                                    const Vec3<S>&);                                \
   template S lunge_share(const FencerBuild<S>&, S);                                \
+  template void pose_body(const FencerBuild<S>&, const Stance<S>&, BodyShape<S>&); \
   template BodyShape<S> pose_body(const FencerBuild<S>&, const Pose<S>&, const Pose<S>&);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE

@@ -7,30 +7,6 @@
 namespace batuta::fencing {
 namespace {
 
-/// Where the walk goes on when it leaves out a bone and all that it carries: behind the last of
-/// them.
-constexpr std::array<std::uint8_t, kBodyParts> bones_behind() {
-  std::array<std::uint8_t, kBodyParts> behind{};
-  for (std::size_t i = 0; i < behind.size(); ++i) {  // Bound: kBodyParts
-    behind[i] = static_cast<std::uint8_t>(i + 1);
-  }
-  for (std::size_t i = behind.size() - 1; i > 0; --i) {  // Bound: kBodyParts
-    const auto parent = static_cast<std::size_t>(kBodyParent[i]);
-    if (behind[parent] < behind[i]) behind[parent] = behind[i];
-  }
-  return behind;
-}
-
-constexpr bool parents_come_first() {
-  for (std::size_t i = 1; i < kBodyParent.size(); ++i) {  // Bound: kBodyParts
-    if (kBodyParent[i] < 0 || static_cast<std::size_t>(kBodyParent[i]) >= i) return false;
-  }
-  return kBodyParent[0] == -1;
-}
-static_assert(parents_come_first(), "kBodyParent: a bone is carried by an earlier one");
-
-constexpr std::array<std::uint8_t, kBodyParts> kBehind = bones_behind();
-
 /// How far an end of a bone may leave the straight way of its step, as a share of the chord between
 /// its axes at start and end: pi^2 / 32, and 1/2 where the axes differ in length, rounded up
 /// (target.md).
@@ -105,10 +81,7 @@ Aabb<Scalar> ends_of(const BodyShape<Scalar>& shape_W) {
     low = low.cwiseMin(part.axis.a.cwiseMin(part.axis.b));
     high = high.cwiseMax(part.axis.a.cwiseMax(part.axis.b));
   }
-  Aabb<Scalar> box;
-  box.low = {low.x(), low.y(), low.z()};
-  box.high = {high.x(), high.y(), high.z()};
-  return box;
+  return {{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}};
 }
 
 /// The part of a motion from `from` on, `duration` long.
@@ -156,24 +129,56 @@ bool strike(const Body<Scalar>& blade, const Contact<Scalar>& contact, Scalar de
 template <class Scalar>
 void Target<Scalar>::place(const BodyShape<Scalar>& shape_W) {
   shape_W_ = shape_W;
-  ends_ = ends_of(shape_W);
-  go_to(shape_W, Scalar(0));
+  stay();
+}
+
+template <class Scalar>
+void Target<Scalar>::place(const FencerBuild<Scalar>& build, const Stance<Scalar>& stance) {
+  pose_body(build, stance, shape_W_);
+  stay();
 }
 
 template <class Scalar>
 void Target<Scalar>::move_to(const BodyShape<Scalar>& shape_W, Scalar dt) {
-  BATUTA_ASSERT(is_finite(dt) && dt > Scalar(0));
-  go_to(shape_W, dt);
+  start_from_here();
+  shape_W_ = shape_W;
+  arrive(dt);
 }
 
 template <class Scalar>
-void Target<Scalar>::go_to(const BodyShape<Scalar>& shape_W, Scalar dt) {
+void Target<Scalar>::move_to(const FencerBuild<Scalar>& build, const Stance<Scalar>& stance,
+                             Scalar dt) {
+  start_from_here();
+  pose_body(build, stance, shape_W_);
+  arrive(dt);
+}
+
+/// The last step's end is the start of this one.
+template <class Scalar>
+void Target<Scalar>::start_from_here() {
   for (std::size_t i = 0; i < kParts; ++i) start_W_[i] = shape_W_[i].axis;  // Bound: kBodyParts
-  shape_W_ = shape_W;
-  dt_ = dt;
+}
+
+template <class Scalar>
+void Target<Scalar>::arrive(Scalar dt) {
+  BATUTA_ASSERT(is_finite(dt) && dt > Scalar(0));
   const Aabb<Scalar> before = ends_;
-  ends_ = ends_of(shape_W);
-  hulls_[0] = hull_of_all(merge(before, ends_));
+  ends_ = ends_of(shape_W_);
+  set_way(merge(before, ends_), dt);
+}
+
+template <class Scalar>
+void Target<Scalar>::stay() {
+  start_from_here();
+  ends_ = ends_of(shape_W_);
+  set_way(ends_, Scalar(0));
+}
+
+/// @param ends  of all axes, at the start and at the end
+template <class Scalar>
+void Target<Scalar>::set_way(const Aabb<Scalar>& ends, Scalar dt) {
+  dt_ = dt;
+  hulls_[0] = hull_of_all(ends);
   is_fitted_ = false;
 }
 
@@ -193,32 +198,27 @@ typename Target<Scalar>::Hull Target<Scalar>::hull_of_all(const Aabb<Scalar>& en
     size += max_of(std::abs(low[k]), std::abs(high[k]));
   }
   constexpr Scalar kEnds = 4;  // of a part, at the start and at the end
-  const Capsule<Scalar> all = {{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}, radius};
-  return batuta::detail::kdop_of<Scalar, kTargetK>(
-      all, all, (chord + kShapeOutward<Scalar> * chord) + kShapeOutward<Scalar> * (kEnds * size));
+  const Scalar margin =
+      (chord + kShapeOutward<Scalar> * chord) + kShapeOutward<Scalar> * (kEnds * size);
+  const Segment<Scalar> all = {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
+  return batuta::detail::kdop_of<Scalar, kTargetK>(all, all, radius + margin);
 }
 
-/// The hierarchy for this step.
+/// The boxes of the parts, for this step.
 template <class Scalar>
 void Target<Scalar>::fit() {
   if (is_fitted_) return;
-  for (std::size_t i = 0; i < kParts; ++i) {  // Bound: kBodyParts
-    hulls_[i] = own_hull(i);
-  }
-  for (std::size_t i = kParts - 1; i > 0; --i) {  // Bound: kBodyParts
-    const auto parent = static_cast<std::size_t>(kBodyParent[i]);
-    hulls_[parent] = merge(hulls_[parent], hulls_[i]);
-  }
+  for (std::size_t i = 1; i < kParts; ++i) hulls_[i] = own_hull(i);  // Bound: kBodyParts
   is_fitted_ = true;
 }
 
 /// Holds the part alone during the whole step.
 template <class Scalar>
 typename Target<Scalar>::Hull Target<Scalar>::own_hull(std::size_t part) const {
+  const Segment<Scalar>& start = start_W_[part];
   const Capsule<Scalar>& end = shape_W_[part];
-  const Capsule<Scalar> start = {start_W_[part], end.radius};
-  return batuta::detail::kdop_of<Scalar, kTargetK>(start, end,
-                                                   margin_between(start.axis, end.axis));
+  return batuta::detail::kdop_of<Scalar, kTargetK>(start, end.axis,
+                                                   end.radius + margin_between(start, end.axis));
 }
 
 template <class Scalar>
@@ -228,45 +228,44 @@ MovingCapsule<Scalar> Target<Scalar>::part(BodyPart part) const {
   return between(start_W_[i], shape_W_[i], dt_);
 }
 
-/// The wanted parts that the blade's swept volume meets.
+/// The wanted parts whose hulls a box meets.
 template <class Scalar>
-PartMask Target<Scalar>::parts_reached(const MovingCapsule<Scalar>& blade, PartMask wanted) {
+PartMask Target<Scalar>::parts_in(const Hull& box, PartMask wanted) {
   PartMask reached = 0;
-  const Hull swept = batuta::detail::coarse_swept_kdop<Scalar, kTargetK>(blade);
-  if (!overlaps(swept, hull())) return reached;
+  if (!overlaps(box, hull())) return reached;
   fit();
-  std::size_t i = 0;
-  for (int visit = 0; visit < kBodyParts && i < kParts; ++visit) {  // Bound: kBodyParts
-    if (!overlaps(swept, hulls_[i])) {
-      i = kBehind[i];
-      continue;
-    }
+  for (std::size_t i = 0; i < kParts; ++i) {  // Bound: kBodyParts
     const PartMask part = mask_of(static_cast<BodyPart>(i));
-    if ((wanted & part) != 0 && overlaps(swept, own_hull(i))) reached |= part;
-    ++i;
+    if ((wanted & part) == 0) continue;
+    if (overlaps(box, i == 0 ? own_hull(i) : hulls_[i])) reached |= part;
   }
   return reached;
+}
+
+/// Those that a blade's swept volume meets.
+template <class Scalar>
+PartMask Target<Scalar>::parts_reached(const MovingCapsule<Scalar>& blade, PartMask wanted) {
+  return parts_in(batuta::detail::coarse_swept_kdop<Scalar, kTargetK>(blade), wanted);
 }
 
 /// The blade and a part over the blade's time.
 template <class Scalar>
 Result<MovingPair<Scalar>> Target<Scalar>::pair_with(std::size_t part,
-                                                     const MovingCapsule<Scalar>& blade,
-                                                     Scalar from) const {
+                                                     const BladePiece& piece) const {
   MovingCapsule<Scalar> target = this->part(static_cast<BodyPart>(part));
-  target.motion = piece_of(target.motion, from, blade.motion.duration);
-  return make_moving_pair(blade, target);
+  target.motion = piece_of(target.motion, piece.from, piece.blade.motion.duration);
+  return make_moving_pair(piece.blade, target);
 }
 
-/// Where a part is at a time of the step: between its ends on the straight way, at them exactly.
+/// Where a part's axis is at a time of the step: between its ends on the straight way, at them
+/// exactly.
 template <class Scalar>
-Capsule<Scalar> Target<Scalar>::part_at(std::size_t part, Scalar t) const {
-  const Capsule<Scalar>& end = shape_W_[part];
+Segment<Scalar> Target<Scalar>::axis_at(std::size_t part, Scalar t) const {
+  const Segment<Scalar>& end = shape_W_[part].axis;
   if (!(t < dt_)) return end;
   const Segment<Scalar>& start = start_W_[part];
   const Scalar share = t / dt_;
-  return {{start.a + share * (end.axis.a - start.a), start.b + share * (end.axis.b - start.b)},
-          end.radius};
+  return {start.a + share * (end.a - start.a), start.b + share * (end.b - start.b)};
 }
 
 /// How much deeper than allowed a blade ends in a part: deeper than kGive, and than what it comes
@@ -274,34 +273,36 @@ Capsule<Scalar> Target<Scalar>::part_at(std::size_t part, Scalar t) const {
 /// the side from which it came.
 template <class Scalar>
 typename Target<Scalar>::Dent Target<Scalar>::dent_in(std::size_t part, const BladeWay& way) const {
-  const CapsuleGap<Scalar> last = capsule_gap(way.end, part_at(part, way.from + way.duration));
-  Dent dent{contact_from(last, batuta::detail::zero<Scalar>()), Scalar(0),
-            static_cast<BodyPart>(part), false};
-  if (!(last.gap < -kGive<Scalar>)) return dent;
-  const CapsuleGap<Scalar> first = capsule_gap(way.start, part_at(part, way.from));
-  Scalar gap = last.gap;
-  const Scalar turned = first.axes.normal_AB.dot(last.axes.normal_AB);
+  const Scalar radii = way.end.radius + shape_W_[part].radius;
+  const auto last = closest_points(way.end.axis, axis_at(part, way.from + way.duration));
+  Scalar gap = last.distance - radii;
+  Dent dent;
+  if (!(gap < -kGive<Scalar>)) return dent;
+  const auto first = closest_points(way.start.axis, axis_at(part, way.from));
+  const Scalar first_gap = first.distance - radii;
+  dent.contact = contact_from(capsule_gap(last, way.end.radius, shape_W_[part].radius),
+                              batuta::detail::zero<Scalar>());
+  dent.part = static_cast<BodyPart>(part);
+  const Scalar turned = first.normal_AB.dot(last.normal_AB);
   if (turned < Scalar(0)) {
-    const Scalar radii = way.end.radius + shape_W_[part].radius;
     gap = (gap + radii) * turned - radii;
-    dent.contact.normal_BA_W = -first.axes.normal_AB;
+    dent.contact.normal_BA_W = -first.normal_AB;
   }
-  dent.began_deep = first.gap < -kGive<Scalar>;
-  dent.depth = min_of(-kGive<Scalar>, first.gap + kComesOut<Scalar> * way.duration) - gap;
+  dent.began_deep = first_gap < -kGive<Scalar>;
+  dent.depth = min_of(-kGive<Scalar>, first_gap + kComesOut<Scalar> * way.duration) - gap;
   return dent;
 }
 
-/// Of all parts that the blade's way meets; depth 0: none.
+/// Of all parts in which the blade ends; depth 0: none.
 template <class Scalar>
 typename Target<Scalar>::Dent Target<Scalar>::deepest_dent(const MovingCapsule<Scalar>& blade,
                                                            Scalar from, PartMask parts) {
   Dent deepest;
-  const PartMask reached = parts_reached(blade, parts);
-  if (reached == 0) return deepest;
   const Motion<Scalar>& motion = blade.motion;
-  const Pose<Scalar> end_WB = pose_at(motion, motion.duration);
-  const BladeWay way = {to_world(motion.X_WB, blade.capsule_B), to_world(end_WB, blade.capsule_B),
-                        from, motion.duration};
+  const Capsule<Scalar> end = to_world(pose_at(motion, motion.duration), blade.capsule_B);
+  const PartMask reached = parts_in(batuta::detail::kdop_of<Scalar, kTargetK>(end), parts);
+  if (reached == 0) return deepest;
+  const BladeWay way = {to_world(motion.X_WB, blade.capsule_B), end, from, motion.duration};
   for (std::size_t i = 0; i < kParts; ++i) {  // Bound: kBodyParts
     if ((reached >> i & 1U) == 0) continue;
     const Dent dent = dent_in(i, way);
@@ -348,9 +349,11 @@ template <class Scalar>
 Vec3<Scalar> Target<Scalar>::way_out(const Capsule<Scalar>& blade_B, const Pose<Scalar>& X0_WB,
                                      const Pose<Scalar>& X1_WB, PartMask parts) {
   Vec3<Scalar> way_W = batuta::detail::zero<Scalar>();
-  const PartMask reached = parts_reached({blade_B, motion_between(X0_WB, X1_WB, dt_)}, parts);
-  if (reached == 0) return way_W;
   BladeWay way = {to_world(X0_WB, blade_B), to_world(X1_WB, blade_B), Scalar(0), dt_};
+  const PartMask reached = parts_in(
+      batuta::detail::kdop_of<Scalar, kTargetK>(way.start.axis, way.end.axis, blade_B.radius),
+      parts);
+  if (reached == 0) return way_W;
   for (std::size_t i = kParts; i-- > 0;) {  // Bound: kBodyParts
     if ((reached >> i & 1U) == 0) continue;
     const Dent dent = dent_in(i, way);
@@ -365,9 +368,8 @@ Vec3<Scalar> Target<Scalar>::way_out(const Capsule<Scalar>& blade_B, const Pose<
 
 /// Joins what the search of one part found to what is known of the parts before it.
 template <class Scalar>
-void Target<Scalar>::take(const PartSearch& search, BodyPart part, Scalar from,
-                          TouchSearch<Scalar>& first) {
-  const SearchResult<Scalar>& result = search.result;
+void Target<Scalar>::take(const PartSearch& search, TouchSearch<Scalar>& first) {
+  const auto& [result, origin_W, part, from] = search;
   ++first.searches;
   first.evaluations += result.evaluations;
   if (result.outcome == Outcome::kFree) return;
@@ -385,7 +387,7 @@ void Target<Scalar>::take(const PartSearch& search, BodyPart part, Scalar from,
   first.part = part;
   first.t_free = from + result.t_free;
   first.t_hit = from + result.t_hit;
-  first.contact = contact_from(result.witness, search.origin_W);
+  first.contact = contact_from(result.witness, origin_W);
   first.place = result.witness.axes.s;
 }
 

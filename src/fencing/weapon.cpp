@@ -28,8 +28,6 @@ Capsule<Scalar> in_body(const Pose<Scalar>& X_HB, const Capsule<Scalar>& capsule
 
 template <class Scalar>
 Result<WeaponBody<Scalar>> weapon_body(const Weapon<Scalar>& weapon) {
-  const bool bounces = weapon.restitution >= Scalar(0) && weapon.restitution <= Scalar(1);
-  if (!bounces) return failure<WeaponBody<Scalar>>(Status::kInvalidArgument);
   auto sum = mass_of(weapon.parts[0]);
   if (!sum.ok()) return failure<WeaponBody<Scalar>>(sum.status);
   for (std::size_t i = 1; i < weapon.parts.size(); ++i) {  // Bound: kParts
@@ -46,8 +44,19 @@ Result<WeaponBody<Scalar>> weapon_body(const Weapon<Scalar>& weapon) {
   body.blade_B = in_body(body.X_HB, weapon.parts[0].capsule_H);
   body.guard_B = in_body(body.X_HB, weapon.parts[1].capsule_H);
   body.hand_B = in_body(body.X_HB, weapon.hand_H);
-  const bool good = is_valid(body.blade_B) && is_valid(body.guard_B) && is_valid(body.hand_B);
-  return good ? success(body) : failure<WeaponBody<Scalar>>(Status::kInvalidArgument);
+  body.restitution = weapon.restitution;
+  const Status status = validate(body);
+  return status == Status::kOk ? success(body) : failure<WeaponBody<Scalar>>(status);
+}
+
+template <class Scalar>
+Status validate(const WeaponBody<Scalar>& weapon) {
+  const bool good = is_finite(weapon.mass) && is_finite(weapon.moments) &&
+                    make_body(weapon.X_HB, weapon.mass, weapon.moments).ok() &&
+                    detail::is_turn(weapon.X_HB.q_WB) && is_valid(weapon.blade_B) &&
+                    is_valid(weapon.guard_B) && is_valid(weapon.hand_B) &&
+                    weapon.restitution >= Scalar(0) && weapon.restitution <= Scalar(1);
+  return good ? Status::kOk : Status::kInvalidArgument;
 }
 
 template <class Scalar>
@@ -63,6 +72,7 @@ Pose<Scalar> inverse(const Pose<Scalar>& X_AB) {
 
 #define BATUTA_INSTANTIATE(S)                                   \
   template Result<WeaponBody<S>> weapon_body(const Weapon<S>&); \
+  template Status validate(const WeaponBody<S>&);               \
   template Pose<S> chained(const Pose<S>&, const Pose<S>&);     \
   template Pose<S> inverse(const Pose<S>&);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)

@@ -59,50 +59,38 @@ Vec3<Scalar> direction(std::size_t i) {
   return {Scalar(d.x), Scalar(d.y), Scalar(d.z)};
 }
 
-/// Of p along the i-th direction; along an axis it is a component.
-template <class Scalar, int K>
-Scalar height(std::size_t i, const Vec3<Scalar>& p) {
-  return i < kAxes ? p[static_cast<Eigen::Index>(i)] : direction<Scalar, K>(i).dot(p);
-}
-
-/// What the terms of height(i, p) come to at most, p between a and b.
-template <class Scalar, int K>
-Scalar terms(std::size_t i, const Segment<Scalar>& axis) {
-  const auto k = static_cast<Eigen::Index>(i);
-  if (i < kAxes) return max_of(std::abs(axis.a[k]), std::abs(axis.b[k]));
-  return direction<Scalar, K>(i).cwiseAbs().dot(axis.a.cwiseAbs().cwiseMax(axis.b.cwiseAbs()));
-}
-
-/// Lowest and highest point along a direction, rounded outward.
+/// Lowest and highest point along a direction.
 template <class Scalar>
 struct Extent {
   Scalar low;
   Scalar high;
 };
 
-/// Between two heights with a radius, all three times the direction's length; `terms` of both.
 template <class Scalar>
-[[gnu::always_inline]] inline Extent<Scalar> extent_between(Scalar at_a, Scalar at_b, Scalar radius,
-                                                            Scalar terms) {
-  const Scalar reach = radius + kOutwardOfSum<Scalar> * (radius + terms);
-  return {min_of(at_a, at_b) - reach, max_of(at_a, at_b) + reach};
+[[gnu::always_inline]] inline Extent<Scalar> extent_of(Scalar a, Scalar b) {
+  return b < a ? Extent<Scalar>{b, a} : Extent<Scalar>{a, b};
 }
 
-/// Of a capsule with a radius larger by `margin`.
+/// Of both ends of an axis along the i-th direction; along an axis of the frame it is a component.
 template <class Scalar, int K>
 [[gnu::always_inline]] inline Extent<Scalar> extent_along(std::size_t i,
-                                                          const Capsule<Scalar>& capsule,
-                                                          Scalar margin) {
-  const Segment<Scalar>& axis = capsule.axis;
-  if constexpr (K == 6) {
-    const auto k = static_cast<Eigen::Index>(i);
-    return extent_between(axis.a[k], axis.b[k], capsule.radius + margin,
-                          max_of(std::abs(axis.a[k]), std::abs(axis.b[k])));
-  } else {
-    return extent_between(height<Scalar, K>(i, axis.a), height<Scalar, K>(i, axis.b),
-                          (capsule.radius + margin) * direction_length<Scalar, K>(i),
-                          terms<Scalar, K>(i, axis));
-  }
+                                                          const Segment<Scalar>& axis) {
+  const auto k = static_cast<Eigen::Index>(i);
+  if (K == 6 || i < kAxes) return extent_of(axis.a[k], axis.b[k]);
+  const Vec3<Scalar> d = direction<Scalar, K>(i);
+  return extent_of(d.dot(axis.a), d.dot(axis.b));
+}
+
+/// What the terms of a height along the i-th direction come to at most, of a point between the ends
+/// of these axes. @param along  their extent
+template <class Scalar, int K>
+[[gnu::always_inline]] inline Scalar terms(std::size_t i, const Segment<Scalar>& P,
+                                           const Segment<Scalar>& Q, const Extent<Scalar>& along) {
+  if (K == 6 || i < kAxes) return max_of(std::abs(along.low), std::abs(along.high));
+  const auto largest = [](const Segment<Scalar>& axis) {
+    return Vec3<Scalar>(axis.a.cwiseAbs().cwiseMax(axis.b.cwiseAbs()));
+  };
+  return direction<Scalar, K>(i).cwiseAbs().dot(largest(P).cwiseMax(largest(Q)));
 }
 
 }  // namespace
@@ -115,18 +103,21 @@ Vec3<Scalar> detail::kdop_direction(int i) {
 
 template <class Scalar, int K>
 Kdop<Scalar, K> detail::kdop_of(const Capsule<Scalar>& capsule) {
-  return detail::kdop_of<Scalar, K>(capsule, capsule, Scalar(0));
+  return detail::kdop_of<Scalar, K>(capsule.axis, capsule.axis, capsule.radius);
 }
 
 template <class Scalar, int K>
-Kdop<Scalar, K> detail::kdop_of(const Capsule<Scalar>& P, const Capsule<Scalar>& Q, Scalar margin) {
-  BATUTA_ASSERT(margin >= Scalar(0));
+Kdop<Scalar, K> detail::kdop_of(const Segment<Scalar>& P, const Segment<Scalar>& Q, Scalar radius) {
   Kdop<Scalar, K> result;
   for (std::size_t i = 0; i < result.low.size(); ++i) {  // Bound: K / 2
-    const Extent<Scalar> along_P = extent_along<Scalar, K>(i, P, margin);
-    const Extent<Scalar> along_Q = extent_along<Scalar, K>(i, Q, margin);
-    result.low[i] = min_of(along_P.low, along_Q.low);
-    result.high[i] = max_of(along_P.high, along_Q.high);
+    const Extent<Scalar> along_P = extent_along<Scalar, K>(i, P);
+    const Extent<Scalar> along_Q = extent_along<Scalar, K>(i, Q);
+    const Extent<Scalar> along = {min_of(along_P.low, along_Q.low),
+                                  max_of(along_P.high, along_Q.high)};
+    const Scalar wide = radius * direction_length<Scalar, K>(i);
+    const Scalar reach = wide + kOutwardOfSum<Scalar> * (wide + terms<Scalar, K>(i, P, Q, along));
+    result.low[i] = along.low - reach;
+    result.high[i] = along.high + reach;
   }
   return result;
 }
@@ -174,8 +165,8 @@ Kdop<Scalar, K> inflated(const Kdop<Scalar, K>& P, Scalar margin) {
 #define BATUTA_INSTANTIATE(Scalar, K)                                                  \
   template Vec3<Scalar> detail::kdop_direction<Scalar, K>(int);                        \
   template Kdop<Scalar, K> detail::kdop_of<Scalar, K>(const Capsule<Scalar>&);         \
-  template Kdop<Scalar, K> detail::kdop_of<Scalar, K>(const Capsule<Scalar>&,          \
-                                                      const Capsule<Scalar>&, Scalar); \
+  template Kdop<Scalar, K> detail::kdop_of<Scalar, K>(const Segment<Scalar>&,          \
+                                                      const Segment<Scalar>&, Scalar); \
   template Kdop<Scalar, K> merge(const Kdop<Scalar, K>&, const Kdop<Scalar, K>&);      \
   template bool overlaps(const Kdop<Scalar, K>&, const Kdop<Scalar, K>&);              \
   template bool contains(const Kdop<Scalar, K>&, const Vec3<Scalar>&);                 \

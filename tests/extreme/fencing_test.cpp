@@ -75,7 +75,7 @@ TYPED_TEST(Fencing, HostileFencer_IsRefusedOrFences) {
   ASSERT_EQ(ready->configure(), Status::kOk);
   // Without its map, which is no number: HostileMap_IsRefusedOrHasHandsAndFeet.
   struct Data {
-    Weapon<S> weapon;
+    WeaponBody<S> weapon;
     GripNumbers<S> grip;
     FencerBuild<S> build;
   };
@@ -147,7 +147,7 @@ TYPED_TEST(Fencing, GripAtItsEnds_Fences) {
 
 TYPED_TEST(Fencing, HostileWeapon_HasABodyOrIsRefused) {
   using S = TypeParam;
-  const Weapon<S> good = first_fencer<S>().weapon;
+  const Weapon<S> good = epee<S>();
   test::for_each_spoiled<S>(good, 5000, [](const Weapon<S>& weapon, bool is_number) {
     const auto body = weapon_body(weapon);
     if (!is_number) {

@@ -173,7 +173,8 @@ TYPED_TEST(StiffWorlds, AnyMassRatioInertiaAndLaw_GainNoEnergy) {
 /// A fencer's weapon so many times as heavy.
 template <class S>
 Fencer<S> heavier(Fencer<S> fencer, double times, double restitution) {
-  for (auto& part : fencer.weapon.parts) part.mass *= static_cast<S>(times);
+  fencer.weapon.mass *= static_cast<S>(times);
+  fencer.weapon.moments *= static_cast<S>(times);
   fencer.weapon.restitution = static_cast<S>(restitution);
   return fencer;
 }

@@ -36,13 +36,16 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
   Duel(const Duel&) = delete;
   Duel& operator=(const Duel&) = delete;
 
-  /// Puts both fencers on guard and starts a new bout. Stack: about 2 kB in float, for what
-  /// both fencers come to before anything is changed.
+  /// Puts both fencers on guard and starts a new bout. Stack in float: about 1 kB.
   /// @pre the keys of both maps outlive this duel, or its next configure()
   /// @returns kOk | kInvalidArgument (settings, settings.world, settings.touch or a fencer's data
   /// out of range; nothing changed: a running bout goes on)
   Status configure(const Settings& settings, const Fencer<Scalar>& left,
                    const Fencer<Scalar>& right);
+  /// The same of fencers that are made whenever they are needed, one at a time, where none is kept:
+  /// as duel.configure(settings, first_fencer<float>, second_fencer<float>). Each call must make
+  /// the same one. Stack in float: about 2 kB.
+  Status configure(const Settings& settings, FencerMaker<Scalar> left, FencerMaker<Scalar> right);
 
   /// One step. After the bout is over it changes nothing. The first step after a halt begins with
   /// both fencers on guard, where configure() puts them, and with their sticks at the centre, from
@@ -142,14 +145,6 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
     }
   };
 
-  /// What a fencer's data come to, before anything is changed.
-  struct FencerSetup {
-    FencerMap<Scalar> map;
-    WeaponBody<Scalar> weapon;
-    KeyedPose<Scalar> hand;
-    Actor<SceneType> blade;
-  };
-
   /// A referee and feet are bases: where there are none, they take no room.
   struct Scoring : RefereeOf<Played>, FootworkOf<Played> {
     DuelReport report;
@@ -164,12 +159,28 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
 
   DuelSide& at(Side side) { return places_[index_of(side)]; }
   const DuelSide& at(Side side) const { return places_[index_of(side)]; }
-  static Result<FencerSetup> setup_for(const Fencer<Scalar>& fencer, const Pose<Scalar>& X_WF);
-  static Status arm(const Fencer<Scalar>& fencer, FencerSetup& setup);
-  void take_place(Side side, const FencerSetup& setup, const FencerBuild<Scalar>& build);
-  void resume_after_halt();
+  template <class Left, class Right>
+  Status configure_with(const Settings& settings, const Left& left, const Right& right);
+  template <class Maker>
+  [[gnu::noinline]] static bool may_fence(const Maker& make, const Pose<Scalar>& X_WF);
+  static KeyedPose<Scalar> hand_at_start(const FencerMap<Scalar>& map, const Pose<Scalar>& X_WF);
+  template <class Maker>
+  [[gnu::noinline]] static Result<Pose<Scalar>> hand_of(const Maker& make,
+                                                        const Pose<Scalar>& X_WF);
+  template <class Maker>
+  [[gnu::noinline]] static Status arm(const Maker& make, const Pose<Scalar>& X_WH,
+                                      Actor<SceneType>& blade);
+  static Status put(Actor<SceneType>& blade, const WeaponMass<Scalar>& weapon,
+                    const Pose<Scalar>& X_WB);
+  template <class Maker>
+  [[gnu::noinline]] void take_place(Side side, const Maker& make);
+  template <class Maker>
+  [[gnu::noinline]] void enter(Side side, const Maker& make);
+  [[gnu::noinline]] void resume_after_halt();
   void stand(Side side, Actor<SceneType>& blade);
   const Actor<SceneType>& blade_of(Side side) const;
+  /// Kept apart: what it needs is not there while the blades move.
+  [[gnu::noinline]] void lead(const InputSample* left, const InputSample* right);
   void move_stick(Side side, const InputSample* sample);
   bool is_beaten(Side side) const;
   MapPlace<Scalar> asked_of(Side side) const;

@@ -7,8 +7,8 @@
 //   template class batuta::fencing::Duel<Drill>;
 // or include it wherever such a duel is used.
 
+#include "batuta/fencing/detail/duel_setup.hpp"
 #include "batuta/fencing/detail/referee_definitions.hpp"
-#include "batuta/fencing/duel.hpp"
 
 namespace batuta::fencing {
 
@@ -96,114 +96,6 @@ DuelSettings<SceneT> duel_settings() {
 }
 
 template <class SceneT>
-Status Duel<SceneT>::configure(const Settings& settings, const Fencer<Scalar>& left,
-                               const Fencer<Scalar>& right) {
-  if (validate(settings) != Status::kOk) return Status::kInvalidArgument;
-  const auto left_setup = setup_for(left, settings.salle.X_WF(Side::kLeft));
-  const auto right_setup = setup_for(right, settings.salle.X_WF(Side::kRight));
-  if (!left_setup.ok() || !right_setup.ok()) return Status::kInvalidArgument;
-
-  // From here on nothing can be refused.
-  settings_ = settings;
-  (void)world_.configure(settings.world);
-  for (DuelSide& place : places_) (void)world_.remove(place.blade);  // Bound: 2
-  if constexpr (Played::kTargets) scoring_.begin();
-  if constexpr (Played::kFeet) scoring_.stand_feet();
-  take_place(Side::kLeft, left_setup.value, left.build);
-  take_place(Side::kRight, right_setup.value, right.build);
-  BATUTA_INVARIANT(world_.size() == 2);
-  scoring_.report = {};
-  steps_ = 0;
-  dt_ = static_cast<Scalar>(settings.step_us) * kSecondsPerUs<Scalar>;
-  return Status::kOk;
-}
-
-template <class SceneT>
-Result<typename Duel<SceneT>::FencerSetup> Duel<SceneT>::setup_for(const Fencer<Scalar>& fencer,
-                                                                   const Pose<Scalar>& X_WF) {
-  if constexpr (Played::kTargets) {
-    if (validate(fencer.build) != Status::kOk)
-      return failure<FencerSetup>(Status::kInvalidArgument);
-  }
-  const auto weapon = weapon_body(fencer.weapon);
-  if (!weapon.ok() || validate(fencer.map) != Status::kOk) {
-    return failure<FencerSetup>(Status::kInvalidArgument);
-  }
-  FencerSetup setup;
-  setup.map = fencer.map;
-  setup.weapon = weapon.value;
-  // Where a stick starts.
-  setup.hand = fencing::hand_at(fencer.map, Vec2<Scalar>(Vec2<Scalar>::Zero()), X_WF);
-  if (arm(fencer, setup) != Status::kOk) return failure<FencerSetup>(Status::kInvalidArgument);
-  return success(setup);
-}
-
-/// The blade in the hand.
-template <class SceneT>
-Status Duel<SceneT>::arm(const Fencer<Scalar>& fencer, FencerSetup& setup) {
-  const Pose<Scalar> X_WB = chained(setup.hand.X_WH, setup.weapon.X_HB);
-  const auto body = make_body(X_WB, setup.weapon.mass, setup.weapon.moments);
-  if (!body.ok()) return body.status;
-  setup.blade.body = body.value;
-  if constexpr (Played::kCapsulesPerBody == 1) {
-    setup.blade.capsule_B = setup.weapon.blade_B;
-  } else {
-    setup.blade.capsules_B.push(setup.weapon.blade_B);
-    setup.blade.capsules_B.push(setup.weapon.guard_B);
-    setup.blade.capsules_B.push(setup.weapon.hand_B);
-  }
-  if constexpr (Played::kRestitution) setup.blade.restitution = fencer.weapon.restitution;
-  using Kinematics = batuta::detail::KinematicsOf<SceneType>;
-  Kinematics::prepare(setup.blade);  // as the world will
-  if (!Kinematics::may_turn(setup.blade.body)) return Status::kInvalidArgument;
-  return setup.blade.controller.take(X_WB, fencer.grip,
-                                     to_body(setup.weapon.X_HB, Vec3<Scalar>(0, 0, 0)));
-}
-
-/// @pre both blades of the earlier bout are out of the world
-template <class SceneT>
-void Duel<SceneT>::take_place(Side side, const FencerSetup& setup,
-                              [[maybe_unused]] const FencerBuild<Scalar>& build) {
-  DuelSide& place = at(side);
-  place.map = setup.map;
-  place.weapon = static_cast<const WeaponMass<Scalar>&>(setup.weapon);
-  (void)place.stick.configure(settings_.stick);
-  if constexpr (Played::kTargets) scoring_.take_place(side, build);
-  Actor<SceneType> blade = setup.blade;
-  stand(side, blade);
-}
-
-/// On guard, with a blade that is at rest. What was restored may be such that no blade can be
-/// there: the duel is then one that was not configured. @pre it is not in the world
-template <class SceneT>
-void Duel<SceneT>::stand(Side side, Actor<SceneType>& blade) {
-  DuelSide& place = at(side);
-  // Where a stick starts.
-  place.hand = fencing::hand_at(place.map, Vec2<Scalar>(Vec2<Scalar>::Zero()), X_WF(side));
-  const Pose<Scalar> X_WB = chained(place.hand.X_WH, place.weapon.X_HB);
-  const auto body = make_body(X_WB, place.weapon.mass, place.weapon.moments);
-  blade.body = body.value;
-  blade.controller.place(X_WB);
-  if constexpr (Played::kTargets) scoring_.stand(side, {X_WF(side), place.hand.X_WH}, X_WB);
-  const auto added = world_.add(blade);
-  if (!body.ok() || !added.ok()) dt_ = 0;
-  place.blade = added.value;
-}
-
-/// The next exchange. Both blades leave the world before one comes back: it keeps nothing of them.
-template <class SceneT>
-void Duel<SceneT>::resume_after_halt() {
-  std::array<Actor<SceneType>, 2> blades = {blade_of(Side::kLeft), blade_of(Side::kRight)};
-  for (DuelSide& place : places_) (void)world_.remove(place.blade);  // Bound: 2
-  if constexpr (Played::kFeet) scoring_.stand_feet();
-  for (const Side side : {Side::kLeft, Side::kRight}) {  // Bound: 2
-    at(side).stick.start_from_centre();
-    stand(side, blades[index_of(side)]);
-  }
-  if constexpr (Played::kTargets) scoring_.resume();
-}
-
-template <class SceneT>
 Status Duel<SceneT>::step(const InputSample* left, const InputSample* right) {
   if (!(dt_ > Scalar(0))) return Status::kInvalidArgument;
   if (bout().is_over()) return Status::kUnavailable;
@@ -211,6 +103,16 @@ Status Duel<SceneT>::step(const InputSample* left, const InputSample* right) {
     if (bout().is_halt_over()) resume_after_halt();
     if (!(dt_ > Scalar(0))) return Status::kInvalidArgument;
   }
+  lead(left, right);
+  const Status status = move_blades();
+  if (status != Status::kOk) return status;
+  ++steps_;
+  return Status::kOk;
+}
+
+/// Sticks, feet and hands go where they are asked to.
+template <class SceneT>
+void Duel<SceneT>::lead(const InputSample* left, const InputSample* right) {
   move_stick(Side::kLeft, left);
   move_stick(Side::kRight, right);
   const MapPlace<Scalar> asked_left = asked_of(Side::kLeft);
@@ -218,10 +120,6 @@ Status Duel<SceneT>::step(const InputSample* left, const InputSample* right) {
   walk(asked_left.feet, asked_right.feet);
   move_hand(Side::kLeft, asked_left);
   move_hand(Side::kRight, asked_right);
-  const Status status = move_blades();
-  if (status != Status::kOk) return status;
-  ++steps_;
-  return Status::kOk;
 }
 
 /// The world's step, in which each blade stops at the other's body, and who touched whom in it.
@@ -236,17 +134,15 @@ Status Duel<SceneT>::move_blades() {
     }
     const Status status = world_.step(dt_);
     std::array<const Actor<SceneType>*, 2> blades{};
-    std::array<Twist<Scalar>, 2> came;
     for (const Side side : {Side::kLeft, Side::kRight}) {  // Bound: 2
       auto& blade = *world_.get(at(side).blade);
       blade.controller.steel = nullptr;
       blades[index_of(side)] = &blade;
-      came[index_of(side)] = steel[index_of(side)].came;
     }
     if (status != Status::kOk) return status;
     add_up();
     if (world_.report().time_held > Scalar(0)) carry_blades();
-    scoring_.judge(blades, came, settings_, {steps_, dt_}, scoring_.report);
+    scoring_.judge(blades, steel, settings_, {steps_, dt_}, scoring_.report);
     return status;
   } else {
     const Status status = world_.step(dt_);

@@ -26,10 +26,18 @@ namespace batuta::fencing {
 template <class Scalar>
 struct Fencer {
   FencerMap<Scalar> map;      ///< what the stick means; its keys are not in here
-  Weapon<Scalar> weapon;      ///< what the hand holds
+  WeaponBody<Scalar> weapon;  ///< what the hand holds: weapon_body() makes one of its parts
   GripSettings<Scalar> grip;  ///< how firmly it holds it
   FencerBuild<Scalar> build;  ///< the body that can be touched
 };
+
+/// A function that makes a fencer, such as first_fencer<float>.
+template <class Scalar>
+using FencerMaker = Fencer<Scalar> (*)();
+
+/// The epee that both fencers of the library hold, by its parts: 0.77 kg.
+template <class Scalar>
+Weapon<Scalar> epee();
 
 /// Of medium height.
 template <class Scalar>

@@ -41,7 +41,7 @@ struct StickPlace {
 /// The way to a place, starting and ending at rest.
 struct StickMove {
   std::int32_t duration_us = 0;  ///< > 0
-  StickPlace to;                 ///< the feet's order holds during the whole move
+  StickPlace to;                 ///< the feet's stick goes there at once, as fast as a hand
 };
 
 /// A fencer that plays by itself.
@@ -52,7 +52,7 @@ class Opponent {
   static constexpr std::size_t kLines = 4;
   /// Of one action, hesitation included.
   static constexpr int kMaxMoves = 6;
-  /// The fastest that the blade's stick goes, 1/s.
+  /// The fastest that either stick goes, 1/s.
   static constexpr float kHandSpeed = 12;
   /// Between the fencers of its bouts on guard, m, each 2 m from the middle: who stands within a
   /// lunge has no time to see one.
@@ -99,6 +99,7 @@ class Opponent {
   void begin(Intent intent);
   void then(std::int32_t duration_us, const StickPlace& to);
   void advance(std::int32_t step_us);
+  float move_blade(std::int32_t step_us);
   int line_to_close(int seen);
   int usual_line() const;
   void parry(int line);

@@ -29,10 +29,6 @@ enum class BodyPart : std::uint8_t {
 /// How many there are.
 inline constexpr int kBodyParts = 12;
 
-/// The bone that carries each bone: always an earlier one, and depth first, so that one forward
-/// pass poses a body and one backward pass refits what bounds it. -1: the root.
-inline constexpr std::array<int, kBodyParts> kBodyParent = {-1, 0, 1, 1, 3, 4, 1, 6, 0, 8, 0, 10};
-
 /// Lower case, for people; never null.
 const char* name_of(BodyPart part);
 
@@ -108,11 +104,22 @@ Reach<Scalar> two_bone_reach(const Vec3<Scalar>& start, const Vec3<Scalar>& goal
 template <class Scalar>
 Scalar lunge_share(const FencerBuild<Scalar>& build, Scalar hand_x_F);
 
+/// What a body's pose follows from.
+template <class Scalar>
+struct Stance {
+  Pose<Scalar> X_WF;  ///< where the feet are
+  Pose<Scalar> X_WH;  ///< where the hand is
+};
+
 /// The whole body for a hand pose (H: x along the blade).
 /// @pre `build` as validate() asks for; both poses finite, no position beyond 2 kLargestReach
 /// Bound: one forward pass over kBodyParts bones.
 template <class Scalar>
 BodyShape<Scalar> pose_body(const FencerBuild<Scalar>& build, const Pose<Scalar>& X_WF,
                             const Pose<Scalar>& X_WH);
+/// The same, written where it is kept.
+template <class Scalar>
+void pose_body(const FencerBuild<Scalar>& build, const Stance<Scalar>& stance,
+               BodyShape<Scalar>& shape);
 
 }  // namespace batuta::fencing

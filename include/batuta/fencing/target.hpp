@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What a blade wants to hit: a moving body under a hierarchy of k-DOPs that is refitted in each
-// step that asks for it [Kavan §5, refs 10 and 16], and the search for the first touch. Frame W, SI
-// units; times run from 0 to the step's length.
+// What a blade wants to hit: a moving body under a box, and boxes of its parts that are refitted in
+// each step that asks for them [Kavan §5, refs 10 and 16], and the search for the first touch.
+// Frame W, SI units; times run from 0 to the step's length.
 
 #include "batuta/detection/search.hpp"
 #include "batuta/fencing/skeleton.hpp"
@@ -62,18 +62,21 @@ class Target {
  public:
   /// The body stands still as given.
   void place(const BodyShape<Scalar>& shape_W);
+  /// The same as pose_body() has it. @pre validate(build) says kOk; finite
+  void place(const FencerBuild<Scalar>& build, const Stance<Scalar>& stance);
 
   /// The body goes to `shape_W` in `dt`: every bone with the constant twist of the shortest turn,
   /// and the radius that it has in `shape_W`.
   /// @pre dt > 0; finite
   /// Bound: one pass over kBodyParts bones.
   void move_to(const BodyShape<Scalar>& shape_W, Scalar dt);
+  /// The same to where pose_body() has it. @pre validate(build) says kOk; finite; dt > 0
+  void move_to(const FencerBuild<Scalar>& build, const Stance<Scalar>& stance, Scalar dt);
 
   /// The first touch of a blade that moves over [from, from + blade.motion.duration] of the step.
-  /// The first blade that comes near in a step has the hierarchy refitted.
+  /// The first blade that comes near in a step has the boxes of the parts refitted.
   /// @tparam Search  of detection/search.hpp
-  /// Bound: kBodyParts searches, one pass over kBodyParts bones forward and one backward; no
-  /// recursion, no stack.
+  /// Bound: kBodyParts searches, one pass over kBodyParts bones.
   template <class Search>
   TouchSearch<Scalar> find_touch(const MovingCapsule<Scalar>& blade, Scalar from,
                                  const typename Search::Options& options,
@@ -84,11 +87,7 @@ class Target {
     const PartMask reached = parts_reached(blade, parts);
     for (std::size_t i = 0; i < kParts; ++i) {  // Bound: kBodyParts
       if ((reached >> i & 1U) == 0) continue;
-      const auto pair = pair_with(i, blade, from);
-      const SearchResult<Scalar> result =
-          pair.ok() ? Search::search(pair.value, options, Vec3<Scalar>::Zero())
-                    : SearchResult<Scalar>{};
-      take({result, pair.value.origin_W}, static_cast<BodyPart>(i), from, first);
+      search_part<Search>(i, {blade, from}, options, first);
     }
     return first;
   }
@@ -101,15 +100,15 @@ class Target {
   /// @param blade    where the motion begins, and what resists it; its momenta are not looked at
   /// @param blade_B  what may not go in
   /// @returns whether the motion was changed; not where it is invalid or takes no time
-  /// Bound: 12 blows, before each one the hierarchy and kBodyParts gaps; for a blade that is not
-  /// near, one box.
+  /// Bound: 12 blows, before each one kBodyParts boxes and gaps; for a blade that is not near, one
+  /// box.
   bool stop(const Body<Scalar>& blade, const Capsule<Scalar>& blade_B, Scalar from, PartMask parts,
             Motion<Scalar>& motion);
 
   /// Where a blade that made its way otherwise than planned has come too deep, what brings it out,
   /// W, m. @param X0_WB, X1_WB  at the start and at the end of the step
   /// @pre the poses are finite, their rotations of unit length
-  /// Bound: one walk of the hierarchy, kBodyParts gaps.
+  /// Bound: kBodyParts boxes and gaps.
   Vec3<Scalar> way_out(const Capsule<Scalar>& blade_B, const Pose<Scalar>& X0_WB,
                        const Pose<Scalar>& X1_WB, PartMask parts);
 
@@ -126,11 +125,10 @@ class Target {
   MovingCapsule<Scalar> part(BodyPart part) const;
   /// Holds the whole body during the whole step.
   const Kdop<Scalar, kTargetK>& hull() const { return hulls_[0]; }
-  /// Holds the part and all that it carries during the whole step. @pre one of the kBodyParts
-  const Kdop<Scalar, kTargetK>& hull(BodyPart part) {
+  /// Holds the part during the whole step. @pre one of the kBodyParts
+  Kdop<Scalar, kTargetK> hull(BodyPart part) const {
     BATUTA_ASSERT(static_cast<std::size_t>(part) < kParts);
-    fit();
-    return hulls_[static_cast<std::size_t>(part)];
+    return own_hull(static_cast<std::size_t>(part));
   }
 
   /// Its state, for record/archive.hpp.
@@ -159,30 +157,53 @@ class Target {
     BodyPart part = BodyPart::kPelvis;
     bool began_deep = false;  ///< deeper than kGive when the motion begins
   };
-  struct PartSearch {
-    SearchResult<Scalar> result;  ///< kInvalid at first
-    Vec3<Scalar> origin_W = Vec3<Scalar>::Zero();
+  /// A piece of a blade's way, and when it begins.
+  struct BladePiece {
+    const MovingCapsule<Scalar>& blade;
+    Scalar from;
   };
 
-  void go_to(const BodyShape<Scalar>& shape_W, Scalar dt);
+  /// Kept apart from the search in it: what makes the pair is not there while it runs.
+  [[gnu::noinline]] Result<MovingPair<Scalar>> pair_with(std::size_t part,
+                                                         const BladePiece& piece) const;
+  template <class Search>
+  [[gnu::noinline]] void search_part(std::size_t part, const BladePiece& piece,
+                                     const typename Search::Options& options,
+                                     TouchSearch<Scalar>& first) const {
+    const auto pair = pair_with(part, piece);
+    const auto result = pair.ok() ? Search::search(pair.value, options, Vec3<Scalar>::Zero())
+                                  : SearchResult<Scalar>{};
+    take({result, pair.value.origin_W, static_cast<BodyPart>(part), piece.from}, first);
+  }
+
+  struct PartSearch {
+    const SearchResult<Scalar>& result;
+    const Vec3<Scalar>& origin_W;  ///< of its pair
+    BodyPart part;
+    Scalar from;
+  };
+
+  void start_from_here();
+  void arrive(Scalar dt);
+  void stay();
+  void set_way(const Aabb<Scalar>& ends, Scalar dt);
   Hull hull_of_all(const Aabb<Scalar>& ends) const;
   void fit();
   Hull own_hull(std::size_t part) const;
+  PartMask parts_in(const Hull& box, PartMask wanted);
   PartMask parts_reached(const MovingCapsule<Scalar>& blade, PartMask wanted);
-  Result<MovingPair<Scalar>> pair_with(std::size_t part, const MovingCapsule<Scalar>& blade,
-                                       Scalar from) const;
-  Capsule<Scalar> part_at(std::size_t part, Scalar t) const;
+  Segment<Scalar> axis_at(std::size_t part, Scalar t) const;
   Dent dent_in(std::size_t part, const BladeWay& way) const;
   Vec3<Scalar> velocity_of(BodyPart part, const Vec3<Scalar>& p_W) const;
   Dent deepest_dent(const MovingCapsule<Scalar>& blade, Scalar from, PartMask parts);
-  static void take(const PartSearch& search, BodyPart part, Scalar from,
-                   TouchSearch<Scalar>& first);
+  static void take(const PartSearch& search, TouchSearch<Scalar>& first);
 
   std::array<Segment<Scalar>, kParts> start_W_{};  ///< axes at the start of the step
   BodyShape<Scalar> shape_W_{};                    ///< at its end
   Scalar dt_ = 0;                                  ///< length of the step, s; 0: placed
-  Aabb<Scalar> ends_{{}, {}};         ///< of the ends of all axes, at the end of the step
-  std::array<Hull, kParts> hulls_{};  ///< with all that it carries; not fitted: of the body alone
+  Aabb<Scalar> ends_{{}, {}};  ///< of the ends of all axes, at the end of the step
+  /// The first: of the whole body. The others: of their parts, where they are fitted.
+  std::array<Hull, kParts> hulls_{};
   bool is_fitted_ = false;
 };
 

@@ -34,18 +34,25 @@ struct WeaponMass {
   Pose<Scalar> X_HB;                            ///< fixed
 };
 
-/// What the world needs of a weapon.
+/// What the world needs of a weapon. No weapon has no mass: a duel refuses WeaponBody{}.
 template <class Scalar>
 struct WeaponBody : WeaponMass<Scalar> {
   Capsule<Scalar> blade_B;  ///< these three collide
   Capsule<Scalar> guard_B;  ///< the bell
   Capsule<Scalar> hand_B;   ///< that holds it
+  Scalar restitution = 0;   ///< C of the blade, in [0, 1]
 };
 
+/// What a weapon of these parts is to the world.
 /// @returns kOk | kInvalidArgument (a part's mass or shape, the hand's shape, or the restitution,
 /// is out of range) Bound: kParts parts.
 template <class Scalar>
 Result<WeaponBody<Scalar>> weapon_body(const Weapon<Scalar>& weapon);
+
+/// @returns kOk | kInvalidArgument: a mass or a moment that is not positive or has no inverse, a
+/// frame that is none, a capsule that is none, or the restitution is out of range
+template <class Scalar>
+Status validate(const WeaponBody<Scalar>& weapon);
 
 /// X_AC = X_AB X_BC, the quaternion renewed.
 template <class Scalar>

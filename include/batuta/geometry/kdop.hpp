@@ -49,11 +49,11 @@ Vec3<Scalar> kdop_direction(int i);
 template <class Scalar, int K>
 Kdop<Scalar, K> kdop_of(const Capsule<Scalar>& capsule);
 
-/// The tightest Kdop of two capsules, and of all between them, with radii larger by `margin`;
-/// rounded outward. @pre margin >= 0
-/// Bound: K / 2 directions.
+/// The tightest Kdop of the capsules of one radius about P, Q, and all that is between them;
+/// rounded outward. @param radius  m, >= 0; may itself be a sum that was rounded once Bound: K / 2
+/// directions.
 template <class Scalar, int K>
-Kdop<Scalar, K> kdop_of(const Capsule<Scalar>& P, const Capsule<Scalar>& Q, Scalar margin);
+Kdop<Scalar, K> kdop_of(const Segment<Scalar>& P, const Segment<Scalar>& Q, Scalar radius);
 
 }  // namespace detail
 

@@ -72,6 +72,18 @@ namespace detail {
 template <class Scalar>
 Mat3<Scalar> left_jacobian(const Vec3<Scalar>& rotation_vector);
 
+/// Of the squared length of a quaternion: what is further from 1 is no rotation that rounding has
+/// brought off its length.
+template <class Scalar>
+inline constexpr Scalar kUnitWithin = Scalar(1) / 512;
+
+/// Whether q is one, to within kUnitWithin.
+template <class Scalar>
+bool is_turn(const Quat<Scalar>& q) {
+  const Scalar square = (q.x() * q.x() + q.y() * q.y()) + (q.z() * q.z() + q.w() * q.w());
+  return std::abs(square - Scalar(1)) <= kUnitWithin<Scalar>;
+}
+
 }  // namespace detail
 
 /// The rotation on the shortest way from q0 (t = 0) to q1 (t = 1) at a constant rate; exact at both

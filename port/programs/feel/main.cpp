@@ -86,7 +86,7 @@ class Loop {
     StageSettings stage;
     stage.gain = {1 / kForceLimit, 1 / kForceLimit};
     good_ = stick_.configure(device()) == Status::kOk && felt_.configure(feel) == Status::kOk &&
-            duel_.configure(duel_settings(), first_fencer<float>(), second_fencer<float>()) ==
+            duel_.configure(duel_settings(), first_fencer<float>, second_fencer<float>) ==
                 Status::kOk &&
             stage_.configure(stage) == Status::kOk && stage_.enable() == Status::kOk;
   }

@@ -60,7 +60,7 @@ Status SteppedBoutOf<DuelT>::start(const BoutSettings& settings) {
   duel.salle.distance = settings.distance;
   if (validate(settings.force) != Status::kOk) return Status::kInvalidArgument;
   const Status status =
-      duel_.configure(duel, fencing::first_fencer<float>(), fencing::second_fencer<float>());
+      duel_.configure(duel, fencing::first_fencer<float>, fencing::second_fencer<float>);
   if (status != Status::kOk) return status;
   fresh_ = {};
   believed_ = {};

@@ -68,9 +68,10 @@ class StickForces {
 
   /// @param duel   has just made a step
   /// @param fresh  whether that step had a sign of life of the side's stick
-  /// Bound: the contact events of the step, twice.
+  /// Bound: the contact events of the step, twice. Kept apart: its stack is not there while the
+  /// duel steps.
   template <class DuelT>
-  void advance(const DuelT& duel, const std::array<bool, 2>& fresh) {
+  [[gnu::noinline]] void advance(const DuelT& duel, const std::array<bool, 2>& fresh) {
     if (duel.bout().exchange != exchange_) leap(duel.bout().exchange);
     for (const fencing::Side side : {fencing::Side::kLeft, fencing::Side::kRight}) {  // Bound: 2
       haptics::HandForce<float>& hand = hands_[index_of(side)];

@@ -47,7 +47,8 @@ constexpr Label kGuard = kLabels[5];
 
 class MapFigure {
  public:
-  MapFigure(const Fencer<float>& fencer, SvgCanvas& canvas) : fencer_(fencer), canvas_(canvas) {}
+  MapFigure(const Fencer<float>& fencer, SvgCanvas& canvas)
+      : fencer_(fencer), weapon_(epee<float>()), canvas_(canvas) {}
 
   void draw() {
     const FencerMap<float>& map = fencer_.map;
@@ -145,9 +146,9 @@ class MapFigure {
         -1 + 2.0F * static_cast<float>(cell.column) / static_cast<float>(fencer_.map.columns - 1),
         -1 + 2.0F * static_cast<float>(cell.row) / static_cast<float>(fencer_.map.rows - 1));
     const Pose<float> X_FH = hand_at(fencer_.map, stick).X_WH;
-    draw_part(cell, to_world(X_FH, fencer_.weapon.hand_H), kSkin);
-    draw_part(cell, to_world(X_FH, fencer_.weapon.parts[1].capsule_H), kBell);
-    const Capsule<float> blade = to_world(X_FH, fencer_.weapon.parts[0].capsule_H);
+    draw_part(cell, to_world(X_FH, weapon_.hand_H), kSkin);
+    draw_part(cell, to_world(X_FH, weapon_.parts[1].capsule_H), kBell);
+    const Capsule<float> blade = to_world(X_FH, weapon_.parts[0].capsule_H);
     constexpr double kThick = 3;
     constexpr double kDot = 2;
     canvas_.line(seen(cell, blade.axis.a), seen(cell, blade.axis.b), {kSteel, kThick, 1});
@@ -168,6 +169,7 @@ class MapFigure {
   }
 
   const Fencer<float>& fencer_;
+  const Weapon<float> weapon_;
   SvgCanvas& canvas_;
 };
 

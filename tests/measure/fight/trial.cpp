@@ -117,11 +117,11 @@ bool Arena::is_point_inside(Side side) const {
 
 /// How deep this side's blade is in the other's guard or hand.
 double Arena::depth_in_weapon(const Plan& plan, Side side) const {
-  const Weapon<float>& weapon = fencers_[role_of(plan, other(side))].weapon;
-  const Pose<float> X_WH = duel_->held_hand_W(other(side));
+  const WeaponBody<float>& weapon = fencers_[role_of(plan, other(side))].weapon;
+  const Pose<float> X_WB = chained(duel_->held_hand_W(other(side)), weapon.X_HB);
   const Capsule<float> blade = duel_->blade_W(side);
-  return std::max(depth(blade, to_world(X_WH, weapon.parts[1].capsule_H)),
-                  depth(blade, to_world(X_WH, weapon.hand_H)));
+  return std::max(depth(blade, to_world(X_WB, weapon.guard_B)),
+                  depth(blade, to_world(X_WB, weapon.hand_B)));
 }
 
 }  // namespace fight

@@ -22,11 +22,11 @@ double depth(const Capsule<float>& a, const Capsule<float>& b) {
 }
 
 /// How deep this side's blade is in the other's guard or hand.
-double depth_in_weapon(const Duel<>& duel, Side side, const Weapon<float>& weapon) {
-  const Pose<float> X_WH = duel.held_hand_W(other(side));
+double depth_in_weapon(const Duel<>& duel, Side side, const WeaponBody<float>& weapon) {
+  const Pose<float> X_WB = chained(duel.held_hand_W(other(side)), weapon.X_HB);
   const Capsule<float> blade = duel.blade_W(side);
-  return std::max(depth(blade, to_world(X_WH, weapon.parts[1].capsule_H)),
-                  depth(blade, to_world(X_WH, weapon.hand_H)));
+  return std::max(depth(blade, to_world(X_WB, weapon.guard_B)),
+                  depth(blade, to_world(X_WB, weapon.hand_B)));
 }
 
 /// How deep this side's blade is in the other's trunk or head, and in a limb; the weapon hand is

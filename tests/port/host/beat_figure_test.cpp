@@ -141,9 +141,7 @@ double slack(const LoggedBout& log, Side side, double place) {
 
 TEST(BeatFigure, ItsArrowsObeyTheLawsOfTheBlow) {
   const LoggedBout log("script:parry", "script:attack");
-  const Weapon<float> weapon = first_fencer<float>().weapon;
-  const auto body = weapon_body(weapon);
-  ASSERT_TRUE(body.ok());
+  const WeaponBody<float> weapon = first_fencer<float>().weapon;
   const auto left = arrows_of(log.out.str(), kArrowColours[0]);
   const auto right = arrows_of(log.out.str(), kArrowColours[1]);
   const Vector n = log.beat.contact.normal_BA_W.cast<double>();
@@ -160,9 +158,9 @@ TEST(BeatFigure, ItsArrowsObeyTheLawsOfTheBlow) {
   EXPECT_NEAR(apart_after.dot(n), -static_cast<double>(weapon.restitution) * v_rel, off);
 
   // Momentum [Kavan eq. 12, 24]: both centres of mass change by the impulse, one each way.
-  const Segment<float>& axis_B = body.value.blade_B.axis;  // the centre of mass is its origin
+  const Segment<float>& axis_B = weapon.blade_B.axis;  // the centre of mass is its origin
   const double centre = static_cast<double>(axis_B.a.x() / (axis_B.a.x() - axis_B.b.x()));
-  const double mass = static_cast<double>(body.value.mass);
+  const double mass = static_cast<double>(weapon.mass);
   const Vector impulse = static_cast<double>(log.beat.impulse) * n;
   // What the hands catch of the blow in the two steps after it, of the 20 that they take at least:
   // h + s h' at s = 0.1 of what both ends of the blade were given (src/fencing/grip.md).

@@ -28,7 +28,8 @@ class Bell : public ::testing::Test {
   static constexpr float kSteep = 1.2F;  ///< of the right blade, rad
   std::array<MapKey<float>, 4> left_keys{};
   std::array<MapKey<float>, 4> right_keys{};
-  Fencer<float> fencer = first_fencer<float>();
+  const Fencer<float> fencer = first_fencer<float>();
+  const Weapon<float> weapon = epee<float>();
   DuelT duel;
   float least_gap = 1;  ///< of the left blade to the right guard and hand
   float passed = -1;    ///< so far the left point has been behind the right bell's centre, x
@@ -58,10 +59,10 @@ class Bell : public ::testing::Test {
       sample.y = clamp(static_cast<float>(sample.sequence) / 250.0F, 0.0F, 1.0F);
       ASSERT_EQ(duel.step(&sample, nullptr), Status::kOk);
       const Capsule<float> blade = duel.blade_W(Side::kLeft);
-      for (const auto& capsule_H : {fencer.weapon.parts[1].capsule_H, fencer.weapon.hand_H}) {
+      for (const auto& capsule_H : {weapon.parts[1].capsule_H, weapon.hand_H}) {
         least_gap = std::min(least_gap, capsule_gap(blade, right_W(capsule_H)).gap);
       }
-      const Capsule<float> bell = right_W(fencer.weapon.parts[1].capsule_H);
+      const Capsule<float> bell = right_W(weapon.parts[1].capsule_H);
       passed = std::max(passed, blade.axis.b.x() - bell.axis.a.x());
     }
   }

@@ -210,13 +210,11 @@ TEST(DuelFeatures, WithoutGrip_BladesMeetAndStayApart) {
 // A hand brings its blade where the keyframes want it, whatever the blade weighs.
 TEST(DuelFeatures, WithoutGrip_ABladeThatNobodyStrikesFollowsTheHand) {
   const auto stiff = configured<Stiff>();
-  const Weapon<float> weapon = first_fencer<float>().weapon;
-  const auto body = weapon_body(weapon);
-  ASSERT_TRUE(body.ok());
+  const WeaponBody<float> weapon = first_fencer<float>().weapon;
   for (int k = 0; k < 400 && !stiff->bout().is_over(); ++k) {
     advance(*stiff, lunge, guard);
-    const auto X_WB = chained(stiff->hand(Side::kLeft).X_WH, body.value.X_HB);
-    const Vec3<float> point = to_world(X_WB, body.value.blade_B).axis.b;
+    const auto X_WB = chained(stiff->hand(Side::kLeft).X_WH, weapon.X_HB);
+    const Vec3<float> point = to_world(X_WB, weapon.blade_B).axis.b;
     const bool is_touch = stiff->bout().state != BoutState::kFencing;
     if (stiff->report().blows + stiff->report().rests > 0 || is_touch) break;
     ASSERT_LT((stiff->blade_W(Side::kLeft).axis.b - point).norm(), 1e-5F) << k;
@@ -230,14 +228,21 @@ constexpr DuelOptions curved_options() {
   return scene;
 }
 
+/// The point beside the axis of the grip, m.
+WeaponBody<float> sabre(float beside) {
+  Weapon<float> weapon = epee<float>();
+  weapon.parts[0].capsule_H.axis.b.y() = beside;
+  return weapon_body(weapon).value;
+}
+
 // A sabre: the blade leaves the axis of its grip, and three moments are unlike.
 TEST(DuelFeatures, CurvedWeapon_FencesWhereTheSceneHasBentTurns) {
   using Sabres = Duel<DuelScene<curved_options>>;
   const auto duel = std::make_unique<Sabres>();
   Fencer<float> left = first_fencer<float>();
   Fencer<float> right = second_fencer<float>();
-  left.weapon.parts[0].capsule_H.axis.b.y() = 0.1F;
-  right.weapon.parts[0].capsule_H.axis.b.y() = -0.1F;
+  left.weapon = sabre(0.1F);
+  right.weapon = sabre(-0.1F);
   ASSERT_EQ(duel->configure({}, left, right), Status::kOk);
   double least = 1;
   for (int k = 0; k < 10000 && !duel->bout().is_over(); ++k) {

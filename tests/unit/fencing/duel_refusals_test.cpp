@@ -2,6 +2,7 @@
 // What a duel does not take: settings and fencers out of range, steps before it is configured.
 #include <vector>
 
+#include "batuta/record/duel.hpp"
 #include "configured_duel.hpp"
 
 namespace batuta {
@@ -52,6 +53,18 @@ TYPED_TEST(DuelRefusals, ConfiguredAgain_GoesOnWithTheBitsOfAFirstBout) {
   }
 }
 
+// A fencer that is made when it is needed is the one that is given.
+TYPED_TEST(DuelRefusals, ConfiguredByMakers_IsTheSameBout) {
+  using S = typename TestFixture::ScalarT;
+  const auto made = std::make_unique<TypeParam>();  // configured once, as the fixture's duel is
+  ASSERT_EQ(made->configure(this->settings, first_fencer<S>, second_fencer<S>), Status::kOk);
+  EXPECT_EQ(hash_of(*made), hash_of(*this->duel));
+  const FencerMaker<S> unarmed = []() { return Fencer<S>{}; };
+  EXPECT_EQ(made->configure(this->settings, first_fencer<S>, unarmed), Status::kInvalidArgument);
+  EXPECT_EQ(made->configure(this->settings, unarmed, first_fencer<S>), Status::kInvalidArgument);
+  EXPECT_EQ(hash_of(*made), hash_of(*this->duel));
+}
+
 TYPED_TEST(DuelRefusals, SettingsOutOfRange_AreRefused) {
   using S = typename TestFixture::ScalarT;
   EXPECT_TRUE(this->refuses([](auto& s) { s.salle.distance = S(1e30); }));
@@ -99,12 +112,19 @@ TYPED_TEST(DuelRefusals, FencerOutOfRange_IsRefused) {
   EXPECT_TRUE(refused([](auto& f) { f.map.columns = 1; }));
   keys[5].hand_F[2] = nan;
   EXPECT_TRUE(refused([small](auto& f) { f.map = small; }));
-  EXPECT_TRUE(refused([](auto& f) { f.weapon.parts[1].mass = 0; }));
+  EXPECT_TRUE(refused([](auto& f) { f.weapon = {}; }));
+  EXPECT_TRUE(refused([](auto& f) { f.weapon.mass = 0; }));
+  EXPECT_TRUE(refused([](auto& f) { f.weapon.moments.y() = S(-0.1); }));
+  EXPECT_TRUE(refused([](auto& f) { f.weapon.X_HB.q_WB.w() = S(1.1); }));
+  EXPECT_TRUE(refused([nan](auto& f) { f.weapon.X_HB.p_W.z() = nan; }));
+  EXPECT_TRUE(refused([](auto& f) { f.weapon.guard_B.radius = -1; }));
   // A bell beside the axis of the blade: its turn would be bent (DuelOptions, bent_turns).
-  EXPECT_TRUE(refused([](auto& f) { f.weapon.parts[1].capsule_H.axis.a.y() = S(0.02); }));
+  Weapon<S> crooked = epee<S>();
+  crooked.parts[1].capsule_H.axis.a.y() = S(0.02);
+  EXPECT_TRUE(refused([&crooked](auto& f) { f.weapon = weapon_body(crooked).value; }));
   EXPECT_TRUE(refused([](auto& f) { f.weapon.restitution = 2; }));
   EXPECT_TRUE(refused([](auto& f) { f.weapon.restitution = S(-0.1); }));
-  EXPECT_TRUE(refused([nan](auto& f) { f.weapon.hand_H.radius = nan; }));
+  EXPECT_TRUE(refused([nan](auto& f) { f.weapon.hand_B.radius = nan; }));
   EXPECT_TRUE(refused([](auto& f) { f.grip.torque = 0; }));
   EXPECT_TRUE(refused([nan](auto& f) { f.build.bones[3].start_P.x() = nan; }));
   EXPECT_TRUE(refused([](auto& f) { f.build.bones[4].capsule_J.axis.b.setZero(); }));

@@ -253,7 +253,7 @@ TYPED_TEST(PaperDuelOf, TouchSearchesThatMakeNoSense_AreReported) {
   using S = typename TestFixture::ScalarT;
   this->settings.touch.unit = EpsilonIn::kThinnerRadius;
   Fencer<S> wire = first_fencer<S>();
-  wire.weapon.parts[0].capsule_H.radius = 0;
+  wire.weapon.blade_B.radius = 0;
   ASSERT_EQ(this->duel->configure(this->settings, wire, second_fencer<S>()), Status::kOk);
   this->run(lunge, guard, 400);
   EXPECT_GT(this->duel->report().searches_invalid, 0U);

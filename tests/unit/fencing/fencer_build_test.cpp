@@ -13,6 +13,7 @@ constexpr double kRounding = 1e-6;  // the figures are single precision numbers 
 class ReadyMade : public ::testing::TestWithParam<int> {
  protected:
   const Fencer<double> fencer = GetParam() == 0 ? first_fencer<double>() : second_fencer<double>();
+  const Weapon<double> weapon = epee<double>();
 
   const Bone<double>& bone(BodyPart part) const {
     return fencer.build.bones[static_cast<std::size_t>(part)];
@@ -50,19 +51,19 @@ TEST_P(ReadyMade, Hips_LieOppositeEachOther) {
 /// The rules of the sport for an epee: a straight blade of 0.90 m at most, 0.77 kg in all.
 TEST_P(ReadyMade, Epee_KeepsTheRules) {
   double mass = 0;
-  for (const auto& part : fencer.weapon.parts) {
+  for (const auto& part : weapon.parts) {
     mass += part.mass;
     EXPECT_EQ(part.capsule_H.axis.a.tail<2>(), Vec2<double>::Zero());
     EXPECT_EQ(part.capsule_H.axis.b.tail<2>(), Vec2<double>::Zero());
   }
-  const Segment<double>& blade = fencer.weapon.parts[0].capsule_H.axis;
+  const Segment<double>& blade = weapon.parts[0].capsule_H.axis;
   EXPECT_NEAR((blade.b - blade.a).norm(), 0.90, kRounding);
   EXPECT_NEAR(mass, 0.77, kRounding);
 }
 
 /// Each part touches the next one: the weapon is one piece.
 TEST_P(ReadyMade, Epee_IsOnePiece) {
-  const auto& parts = fencer.weapon.parts;  // blade, guard, grip, pommel
+  const auto& parts = weapon.parts;  // blade, guard, grip, pommel
   for (std::size_t i = 1; i < parts.size(); ++i) {
     EXPECT_EQ(capsule_gap(parts[i - 1].capsule_H, parts[i].capsule_H).proximity,
               Proximity::kOverlapping)

@@ -22,7 +22,7 @@ class Pairing : public ::testing::TestWithParam<int> {
     return hand_at(fencers[index_of(side)].map, Vec2<double>(x, y), salle.X_WF(side)).X_WH;
   }
   Capsule<double> blade(Side side, double x, double y) const {
-    return to_world(hand(side, x, y), fencers[index_of(side)].weapon.parts[0].capsule_H);
+    return to_world(hand(side, x, y), epee<double>().parts[0].capsule_H);
   }
   BodyShape<double> body(Side side, double x, double y) const {
     return pose_body(fencers[index_of(side)].build, salle.X_WF(side), hand(side, x, y));

@@ -89,17 +89,21 @@ TEST(Opponent, WhatIsYoungerThanTheDelay_ChangesNothing) {
 TEST(Opponent, HandIsNoFasterThanAHand_AndStaysInItsSquare) {
   for (const Skill skill : kSkills) {
     Opponent one = opponent(skill, 77);
-    Vec2<float> before = one.place().blade;
+    StickPlace before = one.place();
     float fastest = 0;
+    float fastest_feet = 0;
     for (int step = 0; step < 200000; ++step) {
       const StickPlace& now = one.step(wild_sight(3, step), kStepUs);
-      fastest = std::max(fastest, (now.blade - before).norm() / 1e-3F);
+      fastest = std::max(fastest, (now.blade - before.blade).norm() / 1e-3F);
+      fastest_feet = std::max(fastest_feet, std::abs(now.feet - before.feet) / 1e-3F);
       ASSERT_LE(now.blade.cwiseAbs().maxCoeff(), 1.0F);
       ASSERT_LE(std::abs(now.feet), 1.0F);
-      before = now.blade;
+      before = now;
     }
     EXPECT_LE(fastest, Opponent::kHandSpeed * 1.001F);
     EXPECT_GT(fastest, 0.5F * Opponent::kHandSpeed);
+    EXPECT_LE(fastest_feet, Opponent::kHandSpeed * 1.001F);
+    EXPECT_GT(fastest_feet, 0.5F * Opponent::kHandSpeed);
   }
 }
 

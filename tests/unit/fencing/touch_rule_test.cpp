@@ -200,7 +200,7 @@ TEST_F(TouchRule, InsideOnGuard_IsClosedUntilThePointHasLeft) {
 // A blade that is a ball is all point, and each of its places is as good as another.
 TEST_F(TouchRule, BladeWithoutLength_HasAPlaceOnIt) {
   settings.least_speed = 0;  // along what has no direction there is no speed
-  Capsule<float>& blade = left.weapon.parts[0].capsule_H;
+  Capsule<float>& blade = left.weapon.blade_B;
   blade.axis.a = blade.axis.b;
   begin();
   thrust(kTrunkX - 1, 3);

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+#include <vector>
+
 #include "batuta/fencing/fencer.hpp"
 
 namespace batuta {
@@ -52,7 +55,7 @@ Sliced slice(const Weapon<double>& weapon) {
 }
 
 TEST(WeaponBody, OfTheEpee_MatchesSumsOverSlices) {
-  const auto weapon = first_fencer<double>().weapon;
+  const auto weapon = epee<double>();
   const auto body = weapon_body(weapon);
   ASSERT_TRUE(body.ok());
   const Sliced truth = slice(weapon);
@@ -64,7 +67,7 @@ TEST(WeaponBody, OfTheEpee_MatchesSumsOverSlices) {
 }
 
 TEST(WeaponBody, Blade_IsTheSameCapsuleInBothFrames) {
-  const auto weapon = second_fencer<double>().weapon;
+  const auto weapon = epee<double>();
   const auto body = weapon_body(weapon).value;
   const Capsule<double> back = to_world(body.X_HB, body.blade_B);
   EXPECT_LE((back.axis.a - weapon.parts[0].capsule_H.axis.a).norm(), 1e-15);
@@ -74,7 +77,7 @@ TEST(WeaponBody, Blade_IsTheSameCapsuleInBothFrames) {
 
 // Against the capsules as they are given, each moved by X_HB.
 TEST(WeaponBody, GuardAndHand_AreTheSameCapsulesInBothFrames) {
-  auto weapon = first_fencer<double>().weapon;
+  auto weapon = epee<double>();
   weapon.parts[1].capsule_H = {{{0.06, 0.01, -0.02}, {0.08, -0.03, 0.01}}, 0.05};  // off the axis
   weapon.hand_H = {{{-0.04, 0.02, 0.01}, {0.03, 0, -0.02}}, 0.035};
   const auto body = weapon_body(weapon).value;
@@ -90,7 +93,7 @@ TEST(WeaponBody, GuardAndHand_AreTheSameCapsulesInBothFrames) {
 
 // The hand is the arm's: it has a shape and no mass.
 TEST(WeaponBody, Hand_WeighsNothing) {
-  auto weapon = first_fencer<double>().weapon;
+  auto weapon = epee<double>();
   const auto before = weapon_body(weapon).value;
   weapon.hand_H.radius *= 2;
   const auto after = weapon_body(weapon).value;
@@ -102,7 +105,7 @@ TEST(WeaponBody, Hand_WeighsNothing) {
 TEST(WeaponBody, BadHand_IsRefused) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto refused = [](auto change) {
-    auto weapon = first_fencer<double>().weapon;
+    auto weapon = epee<double>();
     change(weapon.hand_H);
     return weapon_body(weapon).status == Status::kInvalidArgument;
   };
@@ -115,22 +118,87 @@ TEST(WeaponBody, BadHand_IsRefused) {
 }
 
 TEST(WeaponBody, PointMassPart_Counts) {
-  auto weapon = first_fencer<float>().weapon;
+  auto weapon = epee<float>();
   weapon.parts[3].capsule_H.radius = 0;
   EXPECT_NEAR(weapon_body(weapon).value.mass, 0.77F, 1e-6F);
 }
 
 TEST(WeaponBody, BadParts_AreRefused) {
   for (std::size_t i = 0; i < 4; ++i) {
-    auto weapon = first_fencer<double>().weapon;
+    auto weapon = epee<double>();
     weapon.parts[i].mass = 0;
     EXPECT_EQ(weapon_body(weapon).status, Status::kInvalidArgument);
     weapon.parts[i].mass = std::numeric_limits<double>::infinity();
     EXPECT_EQ(weapon_body(weapon).status, Status::kInvalidArgument);
-    weapon = first_fencer<double>().weapon;
+    weapon = epee<double>();
     weapon.parts[i].capsule_H.radius = -1;
     EXPECT_EQ(weapon_body(weapon).status, Status::kInvalidArgument);
   }
+}
+
+template <class S>
+class ReadyMadeWeapon : public ::testing::Test {};
+using Scalars = ::testing::Types<float, double>;
+TYPED_TEST_SUITE(ReadyMadeWeapon, Scalars);
+
+/// Every number of it, by its bits.
+template <class S>
+std::vector<S> numbers_of(const WeaponBody<S>& weapon) {
+  std::vector<S> numbers{weapon.mass, weapon.restitution};
+  const auto add = [&numbers](const auto& v) {
+    for (int i = 0; i < v.size(); ++i) numbers.push_back(v[i]);
+  };
+  add(weapon.moments);
+  add(weapon.X_HB.p_W);
+  add(weapon.X_HB.q_WB.coeffs());
+  for (const auto& capsule : {weapon.blade_B, weapon.guard_B, weapon.hand_B}) {
+    add(capsule.axis.a);
+    add(capsule.axis.b);
+    numbers.push_back(capsule.radius);
+  }
+  return numbers;
+}
+
+// fencer.cpp has the numbers; here they are made of the parts.
+TYPED_TEST(ReadyMadeWeapon, OfTheFencers_IsThatOfTheEpeeToTheLastBit) {
+  using S = TypeParam;
+  const auto made = weapon_body(epee<S>());
+  ASSERT_TRUE(made.ok());
+  const std::vector<S> truth = numbers_of(made.value);
+  for (const Fencer<S>& fencer : {first_fencer<S>(), second_fencer<S>()}) {
+    const std::vector<S> kept = numbers_of(fencer.weapon);
+    ASSERT_EQ(kept.size(), truth.size());
+    EXPECT_EQ(std::memcmp(kept.data(), truth.data(), truth.size() * sizeof(S)), 0)
+        << ::testing::PrintToString(truth) << ", kept: " << ::testing::PrintToString(kept);
+  }
+}
+
+TEST(Validate, WeaponBodyOutOfRange_IsRefused) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double inf = std::numeric_limits<double>::infinity();
+  const auto refused = [](auto change) {
+    WeaponBody<double> weapon = first_fencer<double>().weapon;
+    change(weapon);
+    return validate(weapon) == Status::kInvalidArgument;
+  };
+  EXPECT_FALSE(refused([](auto&) {}));
+  EXPECT_EQ(validate(WeaponBody<double>{}), Status::kInvalidArgument);
+  for (const double bad : {nan, inf, 0.0, -1.0}) {
+    EXPECT_TRUE(refused([bad](auto& w) { w.mass = bad; })) << bad;
+    for (int i = 0; i < 3; ++i) EXPECT_TRUE(refused([bad, i](auto& w) { w.moments[i] = bad; }));
+  }
+  for (const double bad : {nan, inf, -0.1, 1.1}) {
+    EXPECT_TRUE(refused([bad](auto& w) { w.restitution = bad; })) << bad;
+  }
+  for (const double bad : {nan, inf}) {
+    EXPECT_TRUE(refused([bad](auto& w) { w.X_HB.p_W.y() = bad; }));
+    EXPECT_TRUE(refused([bad](auto& w) { w.X_HB.q_WB.x() = bad; }));
+    EXPECT_TRUE(refused([bad](auto& w) { w.blade_B.axis.b.z() = bad; }));
+    EXPECT_TRUE(refused([bad](auto& w) { w.hand_B.radius = bad; }));
+  }
+  EXPECT_TRUE(refused([](auto& w) { w.X_HB.q_WB.w() = 1.01; }));
+  EXPECT_TRUE(refused([](auto& w) { w.X_HB.q_WB.w() = 0; }));
+  EXPECT_TRUE(refused([](auto& w) { w.guard_B.radius = -1; }));
 }
 
 TEST(Inverse, TakesAPoseBack) {

@@ -83,14 +83,16 @@ TYPED_TEST(KdopTest, OfACapsule_HoldsItAndIsTightToEightRoundOffs) {
   this->RecordProperty("worst_slack_uS", std::to_string(static_cast<double>(worst)));
 }
 
-// Against the exact extents of both, a margin and all: nothing sticks out.
-TYPED_TEST(KdopTest, OfTwoCapsulesAndAMargin_HoldsBothAndIsTight) {
+// Against the exact extents of both axes with a radius that is a sum: nothing sticks out.
+TYPED_TEST(KdopTest, OfTwoAxesAndASumAsRadius_HoldsBothAndIsTight) {
   using Scalar = typename TypeParam::Scalar;
   constexpr int K = TypeParam::K;
   for (int n = 0; n < 1000; ++n) {
     const std::array<Capsule<Scalar>, 2> both = {this->capsule(), this->capsule()};
     const Scalar margin = n % 3 == 0 ? Scalar(0) : Scalar(0.01) * static_cast<Scalar>(n);
-    const Kdop<Scalar, K> dop = detail::kdop_of<Scalar, K>(both[0], both[1], margin);
+    const Scalar thickness = both[0].radius;
+    const Kdop<Scalar, K> dop =
+        detail::kdop_of<Scalar, K>(both[0].axis, both[1].axis, thickness + margin);
     for (int i = 0; i < K / 2; ++i) {
       const auto d = detail::kdop_direction<Scalar, K>(i).template cast<long double>().eval();
       long double high = std::numeric_limits<long double>::lowest();
@@ -98,7 +100,7 @@ TYPED_TEST(KdopTest, OfTwoCapsulesAndAMargin_HoldsBothAndIsTight) {
       for (const auto& c : both) {
         for (const auto& end : {c.axis.a, c.axis.b}) {
           const auto x = end.template cast<long double>().eval();
-          const long double radius = static_cast<long double>(c.radius) + margin;
+          const long double radius = static_cast<long double>(thickness) + margin;
           high = std::max(high, d.dot(x) + d.norm() * radius);
           size = std::max(size, x.norm() + radius);
         }

@@ -8,13 +8,6 @@
 
 namespace batuta::fencing {
 
-/// What a body's pose follows from.
-template <class Scalar>
-struct Stance {
-  Pose<Scalar> X_WF;  ///< where the feet are
-  Pose<Scalar> X_WH;  ///< where the hand is
-};
-
 /// Both fencers as targets, and the bout. Defined in fencing/detail/referee_definitions.hpp.
 /// Allocates: never. RAM in float: 2 (1 kB + FencerBuild).
 template <class SceneT>
@@ -57,11 +50,11 @@ class Referee {
   /// After the world's step. Both blades are looked at before either touch is judged; the earlier
   /// one is noted first, the left one of two at once. In a halt nobody looks.
   /// @param blades  of the left and the right fencer, where they are now
-  /// @param came    Steel::came of both
+  /// @param steel   what stopped them
   /// @param now     steps that were over before this one, and its length
   /// Bound: 2 (kMostCorners + 1) touch searches, and one more for each part that the point enters
   /// without a touch.
-  void judge(const std::array<const Blade*, 2>& blades, const std::array<Twist<Scalar>, 2>& came,
+  void judge(const std::array<const Blade*, 2>& blades, const std::array<Steel<Scalar>, 2>& steel,
              const Settings& settings, const Moment<Scalar>& now, DuelReport& report);
 
   const Bout<Scalar>& bout() const { return bout_; }
@@ -108,8 +101,8 @@ class Referee {
                                const Settings& settings, Scalar dt, DuelReport& report);
   static Scalar touch_speed(const PointWay& way, const MovingCapsule<Scalar>& part,
                             const TouchSearch<Scalar>& found);
-  TouchSearch<Scalar> touch_in(Side side, const PointWay& way, const Settings& settings,
-                               DuelReport& report);
+  void touch_in(Side side, const PointWay& way, const Settings& settings, DuelReport& report,
+                TouchSearch<Scalar>& search);
   Scalar slip_of(Side side, const Blade& blade) const;
   bool was_outside(Side side, const Capsule<Scalar>& point_W, BodyPart part) const;
   void close_all();

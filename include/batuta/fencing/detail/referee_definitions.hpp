@@ -21,18 +21,18 @@ std::uint32_t halt_steps(const DuelSettings<SceneT>& settings) {
   return static_cast<std::uint32_t>((settings.halt_us + settings.step_us - 1) / settings.step_us);
 }
 
+/// @pre both are valid
+template <class Scalar>
+Scalar gap_between(const Capsule<Scalar>& A, const Capsule<Scalar>& B) {
+  return closest_points(A.axis, B.axis).distance - (A.radius + B.radius);
+}
+
 /// One piece of a blade's way in a step.
 template <class Scalar>
-struct Piece {
-  Scalar from = 0;
-  Motion<Scalar> motion;
-};
-
-template <class Scalar>
-Piece<Scalar> piece_between(const Waypoint<Scalar>& start, const Waypoint<Scalar>& end) {
+Motion<Scalar> piece_between(const Waypoint<Scalar>& start, const Waypoint<Scalar>& end) {
   const Scalar duration = end.time - start.time;
-  if (!(duration > Scalar(0))) return {start.time, still(end.X_WB, Scalar(0))};
-  return {start.time, motion_between(start.X_WB, end.X_WB, duration)};
+  if (!(duration > Scalar(0))) return still(end.X_WB, Scalar(0));
+  return motion_between(start.X_WB, end.X_WB, duration);
 }
 
 }  // namespace detail
@@ -59,7 +59,7 @@ template <class SceneT>
 void Referee<SceneT>::stand(Side side, const Stance<Scalar>& stance, const Pose<Scalar>& X_WB) {
   RefereeSide& place = at(side);
   place.start_WB = X_WB;
-  place.target.place(pose_body(place.build, stance.X_WF, stance.X_WH));
+  place.target.place(place.build, stance);
 }
 
 template <class SceneT>
@@ -75,24 +75,24 @@ template <class SceneT>
 void Referee<SceneT>::follow(Side side, const Stance<Scalar>& stance, const Blade& blade,
                              Scalar dt) {
   RefereeSide& place = at(side);
-  place.target.move_to(pose_body(place.build, stance.X_WF, stance.X_WH), dt);
+  place.target.move_to(place.build, stance, dt);
   place.hand_W = stance.X_WH.p_W;
   place.control = blade.controller.control();
 }
 
 template <class SceneT>
 void Referee<SceneT>::judge(const std::array<const Blade*, 2>& blades,
-                            const std::array<Twist<Scalar>, 2>& came, const Settings& settings,
+                            const std::array<Steel<Scalar>, 2>& steel, const Settings& settings,
                             const Moment<Scalar>& now, DuelReport& report) {
   if (bout_.state == BoutState::kHalt) {
     --bout_.halt_steps;  // not the last one: is_halt_over() came first
     return;
   }
-  std::array<TouchSearch<Scalar>, 2> searches;
-  for (std::size_t i = 0; i < searches.size(); ++i) {  // Bound: 2
-    searches[i] =
-        touch_by(static_cast<Side>(i), *blades[i], came[i], settings, now.in_step, report);
-  }
+  const auto touch = [&](Side side) {
+    const std::size_t i = index_of(side);
+    return touch_by(side, *blades[i], steel[i].came, settings, now.in_step, report);
+  };
+  const std::array<TouchSearch<Scalar>, 2> searches = {touch(Side::kLeft), touch(Side::kRight)};
   const bool right_first =
       searches[1].found && (!searches[0].found || searches[1].t_free < searches[0].t_free);
   const Side first = right_first ? Side::kRight : Side::kLeft;
@@ -109,31 +109,31 @@ TouchSearch<typename SceneT::Scalar> Referee<SceneT>::touch_by(Side side, const 
                                                                const Settings& settings, Scalar dt,
                                                                DuelReport& report) {
   const auto& corners = blade.controller.corners;
-  const Capsule<Scalar> point_B = detail::point_of(part_of(blade, 0), settings.point_length);
   PointWay way;
-  way.start_W = to_world(at(side).start_WB, point_B);
+  way.point.capsule_B = detail::point_of(part_of(blade, 0), settings.point_length);
+  way.start_W = to_world(at(side).start_WB, way.point.capsule_B);
   reopen(side, way.start_W);
   way.came = came;
   way.hand = {at(side).control, blade.controller.first_blow, slip_of(side, blade)};
   TouchSearch<Scalar> first;
   bool complete = true;
   Scalar known_until = dt;
-  Waypoint<Scalar> start{Scalar(0), at(side).start_WB};
+  const Waypoint<Scalar> begin{Scalar(0), at(side).start_WB};
+  const Waypoint<Scalar> last{dt, blade.body.X_WB};
+  const Waypoint<Scalar>* start = &begin;
   for (int k = 0; k <= corners.size() && !first.found; ++k) {  // Bound: kMostCorners + 1 pieces
-    const Waypoint<Scalar> end =
-        k < corners.size() ? corners[k] : Waypoint<Scalar>{dt, blade.body.X_WB};
-    const auto piece = detail::piece_between(start, end);
+    const Waypoint<Scalar>& end = k < corners.size() ? corners[k] : last;
     const bool is_whole = !blade.controller.is_cut || k + 1 < corners.size();
     if (!is_whole && complete) {
       complete = false;
-      known_until = start.time;
+      known_until = start->time;
     }
-    way.point = {point_B, piece.motion};
-    way.from = piece.from;
-    first = touch_in(side, way, settings, report);
+    way.point.motion = detail::piece_between(*start, end);
+    way.from = start->time;
+    touch_in(side, way, settings, report, first);
     if (!first.complete && complete) known_until = first.known_until;
     complete = complete && first.complete;
-    start = end;
+    start = &end;
   }
   first.complete = complete;
   first.known_until = known_until;
@@ -166,13 +166,11 @@ template <class SceneT>
 }
 
 /// The first entry of the point in a piece of its way that is a touch. A part that it enters
-/// otherwise is closed.
+/// otherwise is closed. @param[out] search  the touch, if it is found
 template <class SceneT>
-TouchSearch<typename SceneT::Scalar> Referee<SceneT>::touch_in(Side side, const PointWay& way,
-                                                               const Settings& settings,
-                                                               DuelReport& report) {
+void Referee<SceneT>::touch_in(Side side, const PointWay& way, const Settings& settings,
+                               DuelReport& report, TouchSearch<Scalar>& search) {
   Target<Scalar>& target = at(other(side)).target;
-  TouchSearch<Scalar> search;
   for (int entry = 0; entry <= kBodyParts; ++entry) {  // Bound: kBodyParts + 1
     search = target.template find_touch<Search>(way.point, way.from, settings.touch,
                                                 settings.target & ~at(side).closed);
@@ -180,16 +178,15 @@ TouchSearch<typename SceneT::Scalar> Referee<SceneT>::touch_in(Side side, const 
     report.touch_searches += search.searches;
     report.budget_outs += search.budget_outs;
     report.searches_invalid += search.searches_invalid;
-    if (!search.found) break;
+    if (!search.found) return;
     const Scalar speed = touch_speed(way, target.part(search.part), search);
     if (was_outside(side, way.start_W, search.part) &&
         detail::counts<SceneT>(settings, way.hand, search.t_free, speed)) {
-      break;
+      return;
     }
     at(side).closed |= mask_of(search.part);
     search.found = false;
   }
-  return search;
 }
 
 /// Whether point and part were apart when the step began: a search that ended without an answer may
@@ -197,7 +194,7 @@ TouchSearch<typename SceneT::Scalar> Referee<SceneT>::touch_in(Side side, const 
 /// @param point_W  where it was then
 template <class SceneT>
 bool Referee<SceneT>::was_outside(Side side, const Capsule<Scalar>& point_W, BodyPart part) const {
-  return capsule_gap(point_W, at(other(side)).target.start_of(part)).gap > Scalar(0);
+  return detail::gap_between(point_W, at(other(side)).target.start_of(part)) > Scalar(0);
 }
 
 /// Parts that the point had left when the step began can be touched again.
@@ -209,8 +206,8 @@ void Referee<SceneT>::reopen(Side side, const Capsule<Scalar>& point_W) {
   for (int i = 0; closed != 0 && i < kBodyParts; ++i) {  // Bound: kBodyParts
     const auto part = static_cast<BodyPart>(i);
     if ((closed & mask_of(part)) == 0) continue;
-    const CapsuleGap<Scalar> gap = capsule_gap(point_W, target.start_of(part));
-    if (gap.gap > detail::kPointIsOut<Scalar>) closed &= ~mask_of(part);
+    const Scalar gap = detail::gap_between(point_W, target.start_of(part));
+    if (gap > detail::kPointIsOut<Scalar>) closed &= ~mask_of(part);
   }
 }
 

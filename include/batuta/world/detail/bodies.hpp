@@ -315,6 +315,14 @@ Capsule<Scalar_of<SceneT>> Bodies<SceneT>::shape_W(int proxy) const {
   return to_world(moving.motion.X_WB, moving.capsule_B);
 }
 
+/// Whether a world takes an actor.
+template <class SceneT>
+bool may_come(const Actor<SceneT>& actor) {
+  using Kinematics = KinematicsOf<SceneT>;
+  return has_valid_features(actor) && Kinematics::is_addable(actor.body) &&
+         Kinematics::may_come(actor);
+}
+
 }  // namespace batuta::detail
 
 #include "batuta/world/detail/course.hpp"

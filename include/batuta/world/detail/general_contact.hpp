@@ -331,7 +331,7 @@ typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::room_of(std::size_t 
   for (int part = 0; part < parts_of(bodies_.actor(slot)); ++part) {  // Bound: kCapsulesPerBody
     const int own = BodiesT::proxy_of(slot, part);
     const Capsule<Scalar> shape = bodies_.shape_W(own);
-    const Aabb<Scalar> near = kdop_of<Scalar, 6>(shape, shape, 2 * shift);
+    const Aabb<Scalar> near = kdop_of<Scalar, 6>(shape.axis, shape.axis, shape.radius + 2 * shift);
     for (int k = 0; k < BodiesT::kProxies; ++k) {  // Bound: all capsules
       const std::size_t other = BodiesT::body_of(k);
       const bool is_pair =

@@ -255,13 +255,11 @@ Status GeneralWorld<SceneT>::configure(const WorldSettings<SceneT>& settings) {
 
 template <class SceneT>
 Result<typename GeneralWorld<SceneT>::BodyId> GeneralWorld<SceneT>::add(const ActorType& actor) {
-  if (!has_valid_features(actor) || !Kinematics::is_addable(actor.body))
-    return failure<BodyId>(Status::kInvalidArgument);
-  ActorType added = actor;
-  Kinematics::prepare(added);
-  if (!Kinematics::may_turn(added.body)) return failure<BodyId>(Status::kInvalidArgument);
-  const auto id = bodies_.actors.make(added);
+  if (!may_come(actor)) return failure<BodyId>(Status::kInvalidArgument);
+  const auto id = bodies_.actors.make(actor);
   if (!id.ok()) return id;
+  ActorType& made = bodies_.actors.at(id.value.index1 - 1U);  // it lives
+  Kinematics::prepare(made, made.body);
   if constexpr (SceneT::kSleep) {
     sleep_.add(bodies_, static_cast<std::size_t>(bodies_.actors.index_of(id.value)));
   }

@@ -44,6 +44,23 @@ EndsAlong<Scalar> ends_along(const MovingCapsule<Scalar>& moving, const Vec3<Sca
   return ends;
 }
 
+/// Where many pairs wait, and their search remembers a normal. One pair has no other to wait for:
+/// there it would be code for what the search tells as well.
+template <class SceneT>
+inline constexpr bool kSparesSearches = kLasts<SceneT> ||
+                                        (SceneT::kRotation && SceneT::Search::kUsesSeed &&
+                                         SceneT::kMaxPairs > 1);
+
+/// What has to be left between two that are proven apart without a search, as a share of the length
+/// of the query. Where contacts do not last, a gap that the search calls contact is one.
+template <class SceneT>
+Scalar_of<SceneT> spare_share([[maybe_unused]] const Bodies<SceneT>& bodies) {
+  using Scalar = Scalar_of<SceneT>;
+  constexpr Scalar kNoise = 2 * kInflation<Scalar>;
+  if constexpr (kLasts<SceneT>) return kNoise;
+  return kNoise + max_of(bodies.settings.search.contact_tolerance, kLeastContactTolerance<Scalar>);
+}
+
 /// Whether the normal that parted the pair last parts it for all the time to come: ends go straight
 /// on but for half of (w t)^2 times their arm, so that what is between them along a fixed normal is
 /// least at one of both ends of the time (world.md, "No search").
@@ -60,8 +77,8 @@ bool stays_apart(const Bodies<SceneT>& bodies, ProxyPair pair,
   const auto b = ends_along<Scalar>(B, origin_W, origin_v_W, normal, Scalar(-1));
   const Scalar at_end = (b.last - a.last) - (a.bend + b.bend);
   const Scalar between = min_of(b.first - a.first, at_end);
-  const Scalar noise = 2 * kInflation<Scalar> * (a.length + b.length);
-  return between - (A.capsule_B.radius + B.capsule_B.radius) > noise;
+  const Scalar least = spare_share(bodies) * (a.length + b.length);
+  return between - (A.capsule_B.radius + B.capsule_B.radius) > least;
 }
 
 /// What was seen of the earliest candidate is kept: its contact then needs no other evaluation.
@@ -70,10 +87,10 @@ template <class PartsAlong>
 void Pairs<SceneT>::search(BodiesT& bodies, CandidateType& candidate,
                            const PartsAlong& parts_along) {
   candidate.asked = true;
-  if constexpr (kLasts<SceneT>) {
-    // Of two pairs with one place in the memory one is forgotten: its contact still knows.
+  if constexpr (kSparesSearches<SceneT>) {
     Vec3<Scalar> normal = seed(candidate.pair);
-    if (is_zero(normal)) normal = parts_along(candidate.pair);
+    // Of two pairs with one place in the memory one is forgotten: its contact still knows.
+    if (kLasts<SceneT> && is_zero(normal)) normal = parts_along(candidate.pair);
     if (stays_apart(bodies, candidate.pair, normal)) {
       candidate.outcome = Outcome::kFree;
       return;

@@ -126,9 +126,10 @@ template <class SceneT>
 Aabb<Scalar_of<SceneT>> way_box(const Bodies<SceneT>& bodies, int proxy, Scalar_of<SceneT> slack) {
   using Scalar = Scalar_of<SceneT>;
   const auto moving = bodies.mover(proxy, bodies.dt);
-  const Capsule<Scalar> from = to_world(moving.motion.X_WB, moving.capsule_B);
+  const Capsule<Scalar> shape = to_world(moving.motion.X_WB, moving.capsule_B);
+  const Segment<Scalar>& from = shape.axis;
   const Vec3<Scalar> way = moving.motion.duration * moving.motion.twist.v_W;
-  const Capsule<Scalar> to = {{from.axis.a + way, from.axis.b + way}, from.radius};
+  const Segment<Scalar> to = {from.a + way, from.b + way};
   const Scalar turn = moving.motion.duration * length(moving.motion.twist.w_W);
   const Scalar reach = max_of(length(moving.capsule_B.axis.a), length(moving.capsule_B.axis.b));
   const Scalar aside = min_of(turn, Scalar(2)) * reach + slack;
@@ -140,7 +141,7 @@ Aabb<Scalar_of<SceneT>> way_box(const Bodies<SceneT>& bodies, int proxy, Scalar_
     all.high.fill(std::numeric_limits<Scalar>::max());
     return all;
   }
-  return kdop_of<Scalar, 6>(from, to, aside);
+  return kdop_of<Scalar, 6>(from, to, shape.radius + aside);
 }
 
 template <class SceneT>

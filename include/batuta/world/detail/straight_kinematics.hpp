@@ -61,7 +61,8 @@ struct StraightKinematics {
     return is_inverse(body.inverse_mass) && is_usable(body);
   }
   static bool may_turn(const BodyType& /*body*/) { return true; }
-  static void prepare(ActorType& /*actor*/) {}
+  static bool may_come(const ActorType& /*actor*/) { return true; }
+  static void prepare(const ActorType& /*actor*/, BodyType& /*body*/) {}
   static void ask(const ActorType& actor, Scalar /*t*/, Scalar duration, PlanType& plan) {
     plan.motion = {actor.body.p_W, velocity_of(actor.body), duration};
   }

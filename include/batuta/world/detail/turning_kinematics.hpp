@@ -70,21 +70,25 @@ struct TurningKinematics {
     const bool points = q.w() != Scalar(0) || !is_zero(Vec3<Scalar>(q.vec()));
     return points && has_inverses && is_usable(body);
   }
-  /// A body as the caller gave it, made ready. Bound: the parts.
-  static void prepare(ActorType& actor) {
-    actor.body.X_WB.q_WB = renewed(actor.body.X_WB.q_WB);
-    actor.body.spin_shows = false;
+  /// Whether one that comes new may turn as it will.
+  [[gnu::cold]] static bool may_come([[maybe_unused]] const ActorType& actor) {
+    if constexpr (SceneT::kBentTurns) return true;
+    BodyType body = actor.body;
+    prepare(actor, body);
+    return may_turn(body);
+  }
+  /// The body of an actor as the caller gave it, made ready. Bound: the parts.
+  static void prepare(const ActorType& actor, BodyType& body) {
+    body.X_WB.q_WB = renewed(body.X_WB.q_WB);
+    body.spin_shows = false;
     for (int i = 0; i < parts_of(actor); ++i) {  // Bound: kCapsulesPerBody
-      actor.body.spin_shows = actor.body.spin_shows || !hides_spin(actor.body, part_of(actor, i));
+      body.spin_shows = body.spin_shows || !hides_spin(body, part_of(actor, i));
     }
   }
   /// No valid one where the caller, or bytes that were restored, spoiled the orientation: a
   /// controller may take it for one.
   static void ask(const ActorType& actor, Scalar t, Scalar duration, PlanType& plan) {
-    constexpr Scalar kUnitWithin = Scalar(1) / 512;  // of the squared length, as in archive.cpp
-    const Quat<Scalar>& q = actor.body.X_WB.q_WB;
-    const Scalar square = (q.x() * q.x() + q.y() * q.y()) + (q.z() * q.z() + q.w() * q.w());
-    if (std::abs(square - Scalar(1)) <= kUnitWithin) {
+    if (is_turn(actor.body.X_WB.q_WB)) {
       plan = planned(actor, t, duration);
     } else {
       plan.by_momentum = false;

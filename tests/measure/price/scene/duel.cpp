@@ -18,7 +18,7 @@ int main() {
   using namespace batuta;
   using namespace batuta::fencing;
   const auto settings = duel_settings<PricedScene>();
-  if (duel.configure(settings, first_fencer<float>(), second_fencer<float>()) != Status::kOk) {
+  if (duel.configure(settings, first_fencer<float>, second_fencer<float>) != Status::kOk) {
     return 1;
   }
   if (duel.step(&samples[0], &samples[1]) != Status::kOk) return 2;

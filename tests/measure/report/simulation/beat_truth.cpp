@@ -41,7 +41,7 @@ LedBlade::LedBlade(Side side, const BeatPlan& plan) : side_(side), plan_(plan) {
       side == Side::kLeft ? first_fencer<double>() : second_fencer<double>();
   X_WF_ = Salle<double>{}.X_WF(side);
   map_ = fencer.map;
-  weapon_ = weapon_body(fencer.weapon).value;
+  weapon_ = fencer.weapon;
   grip_ = fencer.grip;
 }
 
