@@ -62,6 +62,8 @@ TYPED_TEST(DuelRefusals, ConfiguredByMakers_IsTheSameBout) {
   const FencerMaker<S> unarmed = []() { return Fencer<S>{}; };
   EXPECT_EQ(made->configure(this->settings, first_fencer<S>, unarmed), Status::kInvalidArgument);
   EXPECT_EQ(made->configure(this->settings, unarmed, first_fencer<S>), Status::kInvalidArgument);
+  EXPECT_EQ(made->configure(this->settings, nullptr, first_fencer<S>), Status::kInvalidArgument);
+  EXPECT_EQ(made->configure(this->settings, first_fencer<S>, nullptr), Status::kInvalidArgument);
   EXPECT_EQ(hash_of(*made), hash_of(*this->duel));
 }
 

@@ -18,6 +18,7 @@ Status Duel<SceneT>::configure(const Settings& settings, const Fencer<Scalar>& l
 template <class SceneT>
 Status Duel<SceneT>::configure(const Settings& settings, FencerMaker<Scalar> left,
                                FencerMaker<Scalar> right) {
+  if (left == nullptr || right == nullptr) return Status::kInvalidArgument;
   return configure_with(settings, left, right);
 }
 
