@@ -63,6 +63,7 @@ struct OpeningState {
   Vec3<Scalar> moment_W = zero<Scalar>();
   bool is_held = false;     ///< something holds those it was opened with
   bool is_opened = true;    ///< may still be moved to open gaps
+  bool is_capped = false;   ///< lies in one above it that cannot give way
   bool was_welded = false;  ///< it did not make its own motion in this step
 };
 
@@ -223,6 +224,7 @@ bool Bodies<SceneT>::begin(std::size_t slot) {
     state.moment_W.setZero();
     state.is_held = false;
     state.is_opened = true;
+    state.is_capped = false;
     state.was_welded = false;
   }
   ActorType& actor = actors.at(slot);

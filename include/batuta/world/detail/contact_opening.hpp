@@ -7,19 +7,26 @@
 
 namespace batuta::detail {
 
-/// Whether a contact that was solved is too narrow.
+/// Whether a contact is too narrow.
+template <class Traits>
+bool is_narrow(const LastingContact<Traits>& contact) {
+  using Scalar = typename Traits::Scalar;
+  constexpr Scalar kNarrow = Scalar(0.4);  // of D
+  bool is_one = false;
+  for (int i = 0; i < contact.count; ++i) {  // Bound: 2
+    const auto& point = contact.points[static_cast<std::size_t>(i)];
+    const Scalar limit = point.normal > Scalar(0) ? kNarrow * contact.rest_gap : Scalar(0);
+    is_one = is_one || point.gap < limit;
+  }
+  return is_one;
+}
+
+/// Whether one of those that were solved is.
 template <class SceneT>
 bool is_opening_needed(const ContactGroups<SceneT>& groups) {
-  using Scalar = Scalar_of<SceneT>;
-  constexpr Scalar kNarrow = Scalar(0.4);  // of D
   bool is_needed = false;
   for (int k = 0; k < groups.solved_count; ++k) {  // Bound: kMaxContacts
-    const auto& contact = groups.solved_at(k);
-    for (int i = 0; i < contact.count; ++i) {  // Bound: 2
-      const auto& point = contact.points[static_cast<std::size_t>(i)];
-      const Scalar limit = point.normal > Scalar(0) ? kNarrow * contact.rest_gap : Scalar(0);
-      is_needed = is_needed || point.gap < limit;
-    }
+    is_needed = is_needed || is_narrow(groups.solved_at(k));
   }
   return is_needed;
 }
@@ -45,26 +52,37 @@ void open_gaps(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups) {
   }
 }
 
-/// In a group that something holds, what lies below counts as held while gaps are opened: its
-/// opening lifts all that lies on it (world.md, "Opening"). Not where the upper one is fixed:
-/// both would be held then, and their gap could not open.
+/// Of a contact in a group that something holds: the lower one counts as held while gaps are
+/// opened, so that its opening lifts all that lies on it (world.md, "Opening"). Not where the upper
+/// one cannot give way, because it is fixed or pressed down by such a one: both would be held then,
+/// and their gap could not open. @pre who lies on the upper one was looked at before
 template <class SceneT>
-void find_held(const Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups) {
+void find_below(Bodies<SceneT>& bodies, const ContactGroups<SceneT>& groups,
+                LastingContactOf<SceneT>& contact) {
+  using Scalar = Scalar_of<SceneT>;
+  constexpr Scalar kUpright = Scalar(0.5);  // beside each other: neither is below
+  const Scalar gravity = length(bodies.settings.gravity_W);
+  const Scalar down = bodies.settings.gravity_W.dot(contact.points[0].normal_W);
+  if (!contact.is_held || !(std::abs(down) > kUpright * gravity)) return;
+  const bool is_A_below = down > Scalar(0);
+  const std::size_t a = a_of<SceneT>(contact);
+  const std::size_t b = b_of<SceneT>(contact);
+  const std::size_t upper = is_A_below ? b : a;
+  if (groups.solved[upper].inverse_mass > Scalar(0) && !bodies.states[upper].is_capped) {
+    contact.below = is_A_below ? 1 : 2;
+  } else if (is_narrow(contact)) {
+    bodies.states[is_A_below ? a : b].is_capped = true;
+  }
+}
+
+/// What something holds, and what counts as held: from the top down.
+template <class SceneT>
+void find_held(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups) {
   join_all(bodies, groups, false);
-  for (int k = 0; k < groups.solved_count; ++k) {  // Bound: kMaxContacts
+  for (int k = groups.solved_count - 1; k >= 0; --k) {  // Bound: kMaxContacts
     auto& contact = groups.solved_at(k);
     contact.is_held = groups.joined.is_held(root_of(bodies, groups, contact));
-    if constexpr (SceneT::kGravity) {
-      using Scalar = Scalar_of<SceneT>;
-      constexpr Scalar kUpright = Scalar(0.5);  // beside each other: neither is below
-      const Scalar gravity = length(bodies.settings.gravity_W);
-      const Scalar down = bodies.settings.gravity_W.dot(contact.points[0].normal_W);
-      const std::size_t upper = down > Scalar(0) ? b_of<SceneT>(contact) : a_of<SceneT>(contact);
-      const bool is_lifted = groups.solved[upper].inverse_mass > Scalar(0);
-      if (contact.is_held && is_lifted && std::abs(down) > kUpright * gravity) {
-        contact.below = down > Scalar(0) ? 1 : 2;
-      }
-    }
+    if constexpr (SceneT::kGravity) find_below(bodies, groups, contact);
   }
 }
 
