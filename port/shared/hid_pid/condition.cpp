@@ -15,10 +15,6 @@ int saturation_below(const Condition& condition) {
                                             : condition.negative_saturation;
 }
 
-float share_of(int level) {
-  return static_cast<float>(level) / static_cast<float>(kFullLevel);
-}
-
 }  // namespace
 
 float Condition::force(float metric, float knee) const {

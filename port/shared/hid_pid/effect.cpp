@@ -3,15 +3,12 @@
 #include "shared/hid_pid/effect.hpp"
 
 #include "shared/hid_pid/direction.hpp"
+#include "shared/hid_pid/limits.hpp"
 
 namespace batuta::pid {
 namespace {
 
 constexpr std::uint32_t kUsPerMs = 1000;
-
-float share_of(int level) {
-  return static_cast<float>(level) / static_cast<float>(kFullLevel);
-}
 
 /// A host has longer times than the descriptor announces: hid-pidff sends what a game asks for.
 std::uint16_t time_of(std::uint16_t ms) {

@@ -9,6 +9,10 @@ namespace batuta::pid {
 
 /// Levels, magnitudes, coefficients, saturations and offsets: this is the whole, 1.
 inline constexpr int kFullLevel = 10000;
+/// Of the whole.
+constexpr float share_of(int level) {
+  return static_cast<float>(level) / static_cast<float>(kFullLevel);
+}
 /// Gains: this is 1.
 inline constexpr int kFullGain = 255;
 /// Directions and phases: this is a full turn, so that a step is 0.02 degrees. Divisible by four: a
