@@ -9,7 +9,6 @@
 // Numbers of the policy: opponent.md says what each was chosen for.
 
 namespace batuta::fencing {
-
 namespace {
 
 using detail::across;
@@ -148,7 +147,7 @@ void Opponent::decide() {
 /// Whether the rival's feet come and come, and how often he lunges meanwhile.
 void Opponent::look_at_rush(const detail::Situation& now, bool comes) {
   rushed_ = std::clamp(rushed_ + (now.gait > kRushes ? 1 : -1), 0, kMostRushLooks);
-  since_ = std::min(since_ + 1, kLongestRhythm);
+  since_ = std::min(since_ + 1, detail::kQuietLooks);
   if (!comes || threatened_) return;
   rhythm_ = since_ < kLongestRhythm ? since_ : 0;
   since_ = 0;
@@ -209,7 +208,7 @@ void Opponent::meet(const detail::Situation& now) {
 
 bool Opponent::is_time_to_meet() const {
   if (rhythm_ == 0) return since_ >= kLongestRhythm;
-  const int arrives = (since_ + kArrival) % rhythm_;
+  const int arrives = (std::min(since_, kLongestRhythm) + kArrival) % rhythm_;
   return static_cast<float>(arrives) > kBackOnGuard * static_cast<float>(rhythm_);
 }
 
@@ -253,13 +252,14 @@ void Opponent::choose(const detail::Situation& now, bool over) {
 void Opponent::choose_attack(const detail::Situation& now, bool over) {
   const Style& style = style_of(skill_);
   const bool is_open = opening_ > 0;
+  const float eager = since_ < detail::kQuietLooks ? style.attacks : style.hurries;
   const bool in_range = now.upright < style.range + (is_open ? kFollow : 0.0F);
   const bool walks_in = now.gait > kWalksIn && is_near(now);
   if (over && intent_ == Intent::kParry && now.upright < kRiposteRange && chance(style.ripostes)) {
     attack(now, line_of(line_to_close(now.line)).riposte, Intent::kRiposte);
   } else if (walks_in && chance(style.stops)) {
     attack(now, line_to_attack(), Intent::kCounter);
-  } else if (presses_ || (in_range && chance(is_open ? style.pursues : style.attacks))) {
+  } else if (presses_ || (in_range && chance(is_open ? style.pursues : eager))) {
     press(now);
   } else if (over) {
     keep_measure(now);

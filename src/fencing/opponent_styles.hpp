@@ -22,6 +22,7 @@ struct Style {
   float reads;                 ///< sees the line of an attack
   float ripostes;              ///< after a parry
   float attacks;               ///< begins an attack, of the looks within range
+  float hurries;               ///< the same, where the rival made none for kQuietLooks
   float pursues;               ///< the same, while the rival's attack is just over
   float stops;                 ///< of the looks at a rival who walks in
   float beats;                 ///< of its attacks, begun by a beat
@@ -32,13 +33,15 @@ struct Style {
   bool meets;                  ///< knows what to do about a rival who rushes in
 };
 
+inline constexpr int kQuietLooks = 270;  ///< 4 s
+
 inline constexpr std::array<Style, 3> kStyles = {{
     {90000, 250000, 150000, 0.12F, 0.62F, 2.7F, 2.9F, 0.25F, 0.3F, 0.15F, 0.45F,
-     0.5F,  0.016F, 0.01F,  0.0F,  0.2F,  0.0F, 0.0F, 0.0F,  0.1F, false},
-    {22000, 160000, 85000, 0.05F, 0.57F, 3.1F, 3.2F, 0.97F, 0.05F, 0.04F, 0.75F,
-     1.0F,  0.02F,  0.14F, 0.04F, 0.21F, 0.1F, 0.5F, 1.0F,  0.24F, true},
-    {0,    140000, 90000, 0.02F, 0.58F, 2.95F, 3.1F, 1.0F, 0.4F,  0.04F, 1.0F,
-     1.0F, 0.004F, 0.9F,  0.05F, 0.0F,  0.0F,  1.0F, 1.0F, 0.24F, true},
+     0.5F,  0.016F, 0.016F, 0.01F, 0.0F,  0.2F, 0.0F, 0.0F,  0.0F, 0.1F,  false},
+    {22000, 160000, 85000, 0.05F, 0.57F, 3.1F,  3.2F, 0.97F, 0.05F, 0.04F, 0.75F,
+     1.0F,  0.02F,  0.02F, 0.14F, 0.04F, 0.21F, 0.1F, 0.5F,  1.0F,  0.24F, true},
+    {0,    140000, 90000,  0.02F, 0.58F, 2.95F, 3.1F, 1.0F, 0.4F, 0.04F, 1.0F,
+     1.0F, 0.004F, 0.015F, 0.9F,  0.05F, 0.0F,  0.0F, 1.0F, 1.0F, 0.24F, true},
 }};
 
 inline const Style& style_of(Skill skill) {

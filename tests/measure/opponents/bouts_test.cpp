@@ -68,6 +68,16 @@ TEST_F(Pairings, LoopsOverClub_SeldomWin) {
   }
 }
 
+/// A master waits for an attack, but not for ever: without `hurries` 8 % of the bouts with the loop
+/// of parries were not over in time.
+TEST_F(Pairings, BoutsOfMasterWithWhoWaits_End) {
+  for (const char* loop : {"parry", "guard"}) {
+    const Tally tally = play(loop, "master", 60);
+    EXPECT_GE(tally.share(tally.ended), 95) << loop;
+    EXPECT_LE(tally.seconds, 45 * tally.bouts) << loop;
+  }
+}
+
 /// 15 % of many bouts at most (docs/fencing.md). 40 bouts are too few to hold that: three standard
 /// deviations are added.
 TEST_F(Pairings, LoopsOverMaster_SeldomWin) {
