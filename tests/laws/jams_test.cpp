@@ -165,6 +165,25 @@ TYPED_TEST(Jams, RodsPressedByAFixedBeam_ComeFree) {
   }
 }
 
+// A fixed rod beside it, as high as it lies or higher: what brings it out takes it along its rails,
+// and the rails hold it up meanwhile. Each of them turned it faster than an overlap of its own
+// allowed, so it stayed, by up to 6 cm and with complete steps, for good.
+TYPED_TEST(Jams, RodOnRailsBesideAFixedOne_ComesFree) {
+  using SceneT = Settling<TypeParam, test::kHeaps>;
+  for (const double dt : {1e-3, 1.0 / 240, 1.0 / 60}) {
+    for (const double height : {0.04, 0.0501, 0.052, 0.06, 0.07, 0.09}) {
+      auto world = std::make_unique<World<SceneT>>();
+      for (const double side : {-0.2, 0.2}) {
+        (void)world->add(test::fixed_rod<SceneT>(6, 0.1, {0, side, -0.1}, test::along_x()));
+      }
+      (void)world->add(test::solid_rod<SceneT>(0.6, 0.05, {0, 0, 0.0501}, test::along_y()));
+      (void)world->add(test::fixed_rod<SceneT>(0.6, 0.05, {0.04, 0, height}, test::along_y()));
+      for (double t = 0; t < 0.6; t += dt) ASSERT_EQ(world->step(TypeParam(dt)), Status::kOk);
+      EXPECT_GT(test::smallest_gap(*world), -1e-5) << dt << ' ' << height;
+    }
+  }
+}
+
 // Half of what is missing in each step: 5 cm become less than what the search can tell in 20.
 TYPED_TEST(Jams, PairPutIntoEachOther_IsOpened) {
   using SceneT = Settling<TypeParam, test::kFloating>;

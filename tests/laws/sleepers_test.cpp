@@ -7,57 +7,22 @@
 
 #include "batuta/record/snapshot.hpp"
 #include "batuta/record/world.hpp"
-#include "batuta/world/any_controller.hpp"
 #include "choices.hpp"
-#include "law_worlds.hpp"
+#include "sleeping_rod.hpp"
 
 namespace batuta {
 namespace {
 
+using test::Bed;
+using test::kRadius;
+using test::lead;
+using test::Led;
 using test::Vector;
 
 template <class S>
 class Sleepers : public ::testing::Test {};
 using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(Sleepers, Scalars);
-
-constexpr double kRadius = 0.05;  // of all rods, m
-
-/// A rod that sleeps across two rails along x, 0.8 m apart.
-template <class SceneT>
-struct Bed {
-  using S = typename SceneT::Scalar;
-  using Id = typename World<SceneT>::BodyId;
-  std::unique_ptr<World<SceneT>> world = std::make_unique<World<SceneT>>();
-  Id rails[2];
-  Id sleeper;
-
-  /// @param put  what a rail has besides its shape: put(actor)
-  template <class Put>
-  explicit Bed(const Put& put) {
-    for (int i = 0; i < 2; ++i) {
-      auto rail =
-          test::fixed_rod<SceneT>(6, kRadius, {0, i == 0 ? -0.4 : 0.4, -kRadius}, test::along_x());
-      put(rail);
-      rails[i] = world->add(rail).value;
-    }
-    auto rod = test::solid_rod<SceneT>(1.2, kRadius, {0, 0, kRadius + 5e-5}, test::along_y());
-    rod.friction = S(0.3);
-    sleeper = world->add(rod).value;
-  }
-  Bed() : Bed([](Actor<SceneT>& /*rail*/) {}) {}
-
-  const Body<S>& body(Id id) const { return std::as_const(*world).get(id)->body; }
-  double height(Id id) const { return static_cast<double>(body(id).X_WB.p_W.z()); }
-  double speed(Id id) const {
-    return static_cast<double>(body(id).inverse_mass * body(id).momentum.linear_W.x());
-  }
-  void step(double dt) { ASSERT_EQ(world->step(static_cast<S>(dt)), Status::kOk); }
-  void sleep(double dt) {
-    for (int i = 0; i < 3000 && !world->is_asleep(sleeper); ++i) step(dt);
-    ASSERT_TRUE(world->is_asleep(sleeper));
-  }
-};
 
 // Of two rods without friction the x momenta stay what they were, and both go on with one velocity:
 // m V of 2 m where the search found a blow; where they were nearer than D when the step began, too.
@@ -122,22 +87,6 @@ TYPED_TEST(Sleepers, LoadedAtTheEnd_Tips) {
       const Vec3<TypeParam> axis_W = bed.body(bed.sleeper).X_WB.q_WB * Vec3<TypeParam>::UnitZ();
       EXPECT_GT(std::abs(static_cast<double>(axis_W.z())), 0.02) << dt << ' ' << gap;
     }
-  }
-}
-
-template <class S>
-using Led = Scene<test::law_options<RestingContact::kSettling, test::kSleeping>, Advancement<S>,
-                  AnyController<S, FreeFlight<S>, Hand<S>>>;
-
-/// Both rails go to where they began and `shift` from there, by the end of the step.
-template <class S>
-void lead(Bed<Led<S>>& bed, const Vector& shift, double dt) {
-  for (int i = 0; i < 2; ++i) {
-    auto* hand = bed.world->get(bed.rails[i])->controller.template as<Hand<S>>();
-    hand->step = static_cast<S>(dt);
-    const Vector start(0, i == 0 ? -0.4 : 0.4, -kRadius);
-    hand->target_W.p_W = (start + shift).template cast<S>();
-    hand->target_W.q_WB = test::along_x().template cast<S>();
   }
 }
 

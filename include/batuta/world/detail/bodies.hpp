@@ -64,7 +64,7 @@ struct OpeningState {
   bool is_held = false;     ///< something holds those it was opened with
   bool is_opened = true;    ///< may still be moved to open gaps
   bool is_capped = false;   ///< lies in one above it that cannot give way
-  bool was_welded = false;  ///< it did not make its own motion in this step
+  bool was_jammed = false;  ///< it did not make its own motion in this step, or lies in another
 };
 
 /// The numbers of all capsules of all bodies: parts of one body follow each other.
@@ -225,7 +225,7 @@ bool Bodies<SceneT>::begin(std::size_t slot) {
     state.is_held = false;
     state.is_opened = true;
     state.is_capped = false;
-    state.was_welded = false;
+    state.was_jammed = false;
   }
   ActorType& actor = actors.at(slot);
   if (!has_valid_features(actor) || !Kinematics::is_usable(actor.body) ||

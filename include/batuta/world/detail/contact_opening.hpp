@@ -21,12 +21,14 @@ bool is_narrow(const LastingContact<Traits>& contact) {
   return is_one;
 }
 
-/// Whether one of those that were solved is.
+/// Whether one of those that were solved is. Finds how deep two are in each other, too.
 template <class SceneT>
-bool is_opening_needed(const ContactGroups<SceneT>& groups) {
+bool is_opening_needed(ContactGroups<SceneT>& groups) {
   bool is_needed = false;
   for (int k = 0; k < groups.solved_count; ++k) {  // Bound: kMaxContacts
-    is_needed = is_needed || is_narrow(groups.solved_at(k));
+    const auto& contact = groups.solved_at(k);
+    is_needed = is_needed || is_narrow(contact);
+    groups.deepest = max_of(groups.deepest, -least_gap(contact));
   }
   return is_needed;
 }
@@ -87,13 +89,14 @@ void find_held(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups) {
 }
 
 /// How far what opens the gaps of a contact may take a body in what is left of a step, m: kFar of
-/// D, and as far as the two are in each other. Between two that give way to each other there would
-/// be no end to it.
-template <class Traits>
-typename Traits::Scalar furthest_way(const LastingContact<Traits>& contact) {
-  using Scalar = typename Traits::Scalar;
+/// D, and as far as any two are in each other, because who is brought out of one lies on others.
+/// Between two that give way to each other there would be no end to it.
+template <class SceneT>
+Scalar_of<SceneT> furthest_way(const ContactGroups<SceneT>& groups,
+                               const LastingContactOf<SceneT>& contact) {
+  using Scalar = Scalar_of<SceneT>;
   constexpr Scalar kFar = 64;
-  return kFar * contact.rest_gap + max_of(Scalar(0), -least_gap(contact));
+  return kFar * contact.rest_gap + max_of(groups.deepest, -least_gap(contact));
 }
 
 /// Whether an opening would take a body further than that, and further than what it is now.
@@ -144,7 +147,7 @@ Scalar_of<SceneT> visit_opening(Bodies<SceneT>& bodies, const ContactGroups<Scen
   if (!(change > Scalar(0))) return change;
   const Twist<Scalar> of_A = {A.v_W, A.w_W};
   const Twist<Scalar> of_B = {B.v_W, B.w_W};
-  const Scalar furthest = furthest_way(contact);
+  const Scalar furthest = furthest_way(groups, contact);
   if (goes_too_far(bodies, a, of_A, furthest) || goes_too_far(bodies, b, of_B, furthest)) {
     points.front().opening = front;
     points.back().opening = back;

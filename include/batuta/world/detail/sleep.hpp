@@ -58,7 +58,8 @@ class Sleep {
     rests_[slot].quiet = 0;
   }
   bool is_disturbed(const BodiesT& bodies, std::size_t slot) const;
-  bool is_another(BodiesT& bodies, std::size_t slot);
+  bool is_another(const BodiesT& bodies, std::size_t slot);
+  bool is_led_off(BodiesT& bodies, std::size_t slot) const;
   bool is_felt(const BodiesT& bodies, GroupsT& groups, PairsT& pairs, ProxyPair pair,
                std::size_t other) const;
   bool count_quiet(BodiesT& bodies, const GroupsT& groups);
@@ -83,21 +84,28 @@ bool Sleep<SceneT>::is_disturbed(const BodiesT& bodies, std::size_t slot) const 
          !is_zero(body.momentum.linear_W) || !is_zero(body.momentum.angular_W);
 }
 
-/// Whether the caller has changed what keeps a body where it is, or who moves it.
+/// Whether the caller has changed what keeps a body where it is.
 template <class SceneT>
-bool Sleep<SceneT>::is_another(BodiesT& bodies, std::size_t slot) {
+bool Sleep<SceneT>::is_another(const BodiesT& bodies, std::size_t slot) {
   if (bodies.states[slot].boxed) return false;  // nobody but those who read it has had it
   const std::uint32_t sum = sum_of(bodies.actor(slot));
-  bool is_another = sum != rests_[slot].sum;
+  const bool is_another = sum != rests_[slot].sum;
   rests_[slot].sum = sum;
+  return is_another;
+}
+
+/// Whether a sleeper's controller leads it from now on.
+template <class SceneT>
+bool Sleep<SceneT>::is_led_off([[maybe_unused]] BodiesT& bodies,
+                               [[maybe_unused]] std::size_t slot) const {
   if constexpr (!BodiesT::kIsFree) {
     if (bodies.states[slot].asleep) {
       typename BodiesT::Kinematics::PlanType plan;
       BodiesT::Kinematics::ask(bodies.actor(slot), Scalar(0), bodies.dt, plan);
-      is_another = is_another || !plan.by_momentum;
+      return !plan.by_momentum;
     }
   }
-  return is_another;
+  return false;
 }
 
 template <class SceneT>
@@ -108,12 +116,21 @@ void Sleep<SceneT>::begin_step(BodiesT& bodies, const GroupsT& groups) {
   };
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
     if (bodies.actors.at_index(slot) == nullptr) continue;
-    const bool is_another = this->is_another(bodies, slot);
+    const bool is_another = this->is_another(bodies, slot) || is_led_off(bodies, slot);
     const bool stood = bodies.states[slot].asleep || bodies.states[slot].stands;
     if (!is_another && !(stood && is_disturbed(bodies, slot))) continue;
     if (bodies.states[slot].asleep) wake(bodies, groups, slot, [](std::size_t) {});
     wake_neighbours(slot);
+    if (is_another) bodies.states[slot].stands = false;  // it has just come, for who sleeps near it
   }
+}
+
+/// Whether a body is awake, led, and moves or has just come.
+template <class SceneT>
+bool is_led_elsewhere(const Bodies<SceneT>& bodies, std::size_t slot) {
+  const auto& state = bodies.states[slot];
+  if (!state.present || state.asleep || !bodies.is_led(slot)) return false;
+  return !state.stands || !KinematicsOf<SceneT>::is_still(state.plan.motion);
 }
 
 /// Whether a sleeper has something to answer from another that is awake. What is led: where it
@@ -122,9 +139,8 @@ void Sleep<SceneT>::begin_step(BodiesT& bodies, const GroupsT& groups) {
 template <class SceneT>
 bool Sleep<SceneT>::is_felt(const BodiesT& bodies, GroupsT& groups, PairsT& pairs, ProxyPair pair,
                             std::size_t other) const {
-  const auto& state = bodies.states[other];
   const bool is_led = bodies.is_led(other);
-  if (is_led && state.stands && BodiesT::Kinematics::is_still(state.plan.motion)) return false;
+  if (is_led && !is_led_elsewhere(bodies, other)) return false;
   NearPair<Scalar> near;
   const Scalar D = rest_gap(bodies, pair);
   if (!is_near(bodies, pairs, pair, D, near)) return false;
@@ -146,16 +162,24 @@ template <class Woken>
 bool Sleep<SceneT>::wake_touched(BodiesT& bodies, GroupsT& groups, PairsT& pairs,
                                  const Woken& woken) {
   bool is_any = false;
-  const auto touch = [&](ProxyPair pair) {
+  const auto rouse = [&](std::size_t sleeper) {
+    is_any = true;
+    wake(bodies, groups, sleeper, [this](std::size_t slot) { sleeps_[slot] = true; });
+  };
+  pairs.for_each_pair([&](ProxyPair pair) {
     const std::size_t a = BodiesT::body_of(pair.first);
     const std::size_t b = BodiesT::body_of(pair.second);
     const bool sleeps_a = bodies.states[a].asleep;
-    if (sleeps_a == bodies.states[b].asleep || !may_pair(bodies, a, b)) return;
-    if (!is_felt(bodies, groups, pairs, pair, sleeps_a ? b : a)) return;
-    is_any = true;
-    wake(bodies, groups, sleeps_a ? a : b, [this](std::size_t slot) { sleeps_[slot] = true; });
-  };
-  pairs.for_each_pair(touch);
+    if (sleeps_a == bodies.states[b].asleep || !may_meet(bodies.actor(a), bodies.actor(b))) return;
+    if (is_felt(bodies, groups, pairs, pair, sleeps_a ? b : a)) rouse(sleeps_a ? a : b);
+  });
+  // Who lies on what moves, at whatever gap: D was another one if it fell asleep in a longer step.
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies, and their contacts
+    if (!is_led_elsewhere(bodies, slot)) continue;
+    groups.contacts.for_each_neighbour(slot, [&](std::size_t other) {
+      if (bodies.states[other].asleep) rouse(other);
+    });
+  }
   for (std::size_t slot = 0; slot < kSlots && is_any; ++slot) {  // Bound: kMaxBodies
     if (sleeps_[slot]) woken(slot);
     sleeps_[slot] = false;
@@ -229,15 +253,21 @@ bool Sleep<SceneT>::has_left(const BodiesT& bodies, const GroupsT& groups, std::
   return left;
 }
 
-/// How long each has not left its place, by a motion of its own: who was held by a weld stands
-/// where it would not. @returns whether that is long enough for somebody
+/// How long each has not left its place, by a motion of its own: who was held by a weld, or lies
+/// in another, stands where it would not. @returns whether that is long enough for somebody
 template <class SceneT>
 bool Sleep<SceneT>::count_quiet(BodiesT& bodies, const GroupsT& groups) {
   const auto time = static_cast<Scalar>(SceneT::kSleepTime);
   bool is_any = false;
+  for (int i = 0; i < groups.contacts.size(); ++i) {  // Bound: kMaxContacts
+    const auto& contact = groups.contacts[i];
+    if (!contact.is_solved || !(least_gap(contact) < Scalar(0))) continue;
+    bodies.states[a_of<SceneT>(contact)].was_jammed = true;
+    bodies.states[b_of<SceneT>(contact)].was_jammed = true;
+  }
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
     if (!may_sleep(bodies, slot)) continue;
-    if (bodies.states[slot].was_welded || has_left(bodies, groups, slot)) {
+    if (bodies.states[slot].was_jammed || has_left(bodies, groups, slot)) {
       start_over(bodies, slot);
     } else {
       rests_[slot].quiet = min_of(rests_[slot].quiet + bodies.dt, 2 * time);

@@ -207,7 +207,7 @@ template <class SceneT>
     if (state.group != name) continue;
     state.is_led_group = is_led;
     state.held_until = until;
-    if constexpr (kLasts<SceneT>) state.was_welded = true;
+    if constexpr (kLasts<SceneT>) state.was_jammed = true;
     end_course(bodies_, slot, bodies_.dt);
     state.start = bodies_.now;
     state.plan.motion = Kinematics::seat(motion, bodies_.actor(slot).body);
