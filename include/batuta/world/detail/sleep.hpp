@@ -62,6 +62,9 @@ class Sleep {
   bool is_led_off(BodiesT& bodies, std::size_t slot) const;
   bool is_felt(const BodiesT& bodies, GroupsT& groups, PairsT& pairs, ProxyPair pair,
                std::size_t other) const;
+  void rouse(BodiesT& bodies, const GroupsT& groups, std::size_t slot);
+  bool rouse_touched(BodiesT& bodies, GroupsT& groups, PairsT& pairs);
+  bool rouse_carried(BodiesT& bodies, const GroupsT& groups);
   bool count_quiet(BodiesT& bodies, const GroupsT& groups);
   void find_sleepers(const BodiesT& bodies, GroupsT& groups);
   void fall_asleep(BodiesT& bodies);
@@ -157,29 +160,50 @@ bool Sleep<SceneT>::is_felt(const BodiesT& bodies, GroupsT& groups, PairsT& pair
   return would_press(contact, groups.solved[a], groups.solved[b]);
 }
 
+/// Wakes a sleeper and all that sleep against it, and marks them.
 template <class SceneT>
-template <class Woken>
-bool Sleep<SceneT>::wake_touched(BodiesT& bodies, GroupsT& groups, PairsT& pairs,
-                                 const Woken& woken) {
+void Sleep<SceneT>::rouse(BodiesT& bodies, const GroupsT& groups, std::size_t slot) {
+  wake(bodies, groups, slot, [this](std::size_t woken) { sleeps_[woken] = true; });
+}
+
+/// Who feels somebody awake. @returns whether somebody does
+template <class SceneT>
+bool Sleep<SceneT>::rouse_touched(BodiesT& bodies, GroupsT& groups, PairsT& pairs) {
   bool is_any = false;
-  const auto rouse = [&](std::size_t sleeper) {
-    is_any = true;
-    wake(bodies, groups, sleeper, [this](std::size_t slot) { sleeps_[slot] = true; });
-  };
   pairs.for_each_pair([&](ProxyPair pair) {
     const std::size_t a = BodiesT::body_of(pair.first);
     const std::size_t b = BodiesT::body_of(pair.second);
     const bool sleeps_a = bodies.states[a].asleep;
     if (sleeps_a == bodies.states[b].asleep || !may_meet(bodies.actor(a), bodies.actor(b))) return;
-    if (is_felt(bodies, groups, pairs, pair, sleeps_a ? b : a)) rouse(sleeps_a ? a : b);
+    if (!is_felt(bodies, groups, pairs, pair, sleeps_a ? b : a)) return;
+    is_any = true;
+    rouse(bodies, groups, sleeps_a ? a : b);
   });
-  // Who lies on what moves, at whatever gap: D was another one if it fell asleep in a longer step.
+  return is_any;
+}
+
+/// Who lies on what moves, at whatever gap: D was another one if it fell asleep in a longer step.
+/// @returns whether somebody does
+template <class SceneT>
+bool Sleep<SceneT>::rouse_carried(BodiesT& bodies, const GroupsT& groups) {
+  bool is_any = false;
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies, and their contacts
     if (!is_led_elsewhere(bodies, slot)) continue;
     groups.contacts.for_each_neighbour(slot, [&](std::size_t other) {
-      if (bodies.states[other].asleep) rouse(other);
+      if (!bodies.states[other].asleep) return;
+      is_any = true;
+      rouse(bodies, groups, other);
     });
   }
+  return is_any;
+}
+
+template <class SceneT>
+template <class Woken>
+bool Sleep<SceneT>::wake_touched(BodiesT& bodies, GroupsT& groups, PairsT& pairs,
+                                 const Woken& woken) {
+  const bool is_touched = rouse_touched(bodies, groups, pairs);
+  const bool is_any = rouse_carried(bodies, groups) || is_touched;
   for (std::size_t slot = 0; slot < kSlots && is_any; ++slot) {  // Bound: kMaxBodies
     if (sleeps_[slot]) woken(slot);
     sleeps_[slot] = false;
