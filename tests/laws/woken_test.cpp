@@ -26,7 +26,7 @@ TYPED_TEST(Woken, BySomethingFixedThatIsPutIntoThem) {
   using SceneT = test::Settling<TypeParam, test::kSleeping>;
   using S = TypeParam;
   for (const double dt : {1e-3, 1.0 / 60}) {
-    const auto put = [dt](const Vector& from, auto owner, const auto& change) {
+    const auto put = [dt](const Vector& from, std::uint16_t owner, const auto& change) {
       Bed<SceneT> bed;
       auto rod = test::fixed_rod<SceneT>(1.2, kRadius, from, test::along_y());
       rod.owner = owner;
