@@ -74,6 +74,31 @@ TYPED_TEST(Woken, BySupportThatLeavesInShorterSteps) {
   }
 }
 
+// The hands of both rails let go: what lay on them falls with them.
+TYPED_TEST(Woken, BySupportThatIsLetGo) {
+  using S = TypeParam;
+  using SceneT = test::Led<S>;
+  for (const double dt : {1e-3, 1.0 / 60}) {
+    Bed<SceneT> bed([](auto& rail) {
+      const Vector place = rail.body.X_WB.p_W.template cast<double>();
+      rail = test::solid_rod<SceneT>(6, kRadius, place, test::along_x());
+      rail.controller = Hand<S>{};
+    });
+    for (int i = 0; i < 3000 && !bed.world->is_asleep(bed.sleeper); ++i) {
+      test::lead<S>(bed, Vector::Zero(), dt);
+      bed.step(dt);
+    }
+    ASSERT_TRUE(bed.world->is_asleep(bed.sleeper)) << dt;
+    const double start = bed.height(bed.sleeper);
+    for (const auto id : bed.rails) bed.world->get(id)->controller = FreeFlight<S>{};
+    const int steps = static_cast<int>(std::lround(0.5 / dt));
+    for (int i = 0; i < steps; ++i) bed.step(dt);
+    const double fall = 9.81 * 0.25 / 2;
+    EXPECT_NEAR(start - bed.height(bed.sleeper), fall, 0.01 * fall) << dt;
+    EXPECT_NEAR(-kRadius - bed.height(bed.rails[0]), fall, 0.01 * fall) << dt;
+  }
+}
+
 /// Flies freely for a second, and then goes up, whatever becomes of it.
 template <class S>
 struct Riser {

@@ -61,6 +61,8 @@ struct OpeningState {
   Twist<Scalar> opening;  ///< for this step, to open gaps; no part of its momentum
   /// What shifts of this step changed of its x x p, kg m^2/s (moment_account.hpp).
   Vec3<Scalar> moment_W = zero<Scalar>();
+  /// As deep as two of its group were in each other when the step began, m.
+  Scalar deepest = 0;
   bool is_held = false;     ///< something holds those it was opened with
   bool is_opened = true;    ///< may still be moved to open gaps
   bool is_capped = false;   ///< lies in one above it that cannot give way
@@ -222,6 +224,7 @@ bool Bodies<SceneT>::begin(std::size_t slot) {
   if constexpr (kLasts<SceneT>) {
     state.opening = {};
     state.moment_W.setZero();
+    state.deepest = 0;
     state.is_held = false;
     state.is_opened = true;
     state.is_capped = false;

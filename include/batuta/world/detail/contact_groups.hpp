@@ -91,8 +91,6 @@ class ContactGroups {
   /// Of contacts that are solved, in the order in which they are visited.
   std::array<Slot, static_cast<std::size_t>(SceneT::kMaxContacts)> order{};
   Slot solved_count = 0;
-  /// As deep as two were in each other when the step began, m; 0: nobody.
-  Scalar deepest = 0;
   BodyGroups<SceneT> joined;
   BodyChanges<SceneT> changes;
   std::array<SolvedBody<Scalar>, BodiesT::kSlots> solved{};

@@ -21,16 +21,33 @@ bool is_narrow(const LastingContact<Traits>& contact) {
   return is_one;
 }
 
-/// Whether one of those that were solved is. Finds how deep two are in each other, too.
+/// Whether one of those that were solved is.
 template <class SceneT>
-bool is_opening_needed(ContactGroups<SceneT>& groups) {
+bool is_opening_needed(const ContactGroups<SceneT>& groups) {
   bool is_needed = false;
   for (int k = 0; k < groups.solved_count; ++k) {  // Bound: kMaxContacts
-    const auto& contact = groups.solved_at(k);
-    is_needed = is_needed || is_narrow(contact);
-    groups.deepest = max_of(groups.deepest, -least_gap(contact));
+    is_needed = is_needed || is_narrow(groups.solved_at(k));
   }
   return is_needed;
+}
+
+/// How deep two of each group are in each other, for all of the group. @pre join_all()
+template <class SceneT>
+void find_deepest(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups) {
+  bool is_any = false;
+  for (int k = 0; k < groups.solved_count; ++k) {  // Bound: kMaxContacts
+    const auto& contact = groups.solved_at(k);
+    auto& deepest = bodies.states[root_of(bodies, groups, contact)].deepest;
+    deepest = max_of(deepest, -least_gap(contact));
+    is_any = is_any || least_gap(contact) < Scalar_of<SceneT>(0);
+  }
+  for (int k = 0; k < groups.solved_count && is_any; ++k) {  // Bound: kMaxContacts
+    const auto& contact = groups.solved_at(k);
+    const auto deepest = bodies.states[root_of(bodies, groups, contact)].deepest;
+    for (const std::size_t slot : {a_of<SceneT>(contact), b_of<SceneT>(contact)}) {  // Bound: 2
+      if (!bodies.is_led(slot)) bodies.states[slot].deepest = deepest;
+    }
+  }
 }
 
 /// A velocity for one step that opens the gaps of contacts that press.
@@ -39,6 +56,7 @@ void open_gaps(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups) {
   using Scalar = Scalar_of<SceneT>;
   find_held(bodies, groups);
   if (!is_opening_needed(groups)) return;
+  find_deepest(bodies, groups);
   constexpr int kOpeningSweeps = 8;
   constexpr Scalar kShare = Scalar(0.5);      // of what is missing, in a step
   constexpr Scalar kEnough = Scalar(1) / 32;  // of D, in the step
@@ -89,14 +107,16 @@ void find_held(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups) {
 }
 
 /// How far what opens the gaps of a contact may take a body in what is left of a step, m: kFar of
-/// D, and as far as any two are in each other, because who is brought out of one lies on others.
-/// Between two that give way to each other there would be no end to it.
+/// D, and as far as any two of its group are in each other, because who is brought out of one lies
+/// on others. Between two that give way to each other there would be no end to it.
 template <class SceneT>
-Scalar_of<SceneT> furthest_way(const ContactGroups<SceneT>& groups,
+Scalar_of<SceneT> furthest_way(const Bodies<SceneT>& bodies,
                                const LastingContactOf<SceneT>& contact) {
   using Scalar = Scalar_of<SceneT>;
   constexpr Scalar kFar = 64;
-  return kFar * contact.rest_gap + max_of(groups.deepest, -least_gap(contact));
+  const Scalar of_group = max_of(bodies.states[a_of<SceneT>(contact)].deepest,
+                                 bodies.states[b_of<SceneT>(contact)].deepest);
+  return kFar * contact.rest_gap + max_of(of_group, -least_gap(contact));
 }
 
 /// Whether an opening would take a body further than that, and further than what it is now.
@@ -147,7 +167,7 @@ Scalar_of<SceneT> visit_opening(Bodies<SceneT>& bodies, const ContactGroups<Scen
   if (!(change > Scalar(0))) return change;
   const Twist<Scalar> of_A = {A.v_W, A.w_W};
   const Twist<Scalar> of_B = {B.v_W, B.w_W};
-  const Scalar furthest = furthest_way(groups, contact);
+  const Scalar furthest = furthest_way(bodies, contact);
   if (goes_too_far(bodies, a, of_A, furthest) || goes_too_far(bodies, b, of_B, furthest)) {
     points.front().opening = front;
     points.back().opening = back;

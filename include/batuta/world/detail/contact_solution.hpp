@@ -269,7 +269,6 @@ void ContactGroups<SceneT>::solve(BodiesT& bodies) {
     if (bodies.states[slot].present && contacts.first_of(slot) != kNone) load(bodies, slot);
   }
   choose(bodies, *this);
-  deepest = 0;
   if (solved_count == 0) return;
   changes.changed.fill(0);
   put_in_order(bodies, *this);

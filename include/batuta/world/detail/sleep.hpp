@@ -20,7 +20,7 @@ class Sleep {
   /// A body is new.
   void add(BodiesT& bodies, std::size_t slot) {
     start_over(bodies, slot);
-    rests_[slot].sum = sum_of(bodies.actor(slot));
+    rests_[slot].sum = sum_of(bodies.actor(slot)) & ~kWasLed;
   }
   /// Wakes whom the caller has disturbed, and who lies against what he has; before a step.
   void begin_step(BodiesT& bodies, const GroupsT& groups);
@@ -45,10 +45,12 @@ class Sleep {
 
  private:
   static constexpr std::size_t kSlots = BodiesT::kSlots;
+  static constexpr std::uint32_t kWasLed = 1;  ///< and awake, in the last step
   struct Rest {
     Pose<Scalar> anchor;
-    Scalar quiet = 0;       ///< for so long it has not left the anchor, s
-    std::uint32_t sum = 0;  ///< of what the caller may change (actor_sum.hpp)
+    Scalar quiet = 0;  ///< for so long it has not left the anchor, s
+    /// Of what the caller may change (actor_sum.hpp), but for its lowest bit: kWasLed.
+    std::uint32_t sum = 0;
   };
 
   /// Awake, and from where it is.
@@ -64,6 +66,7 @@ class Sleep {
                std::size_t other) const;
   void rouse(BodiesT& bodies, const GroupsT& groups, std::size_t slot);
   bool rouse_touched(BodiesT& bodies, GroupsT& groups, PairsT& pairs);
+  bool is_let_go(const BodiesT& bodies, std::size_t slot) const;
   bool rouse_carried(BodiesT& bodies, const GroupsT& groups);
   bool count_quiet(BodiesT& bodies, const GroupsT& groups);
   void find_sleepers(const BodiesT& bodies, GroupsT& groups);
@@ -91,7 +94,8 @@ bool Sleep<SceneT>::is_disturbed(const BodiesT& bodies, std::size_t slot) const 
 template <class SceneT>
 bool Sleep<SceneT>::is_another(const BodiesT& bodies, std::size_t slot) {
   if (bodies.states[slot].boxed) return false;  // nobody but those who read it has had it
-  const std::uint32_t sum = sum_of(bodies.actor(slot));
+  const std::uint32_t was_led = rests_[slot].sum & kWasLed;
+  const std::uint32_t sum = (sum_of(bodies.actor(slot)) & ~kWasLed) | was_led;
   const bool is_another = sum != rests_[slot].sum;
   rests_[slot].sum = sum;
   return is_another;
@@ -182,13 +186,20 @@ bool Sleep<SceneT>::rouse_touched(BodiesT& bodies, GroupsT& groups, PairsT& pair
   return is_any;
 }
 
-/// Who lies on what moves, at whatever gap: D was another one if it fell asleep in a longer step.
-/// @returns whether somebody does
+/// Whether a body was led in the last step, and is not any more.
+template <class SceneT>
+bool Sleep<SceneT>::is_let_go(const BodiesT& bodies, std::size_t slot) const {
+  const bool is_awake = bodies.states[slot].present && !bodies.states[slot].asleep;
+  return is_awake && (rests_[slot].sum & kWasLed) != 0 && !bodies.is_led(slot);
+}
+
+/// Who lies on what moves or was let go, at whatever gap: D was another one if it fell asleep in a
+/// longer step. @returns whether somebody does
 template <class SceneT>
 bool Sleep<SceneT>::rouse_carried(BodiesT& bodies, const GroupsT& groups) {
   bool is_any = false;
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies, and their contacts
-    if (!is_led_elsewhere(bodies, slot)) continue;
+    if (!is_led_elsewhere(bodies, slot) && !is_let_go(bodies, slot)) continue;
     groups.contacts.for_each_neighbour(slot, [&](std::size_t other) {
       if (!bodies.states[other].asleep) return;
       is_any = true;
@@ -277,6 +288,18 @@ bool Sleep<SceneT>::has_left(const BodiesT& bodies, const GroupsT& groups, std::
   return left;
 }
 
+/// Whether the two of a contact are in each other. Its gaps are those of when it was looked at, and
+/// of the ends of a line that its nearest point stands for: they may be less than any that there
+/// is.
+template <class SceneT>
+bool is_in_another(const Bodies<SceneT>& bodies, const LastingContactOf<SceneT>& contact) {
+  using Scalar = Scalar_of<SceneT>;
+  if (!(least_gap(contact) < Scalar(0))) return false;
+  const auto now =
+      capsule_gap(bodies.shape_W(contact.pair.first), bodies.shape_W(contact.pair.second));
+  return now.gap < Scalar(0);
+}
+
 /// How long each has not left its place, by a motion of its own: who was held by a weld, or lies
 /// in another, stands where it would not. @returns whether that is long enough for somebody
 template <class SceneT>
@@ -285,7 +308,7 @@ bool Sleep<SceneT>::count_quiet(BodiesT& bodies, const GroupsT& groups) {
   bool is_any = false;
   for (int i = 0; i < groups.contacts.size(); ++i) {  // Bound: kMaxContacts
     const auto& contact = groups.contacts[i];
-    if (!contact.is_solved || !(least_gap(contact) < Scalar(0))) continue;
+    if (!contact.is_solved || !is_in_another(bodies, contact)) continue;
     bodies.states[a_of<SceneT>(contact)].was_jammed = true;
     bodies.states[b_of<SceneT>(contact)].was_jammed = true;
   }
@@ -339,8 +362,12 @@ void Sleep<SceneT>::end_step(BodiesT& bodies, GroupsT& groups) {
     fall_asleep(bodies);
   }
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    if (bodies.actors.at_index(slot) != nullptr && bodies.states[slot].asleep) {
+    rests_[slot].sum &= ~kWasLed;
+    if (bodies.actors.at_index(slot) == nullptr) continue;
+    if (bodies.states[slot].asleep) {
       ++bodies.report.asleep;
+    } else if (bodies.states[slot].present && bodies.is_led(slot)) {
+      rests_[slot].sum |= kWasLed;
     }
   }
 }
