@@ -233,9 +233,8 @@ struct HeapBesideAWedge {
 };
 
 // How far an opening may take a body goes by how deep others of its group are in each other (64 D
-// more), not by those that it never meets: that took bodies of such heaps 1.6 m away. What is
-// allowed beyond is the way by the larger velocity before and after the step, and what two shifts
-// of separations move.
+// more), not by those that it never meets: that took bodies of such heaps 1.6 m away. Beyond it a
+// body may go by the larger of its velocities before and after the step.
 TYPED_TEST(Jams, HeapBesideAWedge_IsMovedByItsOwnDepth) {
   using Heap = HeapBesideAWedge<Settling<TypeParam, test::kHeaps>>;
   const double D = 9.81 * Heap::kStep * Heap::kStep / 4;
