@@ -27,8 +27,15 @@ std::uint64_t time_us(const Moment<Scalar>& moment, std::int32_t step_us) {
   return std::uint64_t{moment.step} * static_cast<std::uint64_t>(step_us) + in_step;
 }
 
-/// How far a bout is. An exchange begins on guard and ends with a touch, or with two; then there is
-/// a halt, and the next exchange, until a fencer has as many touches as the bout goes to.
+/// A time in whole steps, of which the last one may end a little later. @pre 0 <= us; 0 < step_us;
+/// their sum is in range
+constexpr std::uint32_t whole_steps(std::int32_t us, std::int32_t step_us) {
+  return static_cast<std::uint32_t>((us + step_us - 1) / step_us);
+}
+
+/// How far a bout is. An exchange begins on guard and ends with a touch, with two, or without one
+/// where bodies stand against each other (Strip::corps_a_corps_us); then there is a halt, and the
+/// next exchange, until a fencer has as many touches as the bout goes to.
 enum class BoutState : std::uint8_t {
   kFencing,  ///< nobody is touched in this exchange yet
   kLockout,  ///< somebody is touched; the other may still touch within the window
@@ -72,6 +79,8 @@ struct Bout {
   bool is_over() const { return state == BoutState::kTouched || state == BoutState::kDouble; }
   /// Whether the next step puts both on guard again.
   bool is_halt_over() const { return state == BoutState::kHalt && halt_steps == 0; }
+  /// Whether there is a halt because the fencers stood body to body.
+  bool is_corps_a_corps() const { return state == BoutState::kHalt && touches.size() == 0; }
 };
 
 /// The bout of a scene without targets: nobody can be touched, it never ends.

@@ -153,7 +153,7 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
     template <class ArchiveT>
     void archive(ArchiveT& ar) {
       RefereeOf<Played>::archive(ar);
-      if constexpr (Played::kFeet) ar(this->feet);
+      if constexpr (Played::kFeet) ar(this->feet, this->close_steps);
       ar(report);
     }
   };
@@ -189,6 +189,7 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
   void walk(Scalar left, Scalar right);
   void move_hand(Side side, const MapPlace<Scalar>& asked);
   Status move_blades();
+  void separate_bodies();
   void carry_blades();
   void add_up();
   bool is_sound() const;

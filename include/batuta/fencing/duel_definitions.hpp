@@ -22,6 +22,8 @@ inline constexpr std::int32_t kLongestStepUs = 20000;
 inline constexpr std::int32_t kLongestWindowUs = 10000000;
 /// Largest TouchSettings::halt_us.
 inline constexpr std::int32_t kLongestHaltUs = 10000000;
+/// Largest Strip::corps_a_corps_us.
+inline constexpr std::int32_t kLongestCorpsACorpsUs = 10000000;
 
 /// @returns kOk | kInvalidArgument: out of range
 template <class SceneT>
@@ -43,7 +45,8 @@ template <class Scalar>
 Status validate(const Strip<Scalar>& strip) {
   const Vec3<Scalar> lengths(strip.length, strip.end_room, strip.least_distance);
   const bool good = is_finite(lengths) && lengths.minCoeff() >= Scalar(0) &&
-                    lengths.maxCoeff() <= kLargestReach<Scalar>;
+                    lengths.maxCoeff() <= kLargestReach<Scalar> && strip.corps_a_corps_us >= 0 &&
+                    strip.corps_a_corps_us <= kLongestCorpsACorpsUs;
   return good ? Status::kOk : Status::kInvalidArgument;
 }
 
@@ -143,11 +146,21 @@ Status Duel<SceneT>::move_blades() {
     add_up();
     if (world_.report().time_held > Scalar(0)) carry_blades();
     scoring_.judge(blades, steel, settings_, {steps_, dt_}, scoring_.report);
+    separate_bodies();
     return status;
   } else {
     const Status status = world_.step(dt_);
     if (status == Status::kOk) add_up();
     return status;
+  }
+}
+
+/// Corps a corps: who stands against the other for long is sent on guard.
+template <class SceneT>
+void Duel<SceneT>::separate_bodies() {
+  if constexpr (Played::kTargets && Played::kFeet) {
+    if (bout().state != BoutState::kFencing) return;
+    if (scoring_.is_corps_a_corps(settings_)) scoring_.call_halt(settings_);
   }
 }
 
@@ -243,10 +256,7 @@ bool Duel<SceneT>::is_sound() const {
            place.stick.position().cwiseAbs().maxCoeff() <= Scalar(1) &&
            place.stick.feet().cwiseAbs().maxCoeff() <= Scalar(1);
   }
-  if constexpr (Played::kFeet) {
-    good = good && scoring_.feet[0].is_within(settings_.feet) &&
-           scoring_.feet[1].is_within(settings_.feet);
-  }
+  if constexpr (Played::kFeet) good = good && scoring_.is_footing_sound(settings_);
   if constexpr (Played::kTargets) good = good && scoring_.is_sound(settings_, dt_);
   const bool both = at(Side::kLeft).blade != at(Side::kRight).blade;
   return good && both && world_.size() == 2;

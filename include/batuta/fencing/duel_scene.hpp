@@ -343,6 +343,10 @@ struct Strip {
   /// The origins of both F come no nearer to each other: trunks and heads of two full lunges are
   /// still apart.
   Scalar least_distance = Scalar(1.5F);
+  /// Corps a corps: once both have stood as near as that, or 5 cm further apart, for this long, and
+  /// nobody is touched, there is a halt without a touch, us, 0 ... 10000000. 0: never. In a scene
+  /// with targets.
+  std::int32_t corps_a_corps_us = 2000000;
 };
 
 /// What there is to say about feet.

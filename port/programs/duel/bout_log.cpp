@@ -29,8 +29,9 @@ void BoutLog::on_step(const DuelRunner& runner) {
   });
   if (!touches_.is_halt(runner.duel())) return;
   const Bout<float>& bout = runner.duel().bout();
-  std::fprintf(out_, "%9.3f s  halt    %d : %d%s\n", runner.now(), bout.score[0], bout.score[1],
-               bout.annulled ? ", the double touch is annulled" : "");
+  std::fprintf(out_, "%9.3f s  halt    %d : %d%s%s\n", runner.now(), bout.score[0], bout.score[1],
+               bout.annulled ? ", the double touch is annulled" : "",
+               bout.is_corps_a_corps() ? ", corps a corps" : "");
 }
 
 void BoutLog::print_contact(double time, const ContactEvent<float>& event) {

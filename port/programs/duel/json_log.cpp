@@ -122,7 +122,8 @@ void JsonLog::write_halt(const DuelRunner& runner) {
       .count("exchange", bout.exchange)
       .count("score_left", bout.score[0])
       .count("score_right", bout.score[1])
-      .flag("annulled", bout.annulled);
+      .flag("annulled", bout.annulled)
+      .flag("corps_a_corps", bout.is_corps_a_corps());
 }
 
 void JsonLog::write_contact(double time, const ContactEvent<float>& event) {

@@ -91,7 +91,9 @@ class Match {
       control[i] = duel_->grip(side).control();
     }
     const int before = duel_->bout().exchange == exchange_ ? duel_->bout().touches.size() : 0;
+    const bool halted = duel_->bout().state == BoutState::kHalt;
     if (duel_->step(&samples[0], &samples[1]) != Status::kOk) std::exit(2);
+    if (!halted && duel_->bout().is_corps_a_corps()) ++tally.corps_a_corps;
     exchange_ = duel_->bout().exchange;
     note_touches(before, control, tally);
   }
@@ -161,6 +163,7 @@ void Tally::add(const Tally& other) {
     for (std::size_t i = 0; i < kIntents; ++i) touches[by][i] += other.touches[by][i];
   }
   doubles += other.doubles;
+  corps_a_corps += other.corps_a_corps;
   seconds += other.seconds;
   in_weapon += other.in_weapon;
   deepest = std::max(deepest, other.deepest);

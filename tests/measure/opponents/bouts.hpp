@@ -24,6 +24,7 @@ struct Tally {
   int ended = 0;                                       ///< within kLongest
   std::array<std::array<int, kIntents>, 2> touches{};  ///< by player, by intent
   int doubles = 0;                                     ///< exchanges with two touches
+  int corps_a_corps = 0;                               ///< halts without a touch
   double seconds = 0;
   int in_weapon = 0;    ///< bouts with a blade inside a guard or hand
   double deepest = 0;   ///< of a blade in one, m

@@ -68,6 +68,14 @@ TEST_F(Pairings, LoopsOverClub_SeldomWin) {
   }
 }
 
+/// Who walks in with his point out ends body to body with a master at the end line, each point
+/// behind the other's trunk. Without a halt for that 33 % of the bouts were not over in time.
+TEST_F(Pairings, BoutsWithWhoWalksIn_End) {
+  const Tally tally = play("point walked in", "master", 60);
+  EXPECT_GE(tally.share(tally.ended), 95);
+  EXPECT_LE(tally.share(tally.won), 15);
+}
+
 /// A master waits for an attack, but not for ever: without `hurries` 8 % of the bouts with the loop
 /// of parries were not over in time.
 TEST_F(Pairings, BoutsOfMasterWithWhoWaits_End) {

@@ -16,10 +16,11 @@ using batuta::fencing::Intent;
 
 void print(const std::string& first, const std::string& second, const Tally& tally) {
   std::printf(
-      "| %s over %s | %.1f | %.1f | %.1f | %.1f | %.0f | %.0f | %.0f | %.0f | %.3f | %.1f | %.1f | "
-      "%.3f |\n",
+      "| %s over %s | %.1f | %.1f | %.1f | %.1f | %.2f | %.0f | %.0f | %.0f | %.0f | %.3f | %.1f | "
+      "%.1f | %.3f |\n",
       first.c_str(), second.c_str(), tally.share(tally.won), tally.share(tally.drawn),
-      tally.share(tally.ended), tally.seconds / tally.bouts, tally.kind(Intent::kAttack),
+      tally.share(tally.ended), tally.seconds / tally.bouts,
+      static_cast<double>(tally.corps_a_corps) / tally.bouts, tally.kind(Intent::kAttack),
       tally.kind(Intent::kRiposte), tally.kind(Intent::kCounter), tally.kind(Intent::kBeat),
       1e3 * tally.deepest, 1e3 * tally.in_trunk, 1e3 * tally.in_limb,
       100.0 * tally.steps_in_body / tally.steps);
@@ -48,10 +49,10 @@ int run_program(int count, char** words) {
     }
   }
   std::printf(
-      "| pairing | won %% | drawn %% | ended %% | s a bout | attack %% | riposte %% | counter %% | "
-      "beat %% | in a weapon mm | in a trunk mm | in a limb mm | steps in a body %% |\n| --- | "
-      "---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | "
-      "---: | ---: | ---: | ---: |\n");
+      "| pairing | won %% | drawn %% | ended %% | s a bout | corps a corps a bout | attack %% | "
+      "riposte %% | counter %% | beat %% | in a weapon mm | in a trunk mm | in a limb mm | "
+      "steps in a body %% |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | "
+      "---: | ---: | ---: | ---: | ---: |\n");
   Tally all;
   for (const auto& [first, second] : pairings) {
     if (batuta::host::is_output_lost()) break;

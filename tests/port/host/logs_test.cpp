@@ -84,6 +84,43 @@ TEST(JsonLog, ABoutToTwo_TouchByTouch) {
   EXPECT_THAT(summary, HasSubstr("\"touch_by\":\"left\""));
 }
 
+/// Feet that press on, behind a parry.
+class PressingFeet final : public Source {
+ public:
+  std::string description() const override { return "feet that press on"; }
+  double duration() const override { return std::numeric_limits<double>::infinity(); }
+
+ private:
+  Status do_read(Microseconds now, InputSample& sample) override {
+    sample = {};
+    sample.time = now;
+    sample.sequence = ++count_;
+    sample.x = -1;
+    sample.feet_y = 1;
+    return Status::kOk;
+  }
+  std::uint32_t count_ = 0;
+};
+
+/// What a log says of a bout of two who press on until they stand body to body.
+template <class Log>
+std::string log_of_pressing() {
+  PressingFeet left;
+  PressingFeet right;
+  DuelRunner runner(left, right, 4, {2});
+  EXPECT_EQ(runner.start(), Status::kOk);
+  TextFile out;
+  Log log(out.file());
+  log.on_start(runner);
+  while (runner.step()) log.on_step(runner);  // Bound: the limit of the bout
+  return out.text();
+}
+
+TEST(BoutLog, CorpsACorps_IsTold) {
+  EXPECT_THAT(log_of_pressing<BoutLog>(), HasSubstr("s  halt    0 : 0, corps a corps\n"));
+  EXPECT_THAT(log_of_pressing<JsonLog>(), HasSubstr("\"annulled\":false,\"corps_a_corps\":true}"));
+}
+
 // After a halt nobody is touched: the summary still tells the last touch.
 TEST(JsonLog, LastTouch_IsThatOfAnEarlierExchange) {
   BoutRig bout("script:attack", "script:guard", 3.3, {5});

@@ -57,6 +57,9 @@ class Referee {
   void judge(const std::array<const Blade*, 2>& blades, const std::array<Steel<Scalar>, 2>& steel,
              const Settings& settings, const Moment<Scalar>& now, DuelReport& report);
 
+  /// Nobody scores until both are on guard again. @pre the bout is not over
+  void call_halt(const Settings& settings);
+
   const Bout<Scalar>& bout() const { return bout_; }
   const BodyShape<Scalar>& body_W(Side side) const { return at(side).target.shape(); }
 

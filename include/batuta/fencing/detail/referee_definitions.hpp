@@ -11,14 +11,8 @@ namespace detail {
 /// Whether an exchange in this state may have brought so many touches.
 constexpr bool has_touches(BoutState state, int touches) {
   if (state == BoutState::kFencing) return touches == 0;
-  if (state == BoutState::kHalt) return touches > 0;
+  if (state == BoutState::kHalt) return true;
   return touches == (state == BoutState::kDouble ? 2 : 1);
-}
-
-/// In whole steps, of which the last one may end a little later.
-template <class SceneT>
-std::uint32_t halt_steps(const DuelSettings<SceneT>& settings) {
-  return static_cast<std::uint32_t>((settings.halt_us + settings.step_us - 1) / settings.step_us);
 }
 
 /// @pre both are valid
@@ -257,15 +251,20 @@ void Referee<SceneT>::end_exchange(const Settings& settings) {
   if (left >= settings.touches || right >= settings.touches) {
     bout_.state = both ? BoutState::kDouble : BoutState::kTouched;
   } else {
-    bout_.state = BoutState::kHalt;
-    bout_.halt_steps = detail::halt_steps(settings);
+    call_halt(settings);
   }
+}
+
+template <class SceneT>
+void Referee<SceneT>::call_halt(const Settings& settings) {
+  bout_.state = BoutState::kHalt;
+  bout_.halt_steps = whole_steps(settings.halt_us, settings.step_us);
 }
 
 template <class SceneT>
 bool Referee<SceneT>::is_sound(const Settings& settings, Scalar dt) const {
   bool good = detail::has_touches(bout_.state, bout_.touches.size()) &&
-              bout_.halt_steps <= detail::halt_steps(settings);
+              bout_.halt_steps <= whole_steps(settings.halt_us, settings.step_us);
   for (const int score : bout_.score) {  // Bound: 2
     good = good && score <= settings.touches && (bout_.is_over() || score < settings.touches);
   }

@@ -70,8 +70,8 @@ void archive(Archive& ar, FeetSettings<Scalar>& settings) {
 
 template <class Scalar>
 void archive(Archive& ar, Strip<Scalar>& strip) {
-  auto& [length, end_room, least_distance] = strip;
-  ar(length, end_room, least_distance);
+  auto& [length, end_room, least_distance, corps_a_corps_us] = strip;
+  ar(length, end_room, least_distance, corps_a_corps_us);
 }
 
 template <class SceneT>

@@ -214,6 +214,8 @@ export class Engine {
   /** What the bout comes to so far. */
   verdictOfBout() {
     const { state } = this;
-    return { touches: touchesOf(state), annulled: state[kAnnulled] === 1, score: scoreOf(state), isOver: isOver(state) };
+    const touches = touchesOf(state);
+    const isCorpsACorps = state[kBout] === kHalt && touches.length === 0;
+    return { touches, isCorpsACorps, annulled: state[kAnnulled] === 1, score: scoreOf(state), isOver: isOver(state) };
   }
 }

@@ -22,6 +22,7 @@ std::string with_seconds(const char* format, double time) {
 
 std::string headline(const ViewState& state) {
   if (state.bout == 0) return "waiting";
+  if (state.corps_a_corps) return "corps a corps; halt";
   if (state.touches.empty()) return state.over ? "no touch" : "en garde";
   const int last = state.touches.size() - 1;
   const TouchMark& touch = state.touches[last];

@@ -35,6 +35,7 @@ void ViewFeed::take(const DuelRunner::DuelType& duel, const firmware::StickForce
       duel, [&](const Touch<float>& touch) { (void)state_.touches.push(mark_of(duel, touch)); });
   state_.score = score_of(duel.bout());
   state_.halt = duel.bout().state == BoutState::kHalt;
+  state_.corps_a_corps = duel.bout().is_corps_a_corps();
   state_.annulled = duel.bout().annulled;
 }
 

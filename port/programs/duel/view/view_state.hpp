@@ -30,6 +30,7 @@ struct ViewState {
   FixedList<TouchMark, BoutStory::kMaxTouches> touches;   ///< of all exchanges
   std::array<int, 2> score{};                             ///< by index_of(side)
   bool halt = false;                                      ///< nobody scores now
+  bool corps_a_corps = false;                             ///< and nobody was touched
   bool annulled = false;                                  ///< the last two touches
 };
 
