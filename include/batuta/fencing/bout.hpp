@@ -27,11 +27,15 @@ std::uint64_t time_us(const Moment<Scalar>& moment, std::int32_t step_us) {
   return std::uint64_t{moment.step} * static_cast<std::uint64_t>(step_us) + in_step;
 }
 
+namespace detail {
+
 /// A time in whole steps, of which the last one may end a little later. @pre 0 <= us; 0 < step_us;
 /// their sum is in range
 constexpr std::uint32_t whole_steps(std::int32_t us, std::int32_t step_us) {
   return static_cast<std::uint32_t>((us + step_us - 1) / step_us);
 }
+
+}  // namespace detail
 
 /// How far a bout is. An exchange begins on guard and ends with a touch, with two, or without one
 /// where bodies stand against each other (Strip::corps_a_corps_us); then there is a halt, and the

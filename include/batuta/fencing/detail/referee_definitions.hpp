@@ -258,13 +258,13 @@ void Referee<SceneT>::end_exchange(const Settings& settings) {
 template <class SceneT>
 void Referee<SceneT>::call_halt(const Settings& settings) {
   bout_.state = BoutState::kHalt;
-  bout_.halt_steps = whole_steps(settings.halt_us, settings.step_us);
+  bout_.halt_steps = detail::whole_steps(settings.halt_us, settings.step_us);
 }
 
 template <class SceneT>
 bool Referee<SceneT>::is_sound(const Settings& settings, Scalar dt) const {
   bool good = detail::has_touches(bout_.state, bout_.touches.size()) &&
-              bout_.halt_steps <= whole_steps(settings.halt_us, settings.step_us);
+              bout_.halt_steps <= detail::whole_steps(settings.halt_us, settings.step_us);
   for (const int score : bout_.score) {  // Bound: 2
     good = good && score <= settings.touches && (bout_.is_over() || score < settings.touches);
   }
