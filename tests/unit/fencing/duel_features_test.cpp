@@ -289,7 +289,7 @@ TEST(DuelFeatures, WhatIsOff_TakesNoRoom) {
   EXPECT_EQ(sizeof(Full), sizeof(Stiff) + kGrips);
   EXPECT_EQ(sizeof(Drill), sizeof(Bare) + kGrips);
   EXPECT_EQ(sizeof(Full),
-            sizeof(Standing) + 2 * sizeof(Feet<float>) + sizeof(FootworkSettings<DuelScene<>>));
+            sizeof(Standing) + sizeof(Footwork<float>) + sizeof(FootworkSettings<DuelScene<>>));
   EXPECT_EQ(sizeof(Bare::SceneType::Controller), sizeof(Hand<float>));
   EXPECT_EQ(sizeof(Drill::SceneType::Controller), sizeof(Grip<float>));
 }
