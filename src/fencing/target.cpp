@@ -318,7 +318,8 @@ Vec3<Scalar> Target<Scalar>::velocity_of(BodyPart part, const Vec3<Scalar>& p_W)
   return velocity_at(motion.X_WB, motion.twist, p_W);
 }
 
-/// Where blows do not bring it out of all parts, the blade is between some of them, and goes along.
+/// Where blows do not bring it out of all parts, or would turn it faster than a motion may, the
+/// blade is between some of them, and goes along.
 template <class Scalar>
 bool Target<Scalar>::stop(const Body<Scalar>& blade, const Capsule<Scalar>& blade_B, Scalar from,
                           PartMask parts, Motion<Scalar>& motion) {
@@ -334,11 +335,12 @@ bool Target<Scalar>::stop(const Body<Scalar>& blade, const Capsule<Scalar>& blad
     const Vec3<Scalar>& p_W = dent.contact.point_W;
     const Scalar comes_out = dent.began_deep ? kComesOut<Scalar> : Scalar(0);
     push = max_of(push, 2 * velocity_of(dent.part, p_W).norm() + comes_out);
-    if (blow == kMostStops) {
+    if (blow < kMostStops && !strike(blade, dent.contact, dent.depth, motion)) break;
+    if (blow == kMostStops || !is_valid(motion)) {
       motion.twist = {velocity_of(first, p_W), Vec3<Scalar>::Zero()};
+      blow = kMostStops;
       break;
     }
-    if (!strike(blade, dent.contact, dent.depth, motion)) break;
   }
   if (blow > 0) keep_energy(blade, before, push, motion.twist);
   return blow > 0;

@@ -345,7 +345,7 @@ struct Strip {
   Scalar least_distance = Scalar(1.5F);
   /// Corps a corps: once both have stood as near as that, or 5 cm further apart, for this long, and
   /// nobody is touched, there is a halt without a touch, us, 0 ... 10000000. 0: never. In a scene
-  /// with targets.
+  /// with targets. Where Salle::distance is no more than that, each exchange ends so.
   std::int32_t corps_a_corps_us = 2000000;
 };
 

@@ -35,10 +35,11 @@ constexpr const char* kFooter = R"(SOURCE is one of
                            stick
                            (here and there the bout is the same, to the last bit; this is checked
                            after every step)
-The bout goes to --touches: after each touch a halt of 1 s, then both are on guard again. Two
-within 40 ms count for both; where one is missing to either, they are annulled, but in a bout to one
-touch, which they end. The bout ends sooner when the recordings are at their end; without any, after
-180 s. Who has more touches then wins.
+The bout goes to --touches: after each touch a halt of 1 s, then both are on guard again; the same
+where both have stood body to body for 2 s (corps a corps). Two touches within 40 ms count for both;
+where one is missing to either, they are annulled, but in a bout to one touch, which they end. The
+bout ends sooner when the recordings are at their end; without any, after 180 s. Who has more
+touches then wins.
 After one of two recordings has ended, its fencer stays where it is.
 
 The stick: centre is the guard, up are the lunges, from left to right high inside, low inside, low

@@ -130,6 +130,18 @@ TYPED_TEST(CorpsACorps, Never_IsNever) {
   EXPECT_LT(due, kSteps);
 }
 
+/// Also after more steps than a test can make.
+TYPED_TEST(CorpsACorps, Never_IsNever_WhateverWasCounted) {
+  this->settings.strip.corps_a_corps_us = 0;
+  this->settings.salle.distance = 1;
+  Footwork<typename TestFixture::Num> feet;
+  for (const std::uint32_t counted : {0U, 1U, 0x7FFFFFFFU, 0xFFFFFFFEU, 0xFFFFFFFFU}) {
+    feet.close_steps = counted;
+    EXPECT_EQ(feet.is_footing_sound(this->settings), counted == 0) << counted;
+    for (int k = 0; k < 3; ++k) EXPECT_FALSE(feet.is_corps_a_corps(this->settings)) << counted;
+  }
+}
+
 /// The step of a touch is not that of a corps a corps: the touch counts.
 TYPED_TEST(CorpsACorps, ATouch_IsATouch) {
   this->settings.target = kAllParts;

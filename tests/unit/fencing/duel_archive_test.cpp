@@ -2,6 +2,7 @@
 // A duel saved in the middle of a bout and restored into another one goes on with the same bits.
 #include <vector>
 
+#include "batuta/fencing/duel_definitions.hpp"
 #include "batuta/record/duel.hpp"
 #include "batuta/record/snapshot.hpp"
 #include "configured_duel.hpp"
@@ -195,6 +196,39 @@ TEST(DuelArchive, EveryByteForged_IsRefusedOrGoesOn) {
             Status::kOk);
   for (int i = 0; i < 600; ++i) (void)advance(*duel);
   forge_every_byte(*duel);
+}
+
+constexpr DuelOptions standing_options() {
+  DuelOptions scene = two_fencers();
+  scene.feet = false;
+  return scene;
+}
+
+/// How many snapshots with one byte set to kHalt are taken as a halt without a touch.
+template <class DuelT>
+int halts_without_a_touch(const typename DuelT::Settings& settings) {
+  const auto duel = std::make_unique<DuelT>();
+  EXPECT_EQ(duel->configure(settings, first_fencer<float>(), second_fencer<float>()), Status::kOk);
+  const Bytes good = saved(*duel);
+  int halts = 0;
+  for (std::size_t i = batuta::detail::kSnapshotHead; i + batuta::detail::kCheckSum < good.size();
+       ++i) {
+    if (good[i] != 0) continue;
+    Bytes bytes = good;
+    bytes[i] = static_cast<std::uint8_t>(BoutState::kHalt);
+    batuta::detail::seal(bytes.data(), static_cast<int>(bytes.size()) - batuta::detail::kCheckSum);
+    if (restored(*duel, bytes) == Restored::kOk && duel->bout().is_corps_a_corps()) ++halts;
+  }
+  return halts;
+}
+
+TEST(DuelArchive, HaltWithoutATouch_IsTakenOnlyWhereOneMayCome) {
+  using Standing = Duel<DuelScene<standing_options, Advancement<float>>>;
+  DuelSettings<> never = duel_settings();
+  never.strip.corps_a_corps_us = 0;
+  EXPECT_EQ(halts_without_a_touch<Duel<>>(duel_settings()), 1);
+  EXPECT_EQ(halts_without_a_touch<Duel<>>(never), 0);
+  EXPECT_EQ(halts_without_a_touch<Standing>(duel_settings<Standing::StatedScene>()), 0);
 }
 
 /// Where the next step puts both on guard, from what was read.

@@ -13,14 +13,10 @@ namespace detail {
 template <class Scalar>
 inline constexpr Scalar kBodyToBody = Scalar(0.05F);
 
-/// Most that Footwork::close_steps counts to: where Strip says never, nothing ends it.
-inline constexpr std::uint32_t kNoCorpsACorps = 0xFFFFFFFFU;
-
-/// Steps body to body after which there is a halt; kNoCorpsACorps: never. @pre valid
+/// Steps body to body after which there is a halt; 0: never. @pre valid
 template <class Settings>
 std::uint32_t corps_a_corps_steps(const Settings& settings) {
-  const std::int32_t time_us = settings.strip.corps_a_corps_us;
-  return time_us == 0 ? kNoCorpsACorps : whole_steps(time_us, settings.step_us);
+  return whole_steps(settings.strip.corps_a_corps_us, settings.step_us);
 }
 
 }  // namespace detail
@@ -42,8 +38,8 @@ struct Footwork {
   bool is_corps_a_corps(const Settings& settings) {
     const std::uint32_t most = detail::corps_a_corps_steps(settings);
     const bool close = room_between(settings) <= detail::kBodyToBody<Scalar>;
-    close_steps = close ? min_of(close_steps, most - 1) + 1 : 0;
-    return close_steps == most;
+    close_steps = close ? min_of(close_steps + 1, most) : 0;
+    return close && close_steps == most && most > 0;
   }
 
   /// What was read is a state that steps can go on from. @pre valid settings

@@ -8,10 +8,18 @@ namespace batuta::fencing {
 
 namespace detail {
 
+/// Whether a halt may come without a touch.
+template <class SceneT>
+bool knows_corps_a_corps([[maybe_unused]] const DuelSettings<SceneT>& settings) {
+  if constexpr (PlayedScene<SceneT>::kFeet) return settings.strip.corps_a_corps_us > 0;
+  return false;
+}
+
 /// Whether an exchange in this state may have brought so many touches.
-constexpr bool has_touches(BoutState state, int touches) {
+/// @param least_of_halt  touches that a halt needs
+constexpr bool has_touches(BoutState state, int touches, int least_of_halt) {
   if (state == BoutState::kFencing) return touches == 0;
-  if (state == BoutState::kHalt) return true;
+  if (state == BoutState::kHalt) return touches >= least_of_halt;
   return touches == (state == BoutState::kDouble ? 2 : 1);
 }
 
@@ -263,7 +271,9 @@ void Referee<SceneT>::call_halt(const Settings& settings) {
 
 template <class SceneT>
 bool Referee<SceneT>::is_sound(const Settings& settings, Scalar dt) const {
-  bool good = detail::has_touches(bout_.state, bout_.touches.size()) &&
+  const int least_of_halt = detail::knows_corps_a_corps(settings) ? 0 : 1;
+  bool good = detail::has_touches(bout_.state, bout_.touches.size(), least_of_halt) &&
+              (!bout_.annulled || bout_.touches.size() == 2) &&
               bout_.halt_steps <= detail::whole_steps(settings.halt_us, settings.step_us);
   for (const int score : bout_.score) {  // Bound: 2
     good = good && score <= settings.touches && (bout_.is_over() || score < settings.touches);

@@ -20,7 +20,7 @@ export const whyNot = (name, answer) => `${name} ${kWhyNot[answer] ?? "is damage
 
 /** What an exchange brought. @param bout  Engine.verdictOfBout() */
 export function tellExchange({ touches, annulled, isCorpsACorps }) {
-  if (isCorpsACorps) return "Corps à corps: back on guard.";
+  if (isCorpsACorps) return "Corps à corps: nobody touched.";
   if (touches.length === 0) return "Nobody touched.";
   const told = touches.map((touch) => `${kSides[touch.by]} touches the ${touch.part} at ${touch.time.toFixed(3)} s`);
   return `${touches.length > 1 ? "Double! " : ""}${told.join("; ")}.${annulled ? " Annulled: it would decide for both." : ""}`;
