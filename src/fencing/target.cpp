@@ -288,7 +288,7 @@ typename Target<Scalar>::Dent Target<Scalar>::dent_in(std::size_t part, const Bl
     gap = (gap + radii) * turned - radii;
     dent.contact.normal_BA_W = -first.normal_AB;
   }
-  dent.began_deep = first_gap < -kGive<Scalar>;
+  if (first_gap < -kGive<Scalar>) dent.comes_out = kComesOut<Scalar>;
   dent.depth = min_of(-kGive<Scalar>, first_gap + kComesOut<Scalar> * way.duration) - gap;
   return dent;
 }
@@ -333,8 +333,7 @@ bool Target<Scalar>::stop(const Body<Scalar>& blade, const Capsule<Scalar>& blad
     if (!(dent.depth > kCreep<Scalar> * max_of(dt_, motion.duration))) break;
     if (dent.part < first) first = dent.part;
     const Vec3<Scalar>& p_W = dent.contact.point_W;
-    const Scalar comes_out = dent.began_deep ? kComesOut<Scalar> : Scalar(0);
-    push = max_of(push, 2 * velocity_of(dent.part, p_W).norm() + comes_out);
+    push = max_of(push, 2 * velocity_of(dent.part, p_W).norm() + dent.comes_out);
     if (blow < kMostStops && !strike(blade, dent.contact, dent.depth, motion)) break;
     if (blow == kMostStops || !is_valid(motion)) {
       motion.twist = {velocity_of(first, p_W), Vec3<Scalar>::Zero()};

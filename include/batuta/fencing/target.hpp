@@ -155,7 +155,7 @@ class Target {
     Contact<Scalar> contact;  ///< of the blade with the part, at the end of the motion
     Scalar depth = 0;         ///< beyond what is allowed, m
     BodyPart part = BodyPart::kPelvis;
-    bool began_deep = false;  ///< deeper than kGive when the motion begins
+    Scalar comes_out = 0;  ///< at this speed, where it is too deep when the motion begins, m/s
   };
   /// A piece of a blade's way, and when it begins.
   struct BladePiece {
