@@ -272,16 +272,14 @@ typedef struct batuta_touch {
 
 /// How a bout stands. Of pairs the first is the left fencer's.
 typedef struct batuta_duel_state {
-  uint32_t steps;  ///< since the start
-  /// 0 fencing, 1 lockout, 2 over by a touch, 3 over by two, 4 halt: also without a touch, where
-  /// both stood body to body for 2 s
-  int32_t bout;
-  int32_t exchange;                          ///< the number of this one, from 1
-  int32_t annulled;                          ///< 1: the touches of this exchange do not count
-  int32_t touches;                           ///< of this exchange: 0 ... 2
-  batuta_touch touch[2];                     ///< so many of them are set; the others are zeros
-  int32_t score[2];                          ///< touches that count, of exchanges that are over
-  float gap;                                 ///< of the blades, m; negative: they overlap
+  uint32_t steps;         ///< since the start
+  int32_t bout;           ///< 0 fencing, 1 lockout, 2 over by a touch, 3 over by two, 4 halt
+  int32_t exchange;       ///< the number of this one, from 1
+  int32_t annulled;       ///< 1: the touches of this exchange do not count
+  int32_t touches;        ///< of this exchange: 0 ... 2; a halt with 0 is for a corps a corps
+  batuta_touch touch[2];  ///< so many of them are set; the others are zeros
+  int32_t score[2];       ///< touches that count, of exchanges that are over
+  float gap;              ///< of the blades, m; negative: they overlap
   float blade_W[2][BATUTA_CAPSULE_NUMBERS];  ///< capsule[7], guard to tip
   float body_W[2][BATUTA_BODY_PARTS]
               [BATUTA_CAPSULE_NUMBERS];  ///< BATUTA_BODY_PARTS times capsule[7]

@@ -16,7 +16,7 @@ template <class S>
 class TinyMoments : public testing::Test {};
 TYPED_TEST_SUITE(TinyMoments, test::Scalars);
 
-/// From 1e-8 kg m^2 down to nothing that a scalar can still hold the inverse of.
+/// kg m^2: from a little less than a real weapon has down to far less than any has.
 template <class S>
 constexpr std::array<S, 7> kMoments = {S(1e-8),  S(1e-11), S(1e-13), S(1e-16),
                                        S(1e-20), S(1e-26), S(1e-32)};

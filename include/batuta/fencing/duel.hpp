@@ -189,7 +189,7 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
   void walk(Scalar left, Scalar right);
   void move_hand(Side side, const MapPlace<Scalar>& asked);
   Status move_blades();
-  void separate_bodies();
+  void halt_corps_a_corps();
   void carry_blades();
   void add_up();
   bool is_sound() const;

@@ -146,7 +146,7 @@ Status Duel<SceneT>::move_blades() {
     add_up();
     if (world_.report().time_held > Scalar(0)) carry_blades();
     scoring_.judge(blades, steel, settings_, {steps_, dt_}, scoring_.report);
-    separate_bodies();
+    halt_corps_a_corps();
     return status;
   } else {
     const Status status = world_.step(dt_);
@@ -155,12 +155,12 @@ Status Duel<SceneT>::move_blades() {
   }
 }
 
-/// Corps a corps: who stands against the other for long is sent on guard.
+/// Two who have stood body to body for long, and whom nobody has touched, are sent on guard.
 template <class SceneT>
-void Duel<SceneT>::separate_bodies() {
+void Duel<SceneT>::halt_corps_a_corps() {
   if constexpr (Played::kTargets && Played::kFeet) {
     if (bout().state != BoutState::kFencing) return;
-    if (scoring_.is_corps_a_corps(settings_)) scoring_.call_halt(settings_);
+    if (scoring_.count_body_to_body(settings_)) scoring_.call_halt(settings_);
   }
 }
 

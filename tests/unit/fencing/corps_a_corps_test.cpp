@@ -138,7 +138,7 @@ TYPED_TEST(CorpsACorps, Never_IsNever_WhateverWasCounted) {
   for (const std::uint32_t counted : {0U, 1U, 0x7FFFFFFFU, 0xFFFFFFFEU, 0xFFFFFFFFU}) {
     feet.close_steps = counted;
     EXPECT_EQ(feet.is_footing_sound(this->settings), counted == 0) << counted;
-    for (int k = 0; k < 3; ++k) EXPECT_FALSE(feet.is_corps_a_corps(this->settings)) << counted;
+    for (int k = 0; k < 3; ++k) EXPECT_FALSE(feet.count_body_to_body(this->settings)) << counted;
   }
 }
 

@@ -204,31 +204,40 @@ constexpr DuelOptions standing_options() {
   return scene;
 }
 
-/// How many snapshots with one byte set to kHalt are taken as a halt without a touch.
+/// How many snapshots of a duel on guard, with one byte 0 set to `byte`, are taken as a bout that
+/// `claims` what it says.
 template <class DuelT>
-int halts_without_a_touch(const typename DuelT::Settings& settings) {
+int forgeries_taken(const typename DuelT::Settings& settings, std::uint8_t byte,
+                    bool (*claims)(const Bout<float>&)) {
   const auto duel = std::make_unique<DuelT>();
   EXPECT_EQ(duel->configure(settings, first_fencer<float>(), second_fencer<float>()), Status::kOk);
   const Bytes good = saved(*duel);
-  int halts = 0;
+  int taken = 0;
   for (std::size_t i = batuta::detail::kSnapshotHead; i + batuta::detail::kCheckSum < good.size();
        ++i) {
     if (good[i] != 0) continue;
     Bytes bytes = good;
-    bytes[i] = static_cast<std::uint8_t>(BoutState::kHalt);
+    bytes[i] = byte;
     batuta::detail::seal(bytes.data(), static_cast<int>(bytes.size()) - batuta::detail::kCheckSum);
-    if (restored(*duel, bytes) == Restored::kOk && duel->bout().is_corps_a_corps()) ++halts;
+    if (restored(*duel, bytes) == Restored::kOk && claims(duel->bout())) ++taken;
   }
-  return halts;
+  return taken;
 }
 
 TEST(DuelArchive, HaltWithoutATouch_IsTakenOnlyWhereOneMayCome) {
   using Standing = Duel<DuelScene<standing_options, Advancement<float>>>;
+  const auto claims = [](const Bout<float>& bout) { return bout.is_corps_a_corps(); };
+  constexpr auto kHalt = static_cast<std::uint8_t>(BoutState::kHalt);
   DuelSettings<> never = duel_settings();
   never.strip.corps_a_corps_us = 0;
-  EXPECT_EQ(halts_without_a_touch<Duel<>>(duel_settings()), 1);
-  EXPECT_EQ(halts_without_a_touch<Duel<>>(never), 0);
-  EXPECT_EQ(halts_without_a_touch<Standing>(duel_settings<Standing::StatedScene>()), 0);
+  EXPECT_EQ(forgeries_taken<Duel<>>(duel_settings(), kHalt, claims), 1);
+  EXPECT_EQ(forgeries_taken<Duel<>>(never, kHalt, claims), 0);
+  EXPECT_EQ(forgeries_taken<Standing>(duel_settings<Standing::StatedScene>(), kHalt, claims), 0);
+}
+
+TEST(DuelArchive, AnnulledTouches_AreTwo) {
+  const auto claims = [](const Bout<float>& bout) { return bout.annulled; };
+  EXPECT_EQ(forgeries_taken<Duel<>>(duel_settings(), 1, claims), 0);
 }
 
 /// Where the next step puts both on guard, from what was read.

@@ -33,13 +33,13 @@ struct Footwork {
     close_steps = 0;
   }
 
-  /// After a step: whether both have stood body to body for as long as Strip says.
+  /// Counts a step. @returns whether both have stood body to body for as long as Strip says
   template <class Settings>
-  bool is_corps_a_corps(const Settings& settings) {
+  bool count_body_to_body(const Settings& settings) {
     const std::uint32_t most = detail::corps_a_corps_steps(settings);
     const bool close = room_between(settings) <= detail::kBodyToBody<Scalar>;
     close_steps = close ? min_of(close_steps + 1, most) : 0;
-    return close && close_steps == most && most > 0;
+    return most > 0 && close_steps == most;
   }
 
   /// What was read is a state that steps can go on from. @pre valid settings
