@@ -85,7 +85,7 @@ class DuelRunner {
   /// When the bout ends without a touch, s.
   double limit() const { return limit_; }
   /// Simulated time since the start, s.
-  double now() const { return bout_->steps() * 1e-6 * kStep_us; }
+  double now() const { return bout_->steps() * static_cast<double>(kStep_us) / 1e6; }
 
  private:
   const InputSample* read(fencing::Side side, InputSample& sample);

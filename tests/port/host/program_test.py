@@ -75,6 +75,9 @@ def usage(folder):
     refuses(["--left"], 2, "--left")
     for number in ("0", "-1", "x", "nan", "inf", "1e999", "1e300", "4000001", ""):
         refuses(["--seconds", number], 2)
+    for seconds, steps in ("0.007", 7), ("1.1", 1100), ("7", 7000):
+        waited = run("--left", "script:guard", "--right", "script:guard", "--seconds", seconds, "--json")
+        check('"steps":%d,' % steps in waited.stdout, "%s s are %d steps" % (seconds, steps))
     for number in ("0", "-1", "100", "1.5", "x", "nan", ""):
         refuses(["--touches=%s" % number], 2, "--touches")
     for number in ("0", "1.4", "10.1", "-4", "x", "nan", "inf", ""):
