@@ -158,10 +158,26 @@ TYPED_TEST(Woken, WhoLiesInAnother_IsToldForEver) {
   EXPECT_GT(stayed, 0) << "nobody stays in another: another scene";
 }
 
-/// Fourteen rods and balls that fall into a tray. @returns the time until all sleep, s
+/// How many have fallen off the round floor: one pile in 27 throws one over its wall.
+template <class SceneT>
+std::uint32_t lost(const World<SceneT>& world, int bodies) {
+  constexpr double kFar = -0.5;  // m: nobody comes back from there
+  std::uint32_t count = 0;
+  for (int k = 0; k < bodies; ++k) {
+    count += static_cast<double>(
+                 world.get(world.id_at(static_cast<std::uint16_t>(k)))->body.X_WB.p_W.z()) < kFar
+                 ? 1
+                 : 0;
+  }
+  return count - 1;  // the floor's own middle
+}
+
+/// Fourteen rods and balls that fall into a tray. @returns the time until all that are in it sleep,
+/// s
 template <class SceneT>
 double time_until_pile_sleeps(std::uint64_t number, double dt, double most) {
   using S = typename SceneT::Scalar;
+  constexpr int kFixed = 5;
   constexpr int kFallen = 14;
   test::Draws draws(14, 3, number);
   auto world = std::make_unique<World<SceneT>>();
@@ -185,7 +201,10 @@ double time_until_pile_sleeps(std::uint64_t number, double dt, double most) {
     add(test::solid_rod<SceneT>(length, radius, {x, y, 0.1 + 0.11 * i}, turn, 1000));
   }
   double t = 0;
-  for (; t < most && world->report().asleep < kFallen; t += dt) (void)world->step(S(dt));
+  while (t < most && world->report().asleep + lost(*world, kFixed + kFallen) < kFallen) {
+    (void)world->step(S(dt));
+    t += dt;
+  }
   return t;
 }
 

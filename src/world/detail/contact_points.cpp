@@ -134,7 +134,7 @@ void share_out(LastingContact<Traits>& contact,
 /// The points of a contact become those that were found.
 template <class Traits, class Scalar>
 void put_points(LastingContact<Traits>& contact, const std::array<FoundPoint<Scalar>, 2>& found,
-                int count, const Vec3<Scalar>& p_A_W) {
+                int count, const Vec3<Scalar>& p_A_W, Scalar towards_A) {
   const auto old = contact.points;
   const int old_count = contact.is_new ? 0 : contact.count;
   contact.count = static_cast<std::uint8_t>(count);
@@ -143,7 +143,7 @@ void put_points(LastingContact<Traits>& contact, const std::array<FoundPoint<Sca
     auto& point = contact.points[k];
     point = {};
     point.normal_W = found[k].normal_W;
-    point.arm_A_W = found[k].point_W - p_A_W;
+    point.arm_A_W = found[k].point_W + towards_A * found[k].gap * point.normal_W - p_A_W;
     point.gap = found[k].gap;
     if constexpr (Traits::kLine) point.place = found[k].place;
     if (old_count == count) carry(point, old[k], Scalar(1));
@@ -156,7 +156,7 @@ void put_points(LastingContact<Traits>& contact, const std::array<FoundPoint<Sca
 template <class Traits, class Scalar>
 void find_points(LastingContact<Traits>& contact, const Capsule<Scalar>& A_W,
                  const Capsule<Scalar>& B_W, const ClosestPoints<Scalar>& axes,
-                 const Vec3<Scalar>& p_A_W) {
+                 const Vec3<Scalar>& p_A_W, Scalar towards_A) {
   const Scalar gap = axes.distance - A_W.radius - B_W.radius;
   auto nearest = point_between<Scalar>(A_W, B_W, axes.p_A, axes.p_B, -axes.normal_AB, gap);
   if constexpr (Traits::kLine) {
@@ -176,15 +176,15 @@ void find_points(LastingContact<Traits>& contact, const Capsule<Scalar>& A_W,
     if (ends.found) ends.offer(nearest);
     if (ends.found && ends.span() > min_of(A_W.radius, B_W.radius) / 16) {
       ends.dip_to(nearest, along);
-      return put_points(contact, ends.ends, 2, p_A_W);
+      return put_points(contact, ends.ends, 2, p_A_W, towards_A);
     }
   }
-  put_points<Traits, Scalar>(contact, {nearest, nearest}, 1, p_A_W);
+  put_points<Traits, Scalar>(contact, {nearest, nearest}, 1, p_A_W, towards_A);
 }
 
 #define BATUTA_INSTANTIATE_CONTACT(S, F, R, L)                                             \
   template void find_points(LastingContact<ContactTraits<S, F, R, L>>&, const Capsule<S>&, \
-                            const Capsule<S>&, const ClosestPoints<S>&, const Vec3<S>&);
+                            const Capsule<S>&, const ClosestPoints<S>&, const Vec3<S>&, S);
 #define BATUTA_INSTANTIATE(S) BATUTA_FOR_EACH_CONTACT(BATUTA_INSTANTIATE_CONTACT, S)
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE

@@ -40,6 +40,19 @@ TEST_F(ContactGroups, WhoIsWithinD_IsAContact_UntilHeIsNot) {
   EXPECT_EQ(rig().groups.contacts[0].pair.first, 1);
 }
 
+TEST_F(ContactGroups, BesideWhoIsFixed_ThePointLiesOnTheOther) {
+  for (const bool lower_is_fixed : {true, false}) {
+    RowRig row;
+    row.add(lower_is_fixed ? 0 : 1, 0);
+    row.add(lower_is_fixed ? 1 : 0, 0, kD / 2);
+    row.begin();
+    ASSERT_EQ(row.groups.contacts.size(), 1);
+    const auto& point = row.contact(0).points[0];
+    EXPECT_NEAR(point.gap, kD / 2, kExact);
+    EXPECT_NEAR(point.arm_A_W.z(), kRadius + (lower_is_fixed ? kD / 2 : 0), kExact);
+  }
+}
+
 TEST_F(ContactGroups, WhoPressOnEachOther_AreAGroup_AndWhatIsFixedIsInNone) {
   for (const double v : {1.0, 0.0, -1.0}) rig().add(1, v);  // three that press
   rig().add(1, 1, 1);                                       // one from each side of a fixed one

@@ -358,7 +358,7 @@ TEST(LastingContact, LineOfAxesThatCrossALittle_GoesThroughTheNearestPoint) {
       const Capsule<double> B = {{-half, half}, 0.02};
       Contact contact;
       contact.rest_gap = 3e-4;
-      find_points(contact, A, B, closest_points(A.axis, B.axis), {0, 0, 0});
+      find_points(contact, A, B, closest_points(A.axis, B.axis), {0, 0, 0}, 0.0);
       ASSERT_EQ(contact.count, 2);
       const auto& first = contact.points[0];
       const auto& second = contact.points[1];

@@ -216,7 +216,8 @@ void ContactGroups<SceneT>::find_near(BodiesT& bodies, PairsT& pairs) {
       continue;
     }
     contact->is_new = !contact->is_solved;
-    find_points(*contact, near.A_W, near.B_W, near.axes, position_of(bodies.actor(a)));
+    find_points(*contact, near.A_W, near.B_W, near.axes, position_of(bodies.actor(a)),
+                off_middle(bodies, a, b));
   }
   drop_far(bodies, contacts);
 }

@@ -26,6 +26,15 @@ std::size_t b_of(const LastingContactOf<SceneT>& contact) {
   return Proxies<SceneT>::body_of(contact.pair.second);
 }
 
+/// How far from the middle of a gap towards A the points of a contact lie, in gaps. Where one of
+/// the two is led they lie on the other: what turns it there is its own radius (world.md, "Where").
+template <class SceneT>
+Scalar_of<SceneT> off_middle(const Bodies<SceneT>& bodies, std::size_t a, std::size_t b) {
+  using Scalar = Scalar_of<SceneT>;
+  if (bodies.is_led(b)) return Scalar(1) / 2;
+  return bodies.is_led(a) ? Scalar(-1) / 2 : Scalar(0);
+}
+
 /// Whether a contact presses.
 template <class Traits>
 bool is_loaded(const LastingContact<Traits>& contact) {

@@ -41,7 +41,8 @@ void refresh(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups,
   const Capsule<Scalar> A_W = bodies.shape_W(contact.pair.first);
   const Capsule<Scalar> B_W = bodies.shape_W(contact.pair.second);
   contact.is_new = !contact.is_solved;
-  find_points(contact, A_W, B_W, closest_points(A_W.axis, B_W.axis), groups.solved[a].place_W);
+  find_points(contact, A_W, B_W, closest_points(A_W.axis, B_W.axis), groups.solved[a].place_W,
+              off_middle(bodies, a, b));
   prepare(contact, groups.solved[a], groups.solved[b], left);
   contact.is_solved = true;
 }

@@ -128,11 +128,12 @@ Vec3<Scalar> arm_B(const ContactPoint<Traits>& point, const SolvedBody<Scalar>& 
 /// Sets the points of a contact from its capsules, and carries the impulses of the old points over.
 /// @param axes   the closest points of the two axes
 /// @param p_A_W  A's centre of mass
+/// @param towards_A  where across the gap the points lie, in gaps from its middle: off_middle()
 /// Bound: four ends.
 template <class Traits, class Scalar>
 void find_points(LastingContact<Traits>& contact, const Capsule<Scalar>& A_W,
                  const Capsule<Scalar>& B_W, const ClosestPoints<Scalar>& axes,
-                 const Vec3<Scalar>& p_A_W);
+                 const Vec3<Scalar>& p_A_W, Scalar towards_A);
 
 /// Makes the points ready to be solved over the next `time` seconds.
 /// @pre the points and both bodies are where they are now; time > 0

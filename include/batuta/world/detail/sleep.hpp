@@ -157,7 +157,8 @@ bool Sleep<SceneT>::is_felt(const BodiesT& bodies, GroupsT& groups, PairsT& pair
   contact.rest_gap = D;
   const std::size_t a = a_of<SceneT>(contact);
   const std::size_t b = b_of<SceneT>(contact);
-  find_points(contact, near.A_W, near.B_W, near.axes, position_of(bodies.actor(a)));
+  find_points(contact, near.A_W, near.B_W, near.axes, position_of(bodies.actor(a)),
+              off_middle(bodies, a, b));
   groups.load(bodies, a);
   groups.load(bodies, b);
   prepare(contact, groups.solved[a], groups.solved[b], bodies.dt);
