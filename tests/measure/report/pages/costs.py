@@ -63,7 +63,8 @@ def _picture(rows, folder):
 
 TEXT = """Nobody sleeps; one thread; both engines make each step in turn, and the time is that of the step alone, the mean of a run; the middle of the
 runs is shown. *Standing* and *collapsing*: bars of 0.3 m crossed in layers of four on eight fixed logs (counted), C = 0.2, mu = 0.5: at
-60 steps a second more than some 40 fall over, and what that takes is the second kind. *Sparse*: capsules in flight, half a metre to the next
+60 steps a second more than some 40 fall over, and what that takes is the second kind. A run of the first ends where one of the towers falls
+(Bullet's of 40 within 2 s). *Sparse*: capsules in flight, half a metre to the next
 one. Bullet with all its defaults, in double. *Steps that were not complete*: in which batuta says that something did not fit, and bodies went
 on together. Bytes are those of the world with room for the next power of two of bodies.
 """
