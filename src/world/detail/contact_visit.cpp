@@ -126,7 +126,7 @@ Scalar relax_friction(ContactPoint<Traits>& point, SolvedBody<Scalar>& A, Solved
   }
   using std::sqrt;
   const auto tangents = tangents_of(point.normal_W);
-  const Vec3<Scalar> slip = velocity_across(point, A, B);
+  const Vec3<Scalar> slip = slip_across(point, A, B);
   const Scalar u = tangents.along_W.dot(slip);
   const Scalar v = tangents.across_W.dot(slip);
   const auto& [a, b, d] = point.softness_across;

@@ -96,7 +96,7 @@ TEST_F(ContactGroups, Column_CarriesItsWeight_AndIsToldOnce) {
   int told = 0;
   for (int step = 0; step < 20; ++step) {
     rig().solve();
-    rig().groups.tell_begun([&](ProxyPair pair, const auto& contact, double impulse) {
+    rig().groups.tell_begun(rig().bodies, [&](ProxyPair pair, const auto& contact, double impulse) {
       ++told;
       EXPECT_EQ(pair.second, pair.first + 1);
       EXPECT_NEAR(contact.gap, kNear, kExact);

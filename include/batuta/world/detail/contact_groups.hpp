@@ -57,7 +57,7 @@ class ContactGroups {
   void end_step();
   /// Calls begun(pair, contact, impulse) for each contact that presses for the first time.
   template <class Begun>
-  void tell_begun(const Begun& begun);
+  void tell_begun(const BodiesT& bodies, const Begun& begun);
   /// Whether a pair's contact was solved in this step, and presses.
   bool presses(ProxyPair pair) const {
     const int i = contacts.find(pair);
@@ -273,14 +273,16 @@ void ContactGroups<SceneT>::wake(std::size_t slot) {
 
 template <class SceneT>
 template <class Begun>
-void ContactGroups<SceneT>::tell_begun(const Begun& begun) {
+void ContactGroups<SceneT>::tell_begun(const BodiesT& bodies, const Begun& begun) {
   for (int k = 0; k < solved_count; ++k) {  // Bound: kMaxContacts
     Contact& contact = solved_at(k);
     if (contact.is_told || !is_loaded(contact)) continue;
     contact.is_told = true;
     const auto& point = contact.points[0];
-    begun(contact.pair, batuta::Contact<Scalar>{point_W(*this, contact), point.normal_W, point.gap},
-          point.normal);
+    const Scalar aside =
+        off_middle(bodies, a_of<SceneT>(contact), b_of<SceneT>(contact)) * point.gap;
+    const Vec3<Scalar> middle_W = point_W(*this, contact) - aside * point.normal_W;
+    begun(contact.pair, batuta::Contact<Scalar>{middle_W, point.normal_W, point.gap}, point.normal);
   }
 }
 

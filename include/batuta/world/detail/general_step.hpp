@@ -68,9 +68,10 @@ void GeneralWorld<SceneT>::solve_lasting() {
   pairs_.collect_all(bodies_);
   groups_.find_near(bodies_, pairs_);
   groups_.solve(bodies_);
-  groups_.tell_begun([this](ProxyPair pair, const Contact<Scalar>& contact, Scalar impulse) {
-    touches_.record_lasting(bodies_, pair, contact, impulse);
-  });
+  groups_.tell_begun(bodies_,
+                     [this](ProxyPair pair, const Contact<Scalar>& contact, Scalar impulse) {
+                       touches_.record_lasting(bodies_, pair, contact, impulse);
+                     });
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
     const auto& state = bodies_.states[slot];
     if (state.present && !state.changed) plan_solved(slot);

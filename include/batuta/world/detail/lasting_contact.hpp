@@ -148,6 +148,26 @@ Vec3<Scalar> velocity_across(const ContactPoint<Traits>& point, const SolvedBody
   return (A.v_W - B.v_W) + (A.w_W.cross(point.arm_A_W) - B.w_W.cross(arm_B(point, A, B)));
 }
 
+/// Whether nothing pushes it: it goes where it is led.
+template <class Scalar>
+bool is_led(const SolvedBody<Scalar>& body) {
+  return body.inverse_mass == Scalar(0) && body.inverse_inertia_W.trace() == Scalar(0);
+}
+
+/// The same of the two surfaces, as friction sees it: the point lies on the surface of the one that
+/// is pushed, and the surface of one that is led is a gap away from it (world.md, "Where").
+template <class Traits, class Scalar>
+Vec3<Scalar> slip_across(const ContactPoint<Traits>& point, const SolvedBody<Scalar>& A,
+                         const SolvedBody<Scalar>& B) {
+  Vec3<Scalar> slip = velocity_across(point, A, B);
+  if (is_led(B)) {
+    slip += B.w_W.cross(point.gap * point.normal_W);
+  } else if (is_led(A)) {
+    slip += A.w_W.cross(point.gap * point.normal_W);
+  }
+  return slip;
+}
+
 /// Gives an impulse at a point to A, and the opposite to B.
 template <class Traits, class Scalar>
 void push_at(const ContactPoint<Traits>& point, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
@@ -259,7 +279,7 @@ template <class Traits, class Scalar>
 Scalar power_of(const ContactPoint<Traits>& point, const SolvedBody<Scalar>& A,
                 const SolvedBody<Scalar>& B) {
   const auto impulse = impulse_at(point);
-  Scalar sum = impulse.J_W.dot(velocity_across(point, A, B)) + point.normal * point.room;
+  Scalar sum = impulse.J_W.dot(slip_across(point, A, B)) + point.normal * point.room;
   if constexpr (Traits::kRolling) sum += impulse.rolling_W.dot(A.w_W - B.w_W);
   return sum;
 }
