@@ -40,6 +40,18 @@ BladeEnds velocities(const BladeEnds& from, const BladeEnds& to, float dt) {
   return sum(sum({}, to, 1 / dt), from, -1 / dt);
 }
 
+/// Pixels for 1 m/s: the longest arrow is as long as the figure allows.
+double arrow_scale(const SeenBeat& seen) {
+  double fastest = 0;
+  for (const BladeEnds* ends : {&seen.v_before, &seen.v_after}) {
+    for (std::size_t side = 0; side < 2; ++side) {  // Bound: 2
+      fastest = std::max({fastest, static_cast<double>(ends->guard[side].norm()),
+                          static_cast<double>(ends->tip[side].norm())});
+    }
+  }
+  return std::min(BeatFigure::kArrowScale, BeatFigure::kLongest / std::max(fastest, 1e-3));
+}
+
 /// One of the six panels.
 struct Panel {
   Vec3<float> middle_W;
@@ -81,15 +93,14 @@ void draw_arrow(Canvas& canvas, Pixel from, Pixel along, const Colour& colour) {
 }
 
 void draw_velocities(Canvas& canvas, const Panel& panel, const BladeEnds& ends,
-                     const BladeEnds& velocity) {
+                     const BladeEnds& velocity, double scale) {
   for (const Side side : {Side::kLeft, Side::kRight}) {
     const std::size_t i = index_of(side);
     for (int arrow = 0; arrow < BeatFigure::kArrows; ++arrow) {
       const float place = static_cast<float>(arrow) / (BeatFigure::kArrows - 1);
       const Vec3<float> p_W = ends.guard[i] + (ends.tip[i] - ends.guard[i]) * place;
       const Vec3<float> v_W = velocity.guard[i] + (velocity.tip[i] - velocity.guard[i]) * place;
-      draw_arrow(canvas, panel.at(p_W), panel.turned(v_W, BeatFigure::kArrowScale),
-                 palette(side).late);
+      draw_arrow(canvas, panel.at(p_W), panel.turned(v_W, scale), palette(side).late);
     }
   }
 }
@@ -111,13 +122,13 @@ void draw_row(Canvas& canvas, const SeenBeat& seen, bool from_above) {
               Anchor::kStart);
   draw_blades(canvas, panel(0), seen.earlier, true);
   draw_blades(canvas, panel(0), seen.before, false);
-  draw_velocities(canvas, panel(0), seen.before, seen.v_before);
+  draw_velocities(canvas, panel(0), seen.before, seen.v_before, arrow_scale(seen));
   draw_blades(canvas, panel(1), seen.contact, false);
   canvas.circle(panel(1).at(seen.beat.point_W), ring_radius(seen.beat.impulse), {kBeat, 1.6, 1},
                 {});
   draw_blades(canvas, panel(2), seen.later, true);
   draw_blades(canvas, panel(2), seen.after, false);
-  draw_velocities(canvas, panel(2), seen.after, seen.v_after);
+  draw_velocities(canvas, panel(2), seen.after, seen.v_after, arrow_scale(seen));
 }
 
 void draw_words(Canvas& canvas, const SeenBeat& seen) {
@@ -134,8 +145,12 @@ void draw_words(Canvas& canvas, const SeenBeat& seen) {
   }
   constexpr double kBase = kFigureHeight - 34;
   const double x = BeatFigure::kFirstPanel.x;
-  draw_arrow(canvas, {x, kBase}, {BeatFigure::kArrowScale, 0}, kGrey);
-  canvas.text({x + BeatFigure::kArrowScale + 10, kBase + 5}, "1 m/s", 13, Anchor::kStart);
+  const double scale = arrow_scale(seen);
+  constexpr double kShort = 10;               // pixels
+  const int speed = scale < kShort ? 10 : 1;  // m/s
+  draw_arrow(canvas, {x, kBase}, {speed * scale, 0}, kGrey);
+  canvas.text({x + speed * scale + 10, kBase + 5}, std::to_string(speed) + " m/s", 13,
+              Anchor::kStart);
   canvas.line({x + 150, kBase}, {x + 150 + BeatFigure::kScale / 10, kBase}, {kGrey, 3, 1});
   canvas.text({x + 150 + BeatFigure::kScale / 10 + 10, kBase + 5}, "0.1 m", 13, Anchor::kStart);
   canvas.text({x + 300, kBase + 5},

@@ -39,7 +39,8 @@ class BeatFigure final : public Observer {
  public:
   static constexpr int kLead = 25;             ///< steps
   static constexpr double kScale = 200;        ///< pixels a metre
-  static constexpr double kArrowScale = 40;    ///< pixels for 1 m/s
+  static constexpr double kArrowScale = 40;    ///< pixels for 1 m/s, where that leaves arrows short
+  static constexpr double kLongest = 140;      ///< of an arrow, pixels: half a panel
   static constexpr int kArrows = 5;            ///< of a blade: guard, ..., tip
   static constexpr Pixel kPanel = {400, 280};  ///< pixels
   static constexpr Pixel kFirstPanel = {20, 90};

@@ -97,6 +97,22 @@ Pixel SalleView::at(const Vec3<float>& p_W) const {
           corner.y + size().y - up};
 }
 
+double reach_of(const Postures& postures) {
+  constexpr double kEdge = 0.05;  // m
+  double reach = SalleView::kReach;
+  const auto hold = [&](const Capsule<float>& part) {
+    for (const Vec3<float>& end : {part.axis.a, part.axis.b}) {
+      const double away = std::abs(static_cast<double>(end.x()) - postures.middle);
+      reach = std::max(reach, away + static_cast<double>(part.radius) + kEdge);
+    }
+  };
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    for (const auto& part : postures.body_W[index_of(side)]) hold(part);
+    hold(postures.blade_W[index_of(side)]);
+  }
+  return reach;
+}
+
 void draw_fencers(Canvas& canvas, const SalleView& view, const Postures& postures) {
   for (const Side side : {Side::kLeft, Side::kRight}) draw_fencer(canvas, view, postures, side);
 }

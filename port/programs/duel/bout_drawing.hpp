@@ -30,6 +30,9 @@ struct Postures {
   double middle = 0;  ///< x of the salle midway between where both stand, m
 };
 Postures postures_of(const DuelRunner::DuelType& duel);
+/// Far enough to either side of their middle for both with their blades, m; SalleView::kReach at
+/// least.
+double reach_of(const Postures& postures);
 
 /// From salle to pixels, one of two ways.
 struct SalleView {

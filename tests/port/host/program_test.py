@@ -190,6 +190,11 @@ def picture(folder):
     told = "".join(xml.etree.ElementTree.parse(path).getroot().itertext())
     check("at %.3f s, %.3f N s, blades closing at %.2f m/s" %
           (beat["time"], beat["impulse"], -beat["relative_velocity"]) in told, told)
+    hard = run("--left", "script:club", "--right", "script:master@3", "--touches", "2", "--figure", path)
+    check(hard.returncode == 0, hard)
+    for line in xml.etree.ElementTree.parse(path).getroot().iter("{http://www.w3.org/2000/svg}line"):
+        ends = [float(line.get(key)) for key in ("x1", "y1", "x2", "y2")]
+        check(all(0 <= x <= 1280 for x in ends[::2]) and all(0 <= y <= 760 for y in ends[1::2]), "%s leaves the figure" % ends)
     name = write(folder, "a<b>&'\"\u00fc.events", STICK % 5)
     check(run("--left", name, "--svg", path).returncode == 0, name)
     xml.etree.ElementTree.parse(path)

@@ -41,6 +41,20 @@ void expect_same_story(const BoutStory& a, const BoutStory& b) {
   for (int i = 0; i < a.beats().size(); ++i) EXPECT_EQ(a.beats()[i].time, b.beats()[i].time);
 }
 
+TEST(Drawing, ReachOf_HoldsBothFencers_HoweverFarApart) {
+  Postures near;
+  EXPECT_EQ(reach_of(near), SalleView::kReach);
+  for (const float away : {-2.6F, 2.6F}) {
+    Postures apart;
+    apart.middle = 5;
+    for (auto& body : apart.body_W) body.fill({{{5, 0, 1}, {5, 0, 1}}, 0.1F});
+    apart.blade_W.fill({{{5, 0, 1}, {5, 0, 1}}, 0.01F});
+    apart.body_W[1][3] = {{{5 + away, 0, 1}, {5, 0, 1}}, 0.1F};
+    EXPECT_GE(reach_of(apart), 2.7);
+    EXPECT_LE(reach_of(apart), 2.8);
+  }
+}
+
 TEST(ViewScreen, DrawnEveryHundredSteps_ItMissesNothing) {
   for (const std::uint32_t every : {1U, 17U, ViewState::kRecent}) {
     BoutRig bout("default", "script:parry");

@@ -138,6 +138,7 @@ async function fiveTouches(page) {
     check((await page.textContent("#left-score")) === `${halts}`, `the score of halt ${halts}: ${await page.textContent("#left-score")}`);
     await page.keyboard.press("Enter");
     check((await mode(page)) === "fencing", `Enter goes on at once: ${await mode(page)}`);
+    check((await word(page)) === "Fence!", `and the page says so: ${await word(page)}`);
   }
   await until(page, "over");
   for (const key of kLunge) await page.keyboard.up(key);

@@ -40,7 +40,7 @@ export const bladeAt = (side) => handAt(side) + 5;
 export const partAt = (side, part) => handAt(side) + 5 + kCapsule + part * kCapsule;
 
 // BodyPart, as name_of() says it.
-const kPartNames = ["pelvis", "torso", "head", "upper arm of the weapon", "forearm of the weapon", "weapon hand",
+const kPartNames = ["pelvis", "torso", "head", "upper weapon arm", "weapon forearm", "weapon hand",
   "other upper arm", "other forearm", "front thigh", "front shin", "rear thigh", "rear shin"];
 
 export function touchOf(state, index) {

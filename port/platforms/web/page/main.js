@@ -18,6 +18,7 @@ const send = (task, more = {}, transfer = []) => worker.postMessage({ task, ...m
 // Sticks are asked so often, beside the drawing, ms; plots are drawn anew so often.
 const kPumpMs = 8, kPlotMs = 250;
 const kReplayShare = 1 / 6, kReplaySeconds = 0.7;
+const kPaused = "Paused. Enter goes on.";
 
 const word = byId("word");
 const say = (text, isTrouble = false) => {
@@ -47,7 +48,7 @@ const leading = () => sticks[handSides()[0] ?? 0];
 
 function mode(name) {
   document.body.dataset.mode = name;
-  byId("pause").textContent = name === "paused" ? "Go on" : "Pause";
+  byId("pause").textContent = ["paused", "halt"].includes(name) ? "Go on" : "Pause";
 }
 
 function chooseSides() {
@@ -56,9 +57,14 @@ function chooseSides() {
 }
 
 function begin() {
+  restart();
+  say(document.hidden ? kPaused : "En garde!");
+}
+
+function restart() {
   show.stopReplay();
   touches = Number(byId("touches").value);
-  played = null;
+  played = lastPast = null;
   byId("big").textContent = "";
   byId("hash").textContent = "";
   for (const stick of sticks) stick.rest();
@@ -75,13 +81,15 @@ function run() {
   show.stopReplay();
   send("run", { on: true });
   mode(played ? "playing" : "fencing");
+  say(played ? `${played.name} plays.` : "Fence!");
 }
 
 function pause() {
-  if (document.body.dataset.mode === "paused") return run();
+  if (["paused", "halt"].includes(document.body.dataset.mode)) return run();
   if (!["fencing", "playing"].includes(document.body.dataset.mode)) return;
   send("run", { on: false });
   mode("paused");
+  say(kPaused);
 }
 
 function replay() {
@@ -95,10 +103,14 @@ async function take(file) {
   try {
     const read = await readFile(file);
     if (read.kind === "device") return send("stick", { side: 0, text: read.text, name: read.name });
+    byId("hash").textContent = "";
+    lastPast = null;
     played = { name: read.name, host: recordedHash(read.bytes) };
     send("play", { bytes: read.bytes.buffer, name: read.name }, [read.bytes.buffer]);
   } catch (error) {
-    trouble(error.message);
+    send("run", { on: false });
+    mode("over");
+    trouble(`${error.message}. Enter begins a bout.`);
   }
 }
 
@@ -147,7 +159,7 @@ function tellPlayed(verdict, hash) {
 const kHeard = {
   ready() {
     chooseSides();
-    begin();
+    restart();
     if (!show.isFlat) say("En garde! Move the mouse over the picture, slide a finger, move a pad's stick, or press W A S D; T and G move the feet. H is help.");
     requestAnimationFrame(picture);
     setInterval(pump, kPumpMs);
@@ -169,7 +181,7 @@ const kHeard = {
     byId("big").textContent = tellExchange(heard.bout);
     showScore(heard.bout.score);
     if (document.body.dataset.mode === "paused") return; // step by step
-    if (!played) say("Halt! Enter goes on at once.");
+    if (!played) say("Halt! Enter, or Go on, goes on at once.");
     mode("halt");
     if (!show.startReplay(heard.past, heard.blows, kReplayShare, kReplaySeconds)) run();
   },
@@ -274,6 +286,12 @@ function saveBout() {
   return undefined;
 }
 
+/** From its first line: its button, which has the focus, is the last. */
+function openHelp() {
+  byId("help").showModal();
+  byId("help").scrollTop = 0;
+}
+
 function setSpeed(share) {
   byId("speed").value = share;
   send("speed", { share: Number(share) });
@@ -290,6 +308,7 @@ function wire() {
   press("one", () => {
     send("one");
     mode("paused");
+    say("One step. Enter goes on.");
   });
   press("save", saveBout);
   press("open", () => byId("file").click());
@@ -297,7 +316,7 @@ function wire() {
   press("board", onBoard);
   byId("board").hidden = !navigator.serial;
   press("view", () => show.nextView());
-  press("help-button", () => byId("help").showModal());
+  press("help-button", openHelp);
   press("help-close", () => byId("help").close());
   for (const id of ["left", "right"]) byId(id).addEventListener("change", () => {
     chooseSides();
@@ -322,7 +341,7 @@ function wire() {
     Enter: goOn, KeyP: pause, Period: () => byId("one").click(), Digit1: () => setSpeed("1"), Digit2: () => setSpeed("0.25"),
     Digit3: () => setSpeed("0.05"), KeyR: replay, KeyX: saveBout, KeyO: () => byId("open").click(), KeyV: () => show.nextView(),
     KeyQ: () => show.turn(-20, 0), KeyE: () => show.turn(20, 0), PageUp: () => show.near(0.9), PageDown: () => show.near(1.1),
-    KeyH: () => byId("help").showModal(),
+    KeyH: openHelp,
   });
   new ResizeObserver(() => {
     show.resize();

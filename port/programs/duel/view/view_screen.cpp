@@ -77,6 +77,7 @@ void ViewScreen::draw(Canvas& canvas, const ViewControls& controls) const {
   draw_head(canvas, controls);
   for (SalleView view : {kSide, kAbove}) {
     view.middle = state_.postures.middle;  // it goes along with them
+    view.reach = reach_of(state_.postures);
     draw_salle(canvas, view, state_.postures, story_);
   }
   draw_foot(canvas);
