@@ -20,7 +20,9 @@ using testing::HasSubstr;
 using Vector = Vec3<double>;
 
 constexpr std::array<const char*, 2> kArrowColours = {"rgb(10,50,120)", "rgb(140,40,0)"};
-constexpr double kPixelsForMetrePerSecond = 40;
+constexpr const char* kYardstickColour = "rgb(120,120,120)";
+constexpr double kMostPixelsForMetrePerSecond = 40;
+constexpr double kHalfPanel = 140;  // pixels: no arrow is longer
 constexpr int kArrows = 5;
 constexpr float kDt = 1e-3F;
 
@@ -95,19 +97,35 @@ struct LoggedBout {
   SeenBeat seen;
 };
 
+/// Pixels for 1 m/s: the fastest end of a blade fills half a panel, unless it is slow.
+double scale_of(const LoggedBout& log) {
+  double fastest = 0;
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    for (const std::size_t i : {log.step - 1, log.step + 1}) {
+      for (const double end : {0.0, 1.0}) {
+        fastest = std::max(fastest, log.velocity(side, i, end).norm());
+      }
+    }
+  }
+  return std::min(kMostPixelsForMetrePerSecond, kHalfPanel / fastest);
+}
+
 TEST(BeatFigure, ItsArrowsAreTheVelocitiesOfTheHardestBeat) {
   for (const char* left : {"default", "script:attack", "script:guard"}) {
     LoggedBout log(left, "script:parry");
     ASSERT_GT(log.beat.impulse, 0.01F) << left;
     const std::string svg = log.out.str();
+    const double scale = scale_of(log);
+    constexpr double kTenth = 0.11;  // both ends are written to a tenth of a pixel
+    EXPECT_THAT(svg, HasSubstr(">1 m/s<")) << left;
+    EXPECT_NEAR(arrows_of(svg, kYardstickColour).at(0).along.x, scale, kTenth) << "the yardstick";
     for (const Side side : {Side::kLeft, Side::kRight}) {
       const auto arrows = arrows_of(svg, kArrowColours[index_of(side)]);
       ASSERT_EQ(arrows.size(), 4U * kArrows) << left;
       for (int place = 0; place < kArrows; ++place) {
         for (const bool after : {false, true}) {
-          const Vector v = kPixelsForMetrePerSecond *
-                           log.velocity(side, after ? log.step + 1 : log.step - 1, place / 4.0);
-          constexpr double kTenth = 0.11;  // both ends are written to a tenth of a pixel
+          const Vector v =
+              scale * log.velocity(side, after ? log.step + 1 : log.step - 1, place / 4.0);
           const Arrow& from_side = arrow(arrows, false, after, place);
           EXPECT_NEAR(from_side.along.x, v.x(), kTenth);
           EXPECT_NEAR(from_side.along.y, -v.z(), kTenth) << "up is up";
@@ -121,11 +139,11 @@ TEST(BeatFigure, ItsArrowsAreTheVelocitiesOfTheHardestBeat) {
 }
 
 /// From the arrows alone, m/s.
-Vector drawn(const std::vector<Arrow>& arrows, bool after, double place) {
+Vector drawn(const LoggedBout& log, const std::vector<Arrow>& arrows, bool after, double place) {
   const auto at = [&](int i) -> Vector {
     const Pixel side = arrow(arrows, false, after, i).along;
     const Pixel above = arrow(arrows, true, after, i).along;
-    return Vector(side.x, -above.y, -side.y) / kPixelsForMetrePerSecond;
+    return Vector(side.x, -above.y, -side.y) / scale_of(log);
   };
   return at(0) + (at(kArrows - 1) - at(0)) * place;
 }
@@ -136,7 +154,7 @@ double slack(const LoggedBout& log, Side side, double place) {
   const auto change = [&](std::size_t i) {
     return (log.velocity(side, i, place) - log.velocity(side, i - 1, place)).norm();
   };
-  return 2 * (change(log.step - 1) + change(log.step + 2)) + 3 * 0.1 / kPixelsForMetrePerSecond;
+  return 2 * (change(log.step - 1) + change(log.step + 2)) + 3 * 0.1 / scale_of(log);
 }
 
 TEST(BeatFigure, ItsArrowsObeyTheLawsOfTheBlow) {
@@ -152,8 +170,8 @@ TEST(BeatFigure, ItsArrowsObeyTheLawsOfTheBlow) {
   // Restitution [Kavan eq. 25].
   const double off = slack(log, Side::kLeft, place_A) + slack(log, Side::kRight, place_B);
   EXPECT_LT(off, 0.15 * std::abs(v_rel)) << "else this shows nothing";
-  const Vector apart_before = drawn(left, false, place_A) - drawn(right, false, place_B);
-  const Vector apart_after = drawn(left, true, place_A) - drawn(right, true, place_B);
+  const Vector apart_before = drawn(log, left, false, place_A) - drawn(log, right, false, place_B);
+  const Vector apart_after = drawn(log, left, true, place_A) - drawn(log, right, true, place_B);
   EXPECT_NEAR(apart_before.dot(n), v_rel, off);
   EXPECT_NEAR(apart_after.dot(n), -static_cast<double>(weapon.restitution) * v_rel, off);
 
@@ -165,17 +183,19 @@ TEST(BeatFigure, ItsArrowsObeyTheLawsOfTheBlow) {
   // What the hands catch of the blow in the two steps after it, of the 20 that they take at least:
   // h + s h' at s = 0.1 of what both ends of the blade were given (src/fencing/grip.md).
   constexpr double kCaught = 0.028 + 0.054;
-  const auto caught = [](const auto& arrows) {
+  const auto caught = [&log](const auto& arrows) {
     double given = 0;
     for (const double end : {0.0, 1.0}) {
-      given += (drawn(arrows, true, end) - drawn(arrows, false, end)).norm();
+      given += (drawn(log, arrows, true, end) - drawn(log, arrows, false, end)).norm();
     }
     return kCaught * given;
   };
   EXPECT_LT(mass * slack(log, Side::kLeft, centre), 0.15 * impulse.norm());
-  EXPECT_LE((mass * (drawn(left, true, centre) - drawn(left, false, centre)) - impulse).norm(),
-            mass * (slack(log, Side::kLeft, centre) + caught(left)));
-  EXPECT_LE((mass * (drawn(right, true, centre) - drawn(right, false, centre)) + impulse).norm(),
+  EXPECT_LE(
+      (mass * (drawn(log, left, true, centre) - drawn(log, left, false, centre)) - impulse).norm(),
+      mass * (slack(log, Side::kLeft, centre) + caught(left)));
+  EXPECT_LE((mass * (drawn(log, right, true, centre) - drawn(log, right, false, centre)) + impulse)
+                .norm(),
             mass * (slack(log, Side::kRight, centre) + caught(right)));
 }
 
