@@ -2,6 +2,8 @@
 
 #include "programs/duel/bout_log.hpp"
 
+#include <algorithm>
+
 namespace batuta::host {
 using namespace fencing;
 
@@ -15,11 +17,12 @@ void BoutLog::on_start(const DuelRunner& runner) {
 }
 
 void BoutLog::on_step(const DuelRunner& runner) {
+  if (touches_.is_next(runner.duel())) {
+    engagement_ = {};
+    std::fprintf(out_, "%9.3f s  en garde\n", time_of(runner.duel()) - 1e-6 * DuelRunner::kStep_us);
+  }
   for (const auto& event : runner.duel().events()) {  // Bound: DuelScene::kMaxEvents
     print_contact(time_of(runner, event), event);
-  }
-  if (touches_.is_next(runner.duel())) {
-    std::fprintf(out_, "%9.3f s  en garde\n", time_of(runner.duel()) - 1e-6 * DuelRunner::kStep_us);
   }
   touches_.for_each_new(runner.duel(), [&](const Touch<float>& touch) {
     std::fprintf(out_, "%9.3f s  touch   %s touches the %s at %.2f m height%s\n",
@@ -36,7 +39,7 @@ void BoutLog::on_step(const DuelRunner& runner) {
 
 void BoutLog::print_contact(double time, const ContactEvent<float>& event) {
   if (event.kind == EventKind::kBegin) {
-    engagement_ = {time, 0};
+    if (engagement_.pairs++ == 0) engagement_ = {time, 0, 1};
     std::fprintf(out_, "%9.3f s  %s    left blade at %3.0f %%, right at %3.0f %%", time,
                  is_beat(event) ? "beat" : "lean", 100.0 * static_cast<double>(event.place_A),
                  100.0 * static_cast<double>(event.place_B));
@@ -47,7 +50,8 @@ void BoutLog::print_contact(double time, const ContactEvent<float>& event) {
     std::fputc('\n', out_);
   }
   if (event.kind == EventKind::kEnd) {
-    print_parting(time);
+    engagement_.pairs = std::max(engagement_.pairs - 1, 0);
+    if (engagement_.pairs == 0) print_parting(time);
   } else {
     engagement_.impulse += static_cast<double>(event.impulse);
   }

@@ -23,10 +23,11 @@ class BoutLog final : public Observer {
   void print_device(const DuelRunner& runner, fencing::Side side);
   void print_holds(const DuelRunner& runner);
 
-  /// From the moment when the blades meet until they part.
+  /// From the moment when the weapons meet until no blade and no guard of them touches another.
   struct Engagement {
     double since = 0;    ///< s
     double impulse = 0;  ///< sum, N s
+    int pairs = 0;       ///< of blades and guards that touch
   };
 
   std::FILE* out_;

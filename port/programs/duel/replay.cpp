@@ -2,6 +2,9 @@
 
 #include "programs/duel/replay.hpp"
 
+#include <array>
+#include <cinttypes>
+#include <cstdio>
 #include <memory>
 #include <vector>
 
@@ -72,6 +75,12 @@ std::string why_not_begun(const Replay& replay) {
   return replay.answer == Playback::kDamaged ? "is damaged before its first step" : why_not(replay);
 }
 
+std::string hexadecimal(std::uint64_t number) {
+  std::array<char, 17> digits{};
+  std::snprintf(digits.data(), digits.size(), "%016" PRIx64, number);
+  return digits.data();
+}
+
 template <class DuelType>
 Replay replay_with(SearchKind search, const std::string& path, ReplayWatcher* watcher) {
   Replay result;
@@ -89,6 +98,7 @@ Replay replay_with(SearchKind search, const std::string& path, ReplayWatcher* wa
   result.goes_on = result.answer == Playback::kEnd && file.read(&behind, 1) > 0;
   result.steps = player.steps();
   result.hashes = player.agreed();
+  if (result.began) result.hash = hash_of(*duel);
   result.lost = player.lost();
   result.version = player.version();
   result.state_version = player.state_version();
@@ -110,8 +120,8 @@ std::string words_for(const Replay& replay) {
   if (!replay.began) return replay.path + ": it " + why_not_begun(replay);
   const std::string file = replay.path + ": ";
   const std::string steps = std::to_string(replay.steps) + " steps, ";
-  const std::string hashes =
-      std::to_string(replay.hashes) + " hashes agreed, search " + name_of(replay.search);
+  const std::string hashes = std::to_string(replay.hashes) + " hashes agreed, search " +
+                             name_of(replay.search) + ", hash " + hexadecimal(replay.hash);
   if (replay.broken_off) return file + steps + hashes + "; broken off";
   if (replay.goes_on) {
     return file + steps + hashes + "; the recording goes on behind its end mark";

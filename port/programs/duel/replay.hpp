@@ -20,6 +20,7 @@ struct Replay {
   bool broken_off = false;   ///< by who watched it
   std::uint32_t steps = 0;   ///< made
   std::uint32_t hashes = 0;  ///< that agreed
+  std::uint64_t hash = 0;    ///< of the duel where it ended; 0: it did not begin
   std::uint32_t lost = 0;    ///< steps that the recording says are missing
   int version = 0;           ///< of the recording's format; 0: it could not be read
   int state_version = 0;     ///< of the format of its first state; 0: it could not be read

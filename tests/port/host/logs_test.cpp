@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <regex>
+#include <sstream>
+#include <string>
 
+#include "batuta/fencing/opponent.hpp"
 #include "bouts.hpp"
 #include "heap_trap.hpp"
 #include "programs/duel/bout_log.hpp"
@@ -70,6 +74,30 @@ TEST(BoutLog, ABoutToTwo_TouchByTouch) {
     ++en_garde;
   }
   EXPECT_EQ(en_garde, 2U);
+}
+
+/// Blade on blade and blade on guard at once are one meeting, which ends with the last of them.
+TEST(BoutLog, WeaponsPartOnce) {
+  BoutRules rules;
+  rules.touches = 5;
+  rules.distance = fencing::Opponent::kOnGuard;
+  int parts = 0;
+  for (const char* right : {"script:club", "script:club@2", "script:novice@117"}) {
+    BoutRig bout("script:club", right, 40, rules);
+    std::istringstream log(log_of<BoutLog>(bout));
+    const std::regex part("^ *([0-9.]+) s  part    after ([0-9]+) ms");
+    double before = 0;
+    for (std::string line; std::getline(log, line);) {
+      std::smatch told;
+      if (!std::regex_search(line, told, part)) continue;
+      const double end = std::stod(told[1]);
+      constexpr double kRounding = 1.1e-3;  // s: of both numbers
+      EXPECT_GT(end - 1e-3 * std::stod(told[2]), before - kRounding) << line;
+      before = end;
+      ++parts;
+    }
+  }
+  EXPECT_GT(parts, 20) << "else this shows nothing";
 }
 
 TEST(JsonLog, ABoutToTwo_TouchByTouch) {

@@ -134,9 +134,16 @@ export async function savedBout(page, name) {
 export const duel = [join(root, "build/host/batuta-duel"), join(root, "build/duel/batuta-duel")].find(existsSync);
 
 /** What the host's program says of a recording; throws where it does not replay it to the end. */
-export function replayed(path) {
+function replayed(path) {
   check(duel, "there is no batuta-duel in build/host or build/duel: cmake --workflow --preset duel");
   return execFileSync(duel, ["--replay", path], { encoding: "utf8" });
+}
+
+/** The host's program replays a recording to its end mark, and comes to its hash. @returns what it says */
+export function checkReplay(path, name) {
+  const words = replayed(path).trim();
+  check(words.endsWith(`hashes agreed, search advancement, hash ${lastHash(path)}`), `${name}: ${words}`);
+  return words;
 }
 
 /** The hash in the end mark of a recording. */

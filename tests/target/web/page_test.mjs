@@ -3,7 +3,7 @@
 
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { check, colours, folder, lastHash, mode, open, replayed, root, savedBout, says, serve, until, visit, word } from "./browser.mjs";
+import { check, checkReplay, colours, folder, lastHash, mode, open, root, savedBout, says, serve, until, visit, word } from "./browser.mjs";
 
 const kWalkMs = 400;
 const data = (page, name) => page.evaluate((key) => document.body.dataset[key], name);
@@ -76,6 +76,24 @@ async function help(page) {
   check(await page.locator("#help").evaluate((dialog) => dialog.open), "H opens the help");
   await page.keyboard.press("Escape");
   check(!(await page.locator("#help").evaluate((dialog) => dialog.open)), "Escape closes it");
+  const size = page.viewportSize();
+  await page.setViewportSize({ width: 390, height: 600 });
+  await page.click("#help-button");
+  check((await page.locator("#help").evaluate((dialog) => dialog.scrollHeight > dialog.clientHeight && dialog.scrollTop)) === 0, "long as it is, it opens at its top");
+  await page.click("#help-close");
+  await page.setViewportSize(size);
+}
+
+/** What the page says is what it does. */
+async function pause(page) {
+  await page.click("#begin");
+  await until(page, "fencing");
+  await page.keyboard.press("p");
+  check((await mode(page)) === "paused" && /^Paused/.test(await word(page)), `${await mode(page)}: ${await word(page)}`);
+  check((await page.textContent("#pause")) === "Go on", "the button goes on");
+  await page.click("#pause");
+  check((await mode(page)) === "fencing" && (await word(page)) === "Fence!", `${await mode(page)}: ${await word(page)}`);
+  check((await page.textContent("#pause")) === "Pause", "the button pauses");
 }
 
 async function twoPlayers(page) {
@@ -144,7 +162,7 @@ async function fiveTouches(page) {
   for (const key of kLunge) await page.keyboard.up(key);
   check(/Left wins 5 : 0/.test(await page.textContent("#big")), await page.textContent("#big"));
   const path = await savedBout(page, "five.batuta");
-  check(/hashes agreed, search advancement$/.test(replayed(path).trim()), "batuta-duel replays it");
+  checkReplay(path, "batuta-duel replays it");
   await page.setInputFiles("#file", path);
   await until(page, "halt");
   await page.keyboard.press("Enter"); // a recording shows its halts as well
@@ -229,6 +247,9 @@ async function laboratory(browser, url) {
   for (let i = 0; i < 15; i += 1) await page.keyboard.press("ArrowRight");
   await agree();
   check(before !== (await data(page, "truth")) || before === "none", "a number by keys changes the pair");
+  const told = async (name) => (await page.locator(`#numbers label:has(input[data-side="0"][data-name="${name}"]) output`).textContent()).trim();
+  check((await told("x")) === `${Number(await slider.inputValue()).toFixed(2)} m`, `the slider's number: ${await told("x")}`);
+  check(/ rad\/s$/.test(await told("turn_rate")), await told("turn_rate"));
   await slider.fill("-0.5");
   await page.locator('#numbers input[data-side="0"][data-name="y"]').fill("0");
   const scale = Math.min(box.width, box.height) / 2.5;
@@ -239,7 +260,7 @@ async function laboratory(browser, url) {
   const moved = [await slider.inputValue(), await page.locator('#numbers input[data-side="0"][data-name="v_x"]').inputValue(), await page.locator('#numbers input[data-side="0"][data-name="angle"]').inputValue()];
   check(moved[0] !== "-0.5" || moved[1] !== "0", `the pointer drags: ${moved}`);
   await page.click("#next");
-  check(/evaluations/.test(await word(page)), "one evaluation");
+  check(/ 1 evaluation\./.test(await word(page)), `one evaluation: ${await word(page)}`);
   check(errors.length === 0, `${errors}`);
   await page.context().close();
 }
@@ -251,6 +272,7 @@ try {
   await until(page, "fencing");
   await files(page);
   await help(page);
+  await pause(page);
   await twoPlayers(page);
   await background(page);
   await feet(page);

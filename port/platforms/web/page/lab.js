@@ -20,7 +20,12 @@ const bodies = [
   { x: -0.75, y: 0.1, angle: 0.5, v_x: 1.2, v_y: 0, turn_rate: 2, half_length: 0.45, radius: 0.02 },
   { x: 0.7, y: 0, angle: 1.9, v_x: -0.6, v_y: 0.2, turn_rate: -1.5, half_length: 0.45, radius: 0.02 },
 ];
-const kNumbers = { x: [-2, 2, 0.01], y: [-1.2, 1.2, 0.01], angle: [-3.14, 3.14, 0.01], v_x: [-4, 4, 0.05], v_y: [-4, 4, 0.05], turn_rate: [-12, 12, 0.1] };
+/** Of a slider: least, most, step, digits told, unit. */
+const kNumbers = {
+  x: [-2, 2, 0.01, 2, "m"], y: [-1.2, 1.2, 0.01, 2, "m"], angle: [-3.14, 3.14, 0.01, 2, "rad"],
+  v_x: [-4, 4, 0.05, 2, "m/s"], v_y: [-4, 4, 0.05, 2, "m/s"], turn_rate: [-12, 12, 0.1, 1, "rad/s"],
+};
+const evaluations = (count) => `${count} evaluation${count === 1 ? "" : "s"}`;
 
 let searches = null;
 let found = { advancement: [], stepping: [] };
@@ -34,7 +39,7 @@ const epsilon = () => 2 ** Number(byId("epsilon").value);
 function sayWhat() {
   const told = (name, list) => {
     const last = list.at(Math.min(shown, list.length) - 1);
-    return `${name}: ${kOutcomes[last.outcome]}${["contact", "touching"].includes(kOutcomes[last.outcome]) ? ` at ${last.free.toFixed(6)} s` : ""}, ${last.evaluations} evaluations`;
+    return `${name}: ${kOutcomes[last.outcome]}${["contact", "touching"].includes(kOutcomes[last.outcome]) ? ` at ${last.free.toFixed(6)} s` : ""}, ${evaluations(last.evaluations)}`;
   };
   const meet = truth === null ? "they do not meet" : `they meet at ${truth.toFixed(6)} s`;
   byId("word").textContent = `Truth: ${meet}. ${told("Advancement", found.advancement)}. ${told("Stepping", found.stepping)}.`;
@@ -92,7 +97,12 @@ function changed() {
   found = { advancement: searches.advancement(kTolerance), stepping: searches.stepping(epsilon()) };
   shown = Infinity;
   drawCosts();
-  for (const input of document.querySelectorAll("#numbers input")) input.value = bodies[input.dataset.side][input.dataset.name];
+  for (const input of document.querySelectorAll("#numbers input")) {
+    const { side, name } = input.dataset;
+    const [, , , digits, unit] = kNumbers[name];
+    input.value = bodies[side][name];
+    input.nextElementSibling.textContent = `${bodies[side][name].toFixed(digits)} ${unit}`;
+  }
   draw();
   document.body.dataset.truth = truth ?? "none";
   document.body.dataset.advancement = found.advancement.at(-1).free;
@@ -117,7 +127,7 @@ function build() {
         body[name] = Number(input.value);
         changed();
       });
-      label.append(`${side === 0 ? "blue" : "orange"} ${name.replace("_", " ")} `, input);
+      label.append(`${side === 0 ? "blue" : "orange"} ${name.replace("_", " ")} `, input, document.createElement("output"));
       field.append(label);
     }
     byId("numbers").append(field);
