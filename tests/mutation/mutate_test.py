@@ -171,12 +171,14 @@ int main() { return sign(-5) == -1 && sign(0) == 0 && sign(70) == 1 ? 0 : 1; }
 """
 NINJA = """rule cc
   command = c++ -I{0}/include -o $out -c $in
+rule cc_prepared
+  command = c++ -I{0}/include -include {0}/build/cmake_pch.hxx -o $out -c $in
 rule ar
   command = ar rcs $out $in
 rule ld
   command = : && c++ $in -o $out && :
 build sign.cpp.o: cc {0}/src/core/sign.cpp
-build tests/sign_test.cpp.o: cc {0}/tests/sign_test.cpp
+build tests/sign_test.cpp.o: cc_prepared {0}/tests/sign_test.cpp
 build libcore.a: ar sign.cpp.o
 build tests/batuta_test_core: ld tests/sign_test.cpp.o libcore.a
 build batuta_test_core: phony tests/batuta_test_core
@@ -195,8 +197,9 @@ class Trials(unittest.TestCase):
         self.write("tests/sign_test.cpp", TEST)
         self.write("port/none.hpp", "")
         self.write("build/build.ninja", NINJA.format(self.root))
-        database = subprocess.run(["ninja", "-C", self.root / "build", "-t", "compdb", "cc"], capture_output=True,
-                                  text=True, check=True).stdout
+        self.write("build/cmake_pch.hxx", f'#include "{self.root}/include/batuta/core/sign.hpp"\n')
+        database = subprocess.run(["ninja", "-C", self.root / "build", "-t", "compdb", "cc", "cc_prepared"],
+                                  capture_output=True, text=True, check=True).stdout
         self.write("build/compile_commands.json", database)
         subprocess.run(["ninja", "-C", self.root / "build"], stdout=subprocess.DEVNULL, check=True)
         self.bench = mutate.Bench(self.root, self.root / "build", self.root / "mutation")
@@ -229,6 +232,11 @@ class Trials(unittest.TestCase):
         self.assertEqual(self.verdict(name)[0], mutate.KILLED)
         self.assertEqual((self.bench.tree / "include/batuta/core/sign.hpp").read_text(),
                          (self.root / "include/batuta/core/sign.hpp").read_text())
+
+    def test_what_the_build_prepares_does_not_stand_beside_a_mutated_header(self):
+        header = "include/batuta/core/sign.hpp"
+        self.write(f"mutation/tree/{header}", (self.root / header).read_text().replace("0", "1"))
+        self.assertIsNotNone(self.bench.compile("tests/sign_test.cpp", header))
 
     def test_build_is_brought_up_to_date_or_nothing_is_tried(self):
         self.write("src/core/sign.cpp", LIBRARY.replace("return -1", "return -2"))

@@ -22,10 +22,18 @@ EIGEN = "include/batuta/core/types.hpp"
 HEADS = {"src/": '#include "batuta/core/types.hpp"\n',
          "tests/unit/": '#include "batuta/core/types.hpp"\n#include <gmock/gmock.h>\n#include <rapidcheck/gtest.h>\n'}
 SEED = "20061107"  # of the property tests, as in tests/CMakeLists.txt
+PREPARED = "cmake_pch.hxx"  # what the build reads before all tests
 
 
 class NotReady(Exception):
     pass
+
+
+def without_prepared(command):
+    """Without the headers that the build prepares: they name the files of the source, beside which a mutated one would
+    not compile."""
+    at = [i for i, part in enumerate(command[:-1]) if part == "-include" and command[i + 1].endswith(PREPARED)]
+    return [part for i, part in enumerate(command) if i not in at and i - 1 not in at]
 
 
 class Run:
@@ -140,7 +148,7 @@ class Bench:
         """The command that compiles a file of the tree, fast."""
         command = [part.replace(f"{self.source}/", f"{self.tree}/")
                    if re.search(rf"{re.escape(str(self.source))}/(?:{'|'.join(SOURCES)})\b", part) else part
-                   for part in self.commands[unit] if not re.fullmatch(r"-O.|-g.?|-Werror|-W(?!l,).*", part)]
+                   for part in without_prepared(self.commands[unit]) if not re.fullmatch(r"-O.|-g.?|-Werror|-W(?!l,).*", part)]
         command[1:1] = FLAGS
         return command
 
