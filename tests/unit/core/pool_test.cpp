@@ -146,6 +146,29 @@ TEST(Pool, FreeSlots_AreTakenFromTheLowest) {
   for (const int expected : {2, 33, 64, 69}) EXPECT_EQ(pool.index_of(make_in(pool, 0)), expected);
 }
 
+/// Where the bitmap ends, objects begin: a word too few would change them.
+TEST(Pool, SlotBehindAFullWord_LeavesTheObjectsAlone) {
+  Pool<int, 33> pool;
+  for (int i = 0; i < 33; ++i) make_in(pool, 2 * i);
+  int expected = 0;
+  for (const int value : pool) {
+    EXPECT_EQ(value, expected);
+    expected += 2;
+  }
+  EXPECT_EQ(expected, 66);
+  ASSERT_EQ(pool.remove(pool.handle_at(32)), Status::kOk);
+  EXPECT_EQ(*pool.at_index(0), 0);
+  EXPECT_EQ(pool.size(), 32);
+}
+
+TEST(Pool, OneSlot_HoldsAnyValue) {
+  Pool<int, 1> pool;
+  const auto handle = make_in(pool, 0);
+  EXPECT_NE(pool.get(handle), nullptr);
+  EXPECT_EQ(pool.remove(handle), Status::kOk);
+  EXPECT_EQ(pool.at_index(0), nullptr);
+}
+
 TEST(Pool, Iterator_FollowsTheSlotsAndSkipsHoles) {
   Pool<int, 100> pool;
   EXPECT_THAT(pool, IsEmpty());
@@ -249,6 +272,18 @@ TEST(Pool, Work_AllocatesNothing) {
     pool.clear();
   }
   EXPECT_EQ(trap.allocations(), 0);
+}
+
+TEST(Pool, Restored_HoldsTheFirstObjectAndTheLast) {
+  Pool<Pair, 3> pool;
+  for (int i = 1; i <= 3; ++i) ASSERT_TRUE(pool.make(i, 0.5F).ok());
+  Pool<Pair, 3> copy;
+  ASSERT_TRUE(copy.make(8, 0.25F).ok());
+  copy.restore(pool);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(copy.at_index(i)->first, static_cast<int>(i) + 1);
+    EXPECT_EQ(copy.at_index(i)->second, 0.5F);
+  }
 }
 
 TEST(Pool, Restored_HoldsTheSameObjectsUnderTheSameHandles) {

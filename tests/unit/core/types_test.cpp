@@ -42,10 +42,25 @@ TYPED_TEST(Types, IsFinite_FindsOneBadComponent) {
     v[i] = std::numeric_limits<TypeParam>::infinity();
     EXPECT_FALSE(is_finite(v)) << i;
   }
-  Quat<TypeParam> q = Quat<TypeParam>::Identity();
-  EXPECT_TRUE(is_finite(q));
-  q.z() = kNan;
-  EXPECT_FALSE(is_finite(q));
+  EXPECT_TRUE(is_finite(Quat<TypeParam>::Identity()));
+  EXPECT_TRUE(is_finite(Quat<TypeParam>(kMax, -kMax, kMax, kMax)));
+  for (int i = 0; i < 4; ++i) {
+    Quat<TypeParam> q = Quat<TypeParam>::Identity();
+    q.coeffs()[i] = kNan;
+    EXPECT_FALSE(is_finite(q)) << i;
+    q.coeffs()[i] = -std::numeric_limits<TypeParam>::infinity();
+    EXPECT_FALSE(is_finite(q)) << i;
+  }
+}
+
+TYPED_TEST(Types, IsFinite_FindsOneBadNumberOfAnyMatrix) {
+  constexpr TypeParam kMax = std::numeric_limits<TypeParam>::max();
+  EXPECT_TRUE(is_finite(Mat3<TypeParam>::Constant(kMax)));
+  for (int i = 0; i < 9; ++i) {
+    Mat3<TypeParam> m = Mat3<TypeParam>::Identity();
+    m.data()[i] = std::numeric_limits<TypeParam>::infinity();
+    EXPECT_FALSE(is_finite(m)) << i;
+  }
 }
 
 TYPED_TEST(Types, IsPositive_IsFiniteAndAboveZero) {
@@ -56,6 +71,64 @@ TYPED_TEST(Types, IsPositive_IsFiniteAndAboveZero) {
   for (const TypeParam x : {TypeParam(0), TypeParam(-0.0), TypeParam(-1), Limits::lowest(),
                             Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN()}) {
     EXPECT_FALSE(is_positive(x)) << x;
+  }
+}
+
+/// Of infinite mass: 0. What is so heavy that its mass is no number is neither.
+TYPED_TEST(Types, IsInverse_IsZeroOrOfAFiniteNumber) {
+  using Limits = std::numeric_limits<TypeParam>;
+  for (const TypeParam x : {TypeParam(0), TypeParam(-0.0), TypeParam(1), TypeParam(0.25),
+                            Limits::max(), Limits::min()}) {
+    EXPECT_TRUE(detail::is_inverse(x)) << x;
+  }
+  for (const TypeParam x : {TypeParam(-1), Limits::lowest(), -Limits::min(), Limits::denorm_min(),
+                            -Limits::infinity(), Limits::quiet_NaN()}) {
+    EXPECT_FALSE(detail::is_inverse(x)) << x;
+  }
+}
+
+TYPED_TEST(Types, ZeroAndUnitX_AreWhatEigenSays) {
+  EXPECT_EQ(detail::zero<TypeParam>(), Vec3<TypeParam>::Zero());
+  EXPECT_EQ(detail::unit_x<TypeParam>(), Vec3<TypeParam>::UnitX());
+}
+
+TYPED_TEST(Types, AddTo_AddsEachComponent) {
+  Vec3<TypeParam> sum(1, 20, 300);
+  detail::add_to(sum, Vec3<TypeParam>(4, -5, 6));
+  EXPECT_EQ(sum, Vec3<TypeParam>(5, 15, 306));
+}
+
+TYPED_TEST(Types, IsZero_LooksAtEachComponent) {
+  const TypeParam minus_zero = TypeParam(-0.0);
+  EXPECT_TRUE(detail::is_zero(Vec3<TypeParam>(0, minus_zero, 0)));
+  for (int i = 0; i < 3; ++i) {
+    for (const TypeParam x : {TypeParam(1), std::numeric_limits<TypeParam>::quiet_NaN()}) {
+      Vec3<TypeParam> v = Vec3<TypeParam>::Zero();
+      v[i] = x;
+      EXPECT_FALSE(detail::is_zero(v)) << i;
+    }
+  }
+}
+
+TYPED_TEST(Types, IsSame_LooksAtEachComponent) {
+  const Vec3<TypeParam> v(1, 2, 3);
+  const Quat<TypeParam> q(4, 1, 2, 3);
+  EXPECT_TRUE(detail::is_same(v, Vec3<TypeParam>(1, 2, 3)));
+  EXPECT_TRUE(detail::is_same(q, Quat<TypeParam>(4, 1, 2, 3)));
+  for (const TypeParam x : {TypeParam(9), std::numeric_limits<TypeParam>::quiet_NaN()}) {
+    for (int i = 0; i < 3; ++i) {
+      Vec3<TypeParam> other = v;
+      other[i] = x;
+      EXPECT_FALSE(detail::is_same(v, other)) << i;
+      EXPECT_FALSE(detail::is_same(other, v)) << i;
+    }
+    for (int i = 0; i < 4; ++i) {
+      Quat<TypeParam> other = q;
+      other.coeffs()[i] = x;
+      EXPECT_FALSE(detail::is_same(q, other)) << i;
+    }
+    EXPECT_FALSE(detail::is_same(Vec3<TypeParam>(x, x, x), v));
+    EXPECT_FALSE(detail::is_same(Quat<TypeParam>(x, x, x, x), q));
   }
 }
 
