@@ -273,5 +273,22 @@ TYPED_TEST(FrictionOf, BadInput_IsRefused) {
   EXPECT_TRUE(refused(body, {half, std::numeric_limits<TypeParam>::max(), half}));
 }
 
+/// Plastic and without friction: what slides goes on sliding.
+TYPED_TEST(FrictionOf, LawThatNobodyChose_TakesTheNormalVelocityAndNothingElse) {
+  const auto A = ball<TypeParam>({3, 4, -2}, {1, 2, 3});
+  const auto hit =
+      friction_impulse<TypeParam>(A, fixed<TypeParam>(), floor_contact<TypeParam>(), {});
+  ASSERT_TRUE(hit.ok());
+  EXPECT_EQ(hit.value.twist_A.v_W, (Vec3<TypeParam>(3, 4, 0)));
+  EXPECT_EQ(hit.value.twist_A.w_W, A.twist.w_W);
+  const FrictionLaw<TypeParam> rough{0, TypeParam(1e6)};
+  const auto stuck =
+      friction_impulse<TypeParam>(A, fixed<TypeParam>(), floor_contact<TypeParam>(), rough);
+  const Vec3<TypeParam> at = Vec3<TypeParam>::Zero();
+  const Vec3<TypeParam> slip = velocity_at(A.X_WB, stuck.value.twist_A, at);
+  // Stopped, not turned round; 16 u of speeds up to 8.
+  EXPECT_LE(slip.norm(), 16 * 8 * kRoundOff<TypeParam>);
+}
+
 }  // namespace
 }  // namespace batuta

@@ -339,5 +339,25 @@ TEST(LineContact, RodThatOnlyTurns_PressesWithTheEndThatComesDown) {
   }
 }
 
+/// A bar, half as long as its moment allows, that falls and turns so that the blow at one end stops
+/// all of it: k there is 1 + 1/2, the speed 1 + 1/2. Powers of two: nothing is rounded.
+TEST(LineContact, BlowThatStopsTheWholeBar_IsAtThatEnd) {
+  for (const double turn : {-0.5, 0.5}) {
+    Landing<double> land;
+    land.slack = 0x1p-10;
+    land.A.X_WB.p_W = V(0.25 + land.slack / 4, 0, 0);
+    land.A.inverse_mass = 1;
+    land.A.inverse_moments = V(0.5, 0.5, 1);
+    land.A.twist = {V(-1, 0, 0), V(0, turn, 0)};  // turn z along x
+    land.A_W = capsule_on(land.A, 1, 0.125);
+    land.B_W = capsule_on(land.B, 2, 0.125);
+    land.nearest = {V(0.125, 0, 0), V(1, 0, 0), land.slack / 4};
+    EXPECT_EQ(land.pressure().point_W, V(0.125, 0, turn > 0 ? -1 : 1)) << turn;
+    const auto hit = collision_impulse(land.A, land.B, land.pressure(), 0.0);
+    EXPECT_EQ(hit.value.twist_A.v_W, V(0, 0, 0)) << turn;
+    EXPECT_EQ(hit.value.twist_A.w_W, V(0, 0, 0)) << turn;
+  }
+}
+
 }  // namespace
 }  // namespace batuta

@@ -108,5 +108,39 @@ TYPED_TEST(SeparationOf, BadInput_IsRefused) {
       separate(this->gap(static_cast<double>(kNan)), S(0), S(1), S(1), this->options()).ok());
 }
 
+TYPED_TEST(SeparationOf, ShiftOrTimeBeyondTheNumbers_IsRefused) {
+  constexpr TypeParam kMax = std::numeric_limits<TypeParam>::max();
+  constexpr TypeParam kInfinity = std::numeric_limits<TypeParam>::infinity();
+  auto o = this->options();
+  o.distance = kMax;
+  o.rest_speed = kMax;
+  o.limit_A = o.limit_B = kInfinity;
+  const Contact<TypeParam> deep = this->gap(-static_cast<double>(kMax));
+  const auto far = separate(deep, TypeParam(0), TypeParam(1), TypeParam(0), o);
+  EXPECT_EQ(far.status, Status::kInvalidArgument) << "twice the largest number";
+  EXPECT_EQ(far.value.shift_A_W, (Vec3<TypeParam>::Zero()));
+  const auto far_B = separate(deep, TypeParam(0), TypeParam(0), TypeParam(1), o);
+  EXPECT_EQ(far_B.status, Status::kInvalidArgument);
+  o.rest_speed = TypeParam(0.25);
+  const auto late = separate(this->gap(0), TypeParam(0), TypeParam(1), TypeParam(1), o);
+  EXPECT_EQ(late.status, Status::kInvalidArgument) << "D / (2 eps_r)";
+  EXPECT_EQ(late.value.duration, TypeParam(0));
+}
+
+TYPED_TEST(SeparationOf, OptionsThatNobodyChose_AreRefused) {
+  const SeparationOptions<TypeParam> none;
+  EXPECT_FALSE(separate(this->gap(0), TypeParam(0), TypeParam(1), TypeParam(1), none).ok());
+  auto o = this->options();
+  EXPECT_GT(o.limit_A, TypeParam(1e30)) << "no neighbour";
+  EXPECT_GT(o.limit_B, TypeParam(1e30));
+  for (TypeParam SeparationOptions<TypeParam>::*member :
+       {&SeparationOptions<TypeParam>::distance, &SeparationOptions<TypeParam>::rest_speed,
+        &SeparationOptions<TypeParam>::min_duration}) {
+    o = this->options();
+    o.*member = none.*member;
+    EXPECT_FALSE(separate(this->gap(0), TypeParam(0), TypeParam(1), TypeParam(1), o).ok());
+  }
+}
+
 }  // namespace
 }  // namespace batuta
