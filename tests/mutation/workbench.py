@@ -146,9 +146,10 @@ class Bench:
 
     def compiler(self, unit):
         """The command that compiles a file of the tree, fast."""
+        given = without_prepared(self.commands[unit])
         command = [part.replace(f"{self.source}/", f"{self.tree}/")
                    if re.search(rf"{re.escape(str(self.source))}/(?:{'|'.join(SOURCES)})\b", part) else part
-                   for part in without_prepared(self.commands[unit]) if not re.fullmatch(r"-O.|-g.?|-Werror|-W(?!l,).*", part)]
+                   for part in given if not re.fullmatch(r"-O.|-g.?|-Werror|-W(?!l,).*", part)]
         command[1:1] = FLAGS
         return command
 
