@@ -54,6 +54,22 @@ TYPED_TEST(SegmentTest, At_IsExactAtBothEnds) {
   EXPECT_EQ((Segment<Scalar>{{0, 0, 0}, {2, 4, 8}}.at(Scalar(0.25))), Vec3<Scalar>(0.5, 1, 2));
 }
 
+/// As of two points at the origin.
+TYPED_TEST(SegmentTest, AnswersThatNobodyGave_ContradictNothing) {
+  using Scalar = TypeParam;
+  const ClosestPoints<Scalar> pair;
+  EXPECT_EQ(pair.distance, (pair.p_B - pair.p_A).norm());
+  EXPECT_EQ(pair.p_A, Segment<Scalar>().at(pair.s));
+  EXPECT_EQ(pair.p_B, Segment<Scalar>().at(pair.u));
+  EXPECT_EQ(pair.s, 0);
+  EXPECT_EQ(pair.u, 0);
+  EXPECT_EQ(pair.normal_AB, Vec3<Scalar>(1, 0, 0));
+  const PointOnSegment<Scalar> point;
+  EXPECT_EQ(point.s, 0);
+  EXPECT_EQ(point.point, Segment<Scalar>().at(point.s));
+  EXPECT_EQ(point.distance, 0);
+}
+
 TYPED_TEST(SegmentTest, ClosedForms_AllRegions) {
   using Query = typename TestFixture::Case;
   const std::vector<Query> cases = {
