@@ -53,6 +53,16 @@ void expect_same(const Body<Scalar>& A, const Body<Scalar>& B) {
   EXPECT_EQ(A.momentum.angular_W, B.momentum.angular_W);
 }
 
+TYPED_TEST(BodyOf, NothingSaid_IsFixedAtTheOriginAndUnturned) {
+  const Body<TypeParam> body;
+  EXPECT_EQ(body.X_WB.p_W, (Vec3<TypeParam>(0, 0, 0)));
+  EXPECT_EQ(body.X_WB.q_WB.coeffs(), Quat<TypeParam>::Identity().coeffs());
+  EXPECT_EQ(body.momentum.linear_W, (Vec3<TypeParam>(0, 0, 0)));
+  EXPECT_EQ(body.momentum.angular_W, (Vec3<TypeParam>(0, 0, 0)));
+  EXPECT_EQ(body.inverse_mass, TypeParam(0));
+  EXPECT_EQ(body.inverse_moments, (Vec3<TypeParam>(0, 0, 0)));
+}
+
 TYPED_TEST(BodyOf, MakeBody_KeepsTheInverses) {
   const auto body = make_body<TypeParam>({}, 2, {4, 8, kInfinity<TypeParam>});
   ASSERT_TRUE(body.ok());

@@ -63,6 +63,25 @@ TYPED_TEST(Rotation, RenewedOfWhatHasNoDirection_IsTheIdentity) {
   }
 }
 
+/// To within 1/512 of the squared length, whichever components it has.
+TYPED_TEST(Rotation, IsTurn_AsksForTheLengthOfAllFour) {
+  using Q = Quat<TypeParam>;
+  const TypeParam half(0.5);
+  for (const auto& q : {Q(half, half, half, half), Q(half, -half, half, -half), Q(1, 0, 0, 0),
+                        Q(0, 1, 0, 0), Q(0, 0, 1, 0), Q(0, 0, 0, 1)}) {
+    EXPECT_TRUE(detail::is_turn(q));
+    for (const double square : {1.0 - 1.0 / 256, 1.0 + 1.0 / 256, 0.0, 2.0}) {
+      const auto scale = static_cast<TypeParam>(std::sqrt(square));
+      EXPECT_FALSE(detail::is_turn(Q(q.coeffs() * scale))) << square;
+    }
+    for (const double square : {1.0 - 1.0 / 1024, 1.0 + 1.0 / 1024}) {
+      const auto scale = static_cast<TypeParam>(std::sqrt(square));
+      EXPECT_TRUE(detail::is_turn(Q(q.coeffs() * scale))) << square;
+    }
+  }
+  EXPECT_FALSE(detail::is_turn(Q(1, std::numeric_limits<TypeParam>::quiet_NaN(), 0, 0)));
+}
+
 TYPED_TEST(Rotation, MatrixOfQuaternion_TurnsAsTheQuaternionDoes) {
   Source<TypeParam> source(2);
   for (int i = 0; i < 10000; ++i) {
