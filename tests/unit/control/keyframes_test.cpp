@@ -189,6 +189,31 @@ TEST(KeyframeGrid, KeysOutOfRange_AreRefusedAndTheGridStays) {
   EXPECT_EQ(grid.set_keys(bad), Status::kOk);
 }
 
+/// Half of the keys are turned one way by 1.6 rad, half the other way: none is too far from the
+/// central one, which is not turned, and any other of them is.
+template <int M, int N>
+Status set_turned_both_ways(std::size_t unturned) {
+  typename KeyframeGrid<double, M, N>::Keys keys;
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    keys[k] = pose<double>(0, 0, 0, k % 2 == 0 ? 1.6 : -1.6, 0, 0);
+  }
+  keys[unturned] = Pose<double>();
+  KeyframeGrid<double, M, N> grid;
+  return grid.set_keys(keys);
+}
+
+TEST(KeyframeGrid, Turns_CountFromTheKeyInTheMiddle) {
+  EXPECT_EQ((set_turned_both_ways<3, 3>(4)), Status::kOk);
+  EXPECT_EQ((set_turned_both_ways<5, 3>(7)), Status::kOk);
+  EXPECT_EQ((set_turned_both_ways<3, 7>(10)), Status::kOk);
+  EXPECT_EQ((set_turned_both_ways<7, 5>(17)), Status::kOk);
+  for (std::size_t k = 0; k < 15; ++k) {
+    if (k != 7) {
+      EXPECT_EQ((set_turned_both_ways<5, 3>(k)), Status::kInvalidArgument) << k;
+    }
+  }
+}
+
 // A quaternion and its negative are one key.
 TEST(KeyframeGrid, NegatedQuaternions_ChangeNothing) {
   auto keys = random_keys<double, 3, 3>(21);
@@ -246,6 +271,14 @@ TEST(KeyGridView, OneNumber_IsOnTheSurfaceOfItsKeys) {
   }
   EXPECT_DEATH((void)detail::surface_on(grid, {0.0, 0.0}, kStride), "");
   EXPECT_DEATH((void)detail::surface_on(grid, {0.0, 0.0}, -1), "");
+}
+
+TEST(KeyGridView, OfNothing_HasNoKeys) {
+  const detail::KeyGridView<float> view;
+  EXPECT_EQ(view.numbers, nullptr);
+  EXPECT_EQ(view.columns, 0);
+  EXPECT_EQ(view.rows, 0);
+  EXPECT_EQ(view.q_ref.coeffs(), Quat<float>::Identity().coeffs());
 }
 
 TEST(KeyframeGrid, BeforeThereAreKeys_IsTheOrigin) {

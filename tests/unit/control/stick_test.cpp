@@ -260,6 +260,15 @@ TYPED_TEST(StickOf, FromTheCentre_TheStickGoesAsFastAsItMay) {
   EXPECT_EQ(this->stick.position().y(), TypeParam(-0.5F));
 }
 
+TYPED_TEST(StickOf, PutToTheCentreOnItsWay_IsStill) {
+  (void)this->stick.accept(sample(1000, 1, 0, 1));
+  this->run(5);
+  ASSERT_GT(this->vx(), 1.0);
+  this->stick.start_from_centre();
+  EXPECT_EQ(this->stick.position(), (Vec2<TypeParam>(0, 0)));
+  EXPECT_EQ(this->stick.velocity(), (Vec2<TypeParam>(0, 0)));
+}
+
 // Whatever comes: x stays, y does not grow, and nothing is faster than it may be.
 TYPED_TEST(StickOf, FollowedOnlyBack_GoesBackOrStays) {
   std::mt19937 random(11);
