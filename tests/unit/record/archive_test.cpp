@@ -90,6 +90,47 @@ TEST(ArchiveWriter, EveryKind_BytesOfTheDocument) {
   EXPECT_EQ(bytes_of(example()), kExampleBytes);
 }
 
+/// Both have all their numbers, a column after the other.
+TEST(ArchiveWriter, Matrix_HasEveryNumber) {
+  Eigen::Matrix<double, 6, 2> wide;
+  Mat3<double> square;
+  for (int i = 0; i < 12; ++i) wide.data()[i] = i + 1;
+  for (int i = 0; i < 9; ++i) square.data()[i] = 100 + i;
+  std::vector<std::uint8_t> bytes(21 * sizeof(double));
+  ArchiveWriter writer(bytes.data(), static_cast<int>(bytes.size()));
+  writer(wide, square);
+  ASSERT_EQ(writer.status(), Status::kOk);
+  ASSERT_EQ(writer.position(), static_cast<int>(bytes.size()));
+  Eigen::Matrix<double, 6, 2> wide_again = Eigen::Matrix<double, 6, 2>::Zero();
+  Mat3<double> square_again = Mat3<double>::Zero();
+  ArchiveReader reader(bytes.data(), writer.position());
+  reader(wide_again, square_again);
+  EXPECT_TRUE(reader.is_done(writer.position()));
+  EXPECT_EQ(wide_again, wide);
+  EXPECT_EQ(square_again, square);
+  double second = 0;  // below the first
+  std::memcpy(&second, bytes.data() + sizeof second, sizeof second);
+  EXPECT_EQ(second, wide(1, 0));
+}
+
+template <int kRoom>
+std::vector<std::uint8_t> bytes_of_two_places() {
+  FixedList<std::uint8_t, kRoom> list;
+  list.push(5);
+  list.push(6);
+  std::vector<std::uint8_t> bytes(8);
+  ArchiveWriter writer(bytes.data(), 8);
+  writer.look_at(list);
+  EXPECT_EQ(writer.status(), Status::kOk);
+  bytes.resize(static_cast<std::size_t>(writer.position()));
+  return bytes;
+}
+
+TEST(ArchiveWriter, CountOfPlaces_IsAByteUpTo255) {
+  EXPECT_EQ(bytes_of_two_places<255>(), (std::vector<std::uint8_t>{2, 5, 6}));
+  EXPECT_EQ(bytes_of_two_places<256>(), (std::vector<std::uint8_t>{2, 0, 0, 0, 5, 6}));
+}
+
 TEST(ArchiveReader, BytesOfTheDocument_GiveEveryMember) {
   Everything x;
   const int size = static_cast<int>(kExampleBytes.size());

@@ -205,6 +205,26 @@ TEST(Recorder, SinkTooSlow_CountsWhatIsMissing) {
   EXPECT_EQ(result.lost, recorder.lost());
 }
 
+TEST(Recorder, LastStepAloneMissing_IsAGap) {
+  NarrowSink sink(1 << 20, 0);
+  Bytes buffer(128);
+  Recorder recorder(sink, buffer.data(), 128);
+  Sum run;
+  ASSERT_EQ(recorder.begin<Numbers>(run, 0), Status::kOk);
+  for (std::uint32_t i = 0; recorder.lost() == 0; ++i) {
+    ASSERT_LT(i, 128U);
+    run.step(input_of(i));
+    recorder.step(input_of(i), run);
+  }
+  sink.open(1 << 20);
+  ASSERT_EQ(recorder.end(run), Status::kOk);
+  ASSERT_TRUE(recorder.flush());
+  const Played result = played(sink.bytes);
+  EXPECT_EQ(result.answer, Playback::kGap);
+  EXPECT_EQ(result.lost, 1U);
+  EXPECT_EQ(result.steps, recorder.steps());
+}
+
 TEST(Recorder, SinkFull_IsACutRecordingWhoseStepsAreGood) {
   const Bytes whole = recorded();
   for (int room = 0; room < static_cast<int>(whole.size()); ++room) {
