@@ -146,6 +146,18 @@ TYPED_TEST(Passive, Damping_TakesBackWhatIsOwedInOnePeriod) {
   EXPECT_EQ(owed_damping(observer), S(0));
 }
 
+TYPED_TEST(Passive, DamperThatNobodyChose_IsNone) {
+  using S = TypeParam;
+  PassivitySettings<S> settings;
+  settings.period = S(1) / S(1024);
+  settings.most_debt = S(1);
+  settings.largest_force = S(100);
+  auto observer = observer_with(settings);
+  ASSERT_EQ(observer.observe({S(1), S(0)}, {S(0.5), S(0)}), Status::kOk);
+  EXPECT_EQ(observer.credit(), S(-0.5)) << "neither does the device damp, unless that is said";
+  EXPECT_EQ(owed_damping(observer), S(0));
+}
+
 TYPED_TEST(Passive, DebtOfAStickAtRest_Waits) {
   using S = TypeParam;
   auto observer = observer_with(simple<S>());
