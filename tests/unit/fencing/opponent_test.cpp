@@ -118,6 +118,85 @@ TEST(Opponent, BadInput_IsToldOrNotLookedAt) {
   }
 }
 
+/// From the first instant on, and until they are asked to stand again.
+TEST(Opponent, FeetOfWhoRetreats_GoBack) {
+  for (const Skill skill : kSkills) {
+    Opponent one = opponent(skill, 13);
+    int retreats = 0;
+    float before = 0;
+    float least = 0;
+    Intent last = Intent::kWait;
+    for (int step = 0; step < 200000; ++step) {
+      const float feet = one.step(wild_sight(4, step), kStepUs).feet;
+      if (one.intent() == Intent::kRetreat) {
+        if (last != Intent::kRetreat) {
+          ++retreats;
+          least = before;
+        }
+        // Standing, at most, as long as it hesitates; then back, and to a stand.
+        ASSERT_TRUE(feet <= before || feet <= 0) << step;
+        least = std::min(least, feet);
+      } else if (last == Intent::kRetreat) {
+        ASSERT_EQ(least, -1.0F) << step;
+      }
+      last = one.intent();
+      before = feet;
+    }
+    EXPECT_GT(retreats, 5);
+  }
+}
+
+bool is_own_attack(Intent intent) {
+  return intent == Intent::kAttack || intent == Intent::kBeat;
+}
+
+/// Two on guard within a lunge, of whom the rival goes back, followed, while his opponent attacks,
+/// or while he does not. Counts how the feet of the latter are asked at the ends of its attacks.
+struct Ends {
+  int standing = 0;
+  int back = 0;
+};
+Ends ends_of_attacks(bool goes_back_at_attacks) {
+  Opponent one = opponent(Skill::kMaster, 21);
+  Ends ends;
+  int attacks = 0;
+  float place = 0;
+  float feet = 0;
+  Intent last = Intent::kWait;
+  for (int step = 0; step < 120000; ++step) {
+    const bool goes = is_own_attack(last) == goes_back_at_attacks;
+    place += goes ? 1.2e-3F : 0.0F;
+    Observation sight;
+    sight.own.torso_V = {place - 1.3F, 0, 1.1F};
+    sight.own.guard_V = {place - 0.8F, 0, 1.1F};
+    sight.own.point_V = {place + 0.1F, 0, 1.1F};
+    sight.rival.torso_V = {place + 1.3F, 0, 1.1F};
+    sight.rival.guard_V = {place + 0.8F, 0, 1.1F};
+    sight.rival.point_V = {place - 0.1F, 0, 1.1F};
+    const float now = one.step(sight, kStepUs).feet;
+    const bool over = is_own_attack(last) && !is_own_attack(one.intent());
+    if (over && ++attacks > 5) {  // by then it has seen what he does
+      ends.standing += feet == 0 ? 1 : 0;
+      ends.back += feet < -0.5F ? 1 : 0;
+    }
+    last = one.intent();
+    feet = now;
+  }
+  return ends;
+}
+
+TEST(Opponent, WhoGivesGroundAtItsAttacks_GetsNoneBack) {
+  const Ends ends = ends_of_attacks(true);
+  EXPECT_GT(ends.standing, 20);
+  EXPECT_EQ(ends.back, 0);
+}
+
+TEST(Opponent, WhoStandsAtItsAttacks_IsLeftTheGround) {
+  const Ends ends = ends_of_attacks(false);
+  EXPECT_GT(ends.back, 20);
+  EXPECT_EQ(ends.standing, 0);
+}
+
 /// The right fencer's frame is the left one's turned by half a turn about z.
 TEST(Observation, IsTheSalleAsItsViewerSeesIt) {
   const auto duel = std::make_unique<Duel<>>();
@@ -131,6 +210,21 @@ TEST(Observation, IsTheSalleAsItsViewerSeesIt) {
   EXPECT_EQ(left.own.guard_V, duel->blade_W(Side::kLeft).axis.a);
   EXPECT_GT(left.rival.torso_V.x(), left.own.torso_V.x());
   EXPECT_GT(right.rival.torso_V.x(), right.own.torso_V.x());
+}
+
+/// opponent.md: ten looks of 15 ms.
+TEST(DelayedObservation, DelaysByThreeTwentiethsOfASecond) {
+  EXPECT_EQ(DelayedObservation::kDelayUs, 150000);
+}
+
+/// The first step looks, and then one in each 15 ms, whatever a step is.
+TEST(DelayedObservation, LooksAtOnceAndThenEach15Milliseconds) {
+  for (const std::int32_t step_us : {1000, 5000, 7500, 15000}) {
+    DelayedObservation eye;
+    for (std::int32_t step = 0; step < 100; ++step) {
+      EXPECT_EQ(eye.look({}, step_us), step * step_us % 15000 == 0) << step_us << ' ' << step;
+    }
+  }
 }
 
 /// A look is kept for kDelayLooks looks, in duels of any step.
