@@ -128,12 +128,13 @@ class Trial:
         if not tests:
             return self.run(name, self.objects)
         stem = pathlib.PurePath(self.mutation.file).stem
+        targets = {}
         for test in sorted(tests, key=lambda unit: (not pathlib.PurePath(unit).stem.startswith(stem), unit)):
-            target = self.bench.compile(test, self.mutation.file)
-            killer = self.run(name, {test: target, **self.objects}, test) if target else None
+            targets[test] = self.bench.compile(test, self.mutation.file)
+            killer = self.run(name, {test: targets[test], **self.objects}, test) if targets[test] else None
             if killer != "":
                 return killer
-        return ""
+        return self.run(name, {**targets, **self.objects})  # with the tests that read the library alone
 
     def run(self, name, objects, only_test=None):
         patience = self.bench.patience_with(program(name))  # first: it may have to link the program as it is

@@ -185,18 +185,39 @@ build batuta_test_core: phony tests/batuta_test_core
 """
 
 
+# Of two tests one reads the header and asks for nothing in it; the other one asks the library, and reads no header.
+TESTS_OF_TWO = {
+    "tests/main.cpp": "int wrong = 0;\nint main() { return wrong; }\n",
+    "tests/reader_test.cpp": '#include "batuta/core/sign.hpp"\nint of_reader = kNone;\n',
+    "tests/other_test.cpp": "int sign(int x);\nextern int wrong;\nint of_other = wrong += sign(0) == 0 ? 0 : 1;\n",
+}
+NINJA_OF_TWO = NINJA.split("build sign.cpp.o")[0] + """build sign.cpp.o: cc {0}/src/core/sign.cpp
+build libcore.a: ar sign.cpp.o
+build tests/batuta_test_core.dir/main.cpp.o: cc {0}/tests/main.cpp
+build tests/batuta_test_core.dir/reader_test.cpp.o: cc {0}/tests/reader_test.cpp
+build tests/batuta_test_core.dir/other_test.cpp.o: cc {0}/tests/other_test.cpp
+build tests/batuta_test_core: ld tests/batuta_test_core.dir/main.cpp.o tests/batuta_test_core.dir/reader_test.cpp.o $
+  tests/batuta_test_core.dir/other_test.cpp.o libcore.a
+build batuta_test_core: phony tests/batuta_test_core
+"""
+
+
 class Trials(unittest.TestCase):
     """On a library of one function, whose build ninja made."""
 
     def setUp(self):
+        self.make({"tests/sign_test.cpp": TEST}, NINJA)
+
+    def make(self, tests, ninja):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = pathlib.Path(folder.name).resolve()
         self.write("src/core/sign.cpp", LIBRARY)
         self.write("include/batuta/core/sign.hpp", "#pragma once\nconstexpr int kNone = 0;\nint sign(int x);\n")
-        self.write("tests/sign_test.cpp", TEST)
+        for name, text in tests.items():
+            self.write(name, text)
         self.write("port/none.hpp", "")
-        self.write("build/build.ninja", NINJA.format(self.root))
+        self.write("build/build.ninja", ninja.format(self.root))
         self.write("build/cmake_pch.hxx", f'#include "{self.root}/include/batuta/core/sign.hpp"\n')
         database = subprocess.run(["ninja", "-C", self.root / "build", "-t", "compdb", "cc", "cc_prepared"],
                                   capture_output=True, text=True, check=True).stdout
@@ -232,6 +253,11 @@ class Trials(unittest.TestCase):
         self.assertEqual(self.verdict(name)[0], mutate.KILLED)
         self.assertEqual((self.bench.tree / "include/batuta/core/sign.hpp").read_text(),
                          (self.root / "include/batuta/core/sign.hpp").read_text())
+
+    def test_header_meets_the_tests_that_do_not_read_it_too(self):
+        self.make(TESTS_OF_TWO, NINJA_OF_TWO)
+        name = "include/batuta/core/sign.hpp: constexpr int kNone = 0; @22: 0 -> 1"
+        self.assertEqual(self.verdict(name)[0], mutate.KILLED)
 
     def test_what_the_build_prepares_does_not_stand_beside_a_mutated_header(self):
         header = "include/batuta/core/sign.hpp"
