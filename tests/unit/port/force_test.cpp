@@ -40,8 +40,16 @@ TEST(ForceDevice, Off_TellsZero_AndWhetherTheDeviceIsThere) {
   EXPECT_EQ(device.told[0].time, 7U);
   EXPECT_EQ(device.told[0].x, 0.0F);
   EXPECT_EQ(device.told[0].y, 0.0F);
+  EXPECT_EQ(device.told[0].own, 0.0F);
   device.status = Status::kUnavailable;
   EXPECT_EQ(device.off(8), Status::kUnavailable);
+}
+
+TEST(ForceCommand, ThatNobodyMade_IsNoForce) {
+  const ForceCommand none;
+  EXPECT_EQ(none.x, 0.0F);
+  EXPECT_EQ(none.y, 0.0F);
+  EXPECT_EQ(none.own, 0.0F);
 }
 
 TEST(ForcePermit, IsMadeByNobodyElse) {

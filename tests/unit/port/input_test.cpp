@@ -81,6 +81,8 @@ TEST(InputDevice, Read_RefusesWhatIsNoDeflection_AndLeavesTheSample) {
 TEST(Microseconds, Elapsed_AcrossTheWrap) {
   EXPECT_EQ(elapsed_us(0xFFFFFFF0U, 0x10U), 32);
   EXPECT_EQ(elapsed_us(0x10U, 0xFFFFFFF0U), -32);
+  EXPECT_TRUE(is_later(6U, 5U));
+  EXPECT_FALSE(is_later(5U, 6U));
   EXPECT_TRUE(is_later(0x10U, 0xFFFFFFF0U));
   EXPECT_FALSE(is_later(5U, 5U));
 }
