@@ -48,6 +48,22 @@ TEST_P(ReadyMade, Hips_LieOppositeEachOther) {
   EXPECT_EQ(front, Vec3<double>(-rear.x(), -rear.y(), rear.z()));
 }
 
+/// In its mask, which is 0.35 m high at most, and on the trunk without a gap between them.
+TEST_P(ReadyMade, Head_IsOnTheTrunkAndNoLargerThanAMask) {
+  const Bone<double>& head = bone(BodyPart::kHead);
+  const Capsule<double>& trunk = bone(BodyPart::kTorso).capsule_J;
+  const double low = head.start_P.z() +
+                     min_of(head.capsule_J.axis.a.z(), head.capsule_J.axis.b.z()) -
+                     head.capsule_J.radius;
+  const double high = head.start_P.z() +
+                      max_of(head.capsule_J.axis.a.z(), head.capsule_J.axis.b.z()) +
+                      head.capsule_J.radius;
+  EXPECT_LE(high - low, 0.35);
+  EXPECT_GE(high - low, 0.2) << "a head alone";
+  EXPECT_LE(low, trunk.axis.b.z() + trunk.radius);
+  EXPECT_GT(low, trunk.axis.a.z());
+}
+
 /// The rules of the sport for an epee: a straight blade of 0.90 m at most, 0.77 kg in all.
 TEST_P(ReadyMade, Epee_KeepsTheRules) {
   double mass = 0;
