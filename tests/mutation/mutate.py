@@ -34,7 +34,7 @@ STRONGER = {
     "detection": ["vectors", "world", "fencing"],
     "response": ["vectors", "world", "world_many", "stability"],
     "world": ["world_many", "fencing", "stability"],
-    "fencing": ["duel_program"],
+    "fencing": ["fight", "duel_program"],
     "control": ["fencing"],
     "record": ["duel_program"],
     "c": [],
