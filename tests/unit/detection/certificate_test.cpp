@@ -14,6 +14,7 @@ namespace {
 
 using namespace testing_detection;
 using Polynomial = Cubic<double>;
+using V = Vec3<double>;
 
 constexpr double kU = kRoundOff<double>;
 
@@ -292,6 +293,33 @@ TEST(HorizonOf, Turn_IsKeptWithinWhatThePolynomialsSee) {
       {}, {}, Vec3<double>::Zero(), TurnPowers<double>(5.0), TurnPowers<double>(7.0), {}, {}};
   EXPECT_DOUBLE_EQ(horizon_of(state, 1.0), kHorizonTurn<double> / 12);
   EXPECT_EQ(horizon_of(state, 0.2), 0.2) << "2.4 rad are left";
+}
+
+/// Of ends that lie still at the origin: what is left of the toll is R times what the normal gains
+/// in length, by powers of h: |n + m h + m2 h^2| <= 1 + (m h + m2 h^2)^2 / 2 where m and m2 lie
+/// across n, and no less than that has to be paid in the lowest power of each.
+TEST(TakeToll, OfANormalThatBends_IsWhatItsLengthGainsAndNoMore) {
+  PairState<double> still{{}, {}, V::Zero(), TurnPowers<double>(0), TurnPowers<double>(0), {}, {}};
+  still.bounds = still.magnitudes = {0, 0, 0, 0, 0};
+  constexpr double kR = 0.75;
+  constexpr double kRounding = 1 + 64 * kU;
+  for (const double m : {0.0, 0.5}) {
+    for (const double m2 : {0.0, 0.25}) {
+      Clearances<double> f{{}, {}, 0};
+      take_toll<double>(f, V::UnitZ(), {V(m, 0, 0), V(m2, 0, 0)}, still, kR, 1.0);
+      const std::array<double, 3> gains = {kR * m * m / 2, kR * m * m2, kR * m2 * m2 / 2};
+      const std::array<double, 3> tolls = {-f.B[0][2], -f.B[0][3], -f.fourth};
+      for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_GE(tolls[k], gains[k]) << m << ' ' << m2 << ' ' << k;
+        EXPECT_LE(tolls[k], gains[k] * kRounding) << m << ' ' << m2 << ' ' << k;
+      }
+      for (double h = 0; h <= 1; h += 0.125) {
+        const double along = m * h + m2 * h * h;
+        const double gain = kR * (std::sqrt(1 + along * along) - 1);
+        EXPECT_GE(h * h * (tolls[0] + h * (tolls[1] + h * tolls[2])), gain - 4 * kU);
+      }
+    }
+  }
 }
 
 }  // namespace
