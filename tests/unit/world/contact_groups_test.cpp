@@ -84,6 +84,18 @@ TEST_F(ContactGroups, TwoThatPress_GoOnWithTheVelocityOfTheirCentre) {
   for (const std::size_t i : {0U, 2U}) EXPECT_TRUE(rig().groups.presses(RowRig::pair(i)));
 }
 
+// A row that lies: without weight, and where it weighs nothing along the row.
+TEST_F(ContactGroups, ContactsAtOneHeight_AreSolvedInTheOrderOfTheirPairs) {
+  for (const double weight : {0.0, 10.0}) {
+    RowRig row;
+    row.bodies.settings.gravity_W = {-weight, 0, 0};
+    for (int i = 0; i < 6; ++i) row.add(1, 5 - i);  // each presses on the next one
+    row.solve();
+    ASSERT_EQ(row.groups.solved_count, 5);
+    for (int k = 0; k < 5; ++k) EXPECT_EQ(row.groups.solved_at(k).pair.first, k) << weight;
+  }
+}
+
 // Weight: each contact carries what is above it, and its begin is told once.
 TEST_F(ContactGroups, Column_CarriesItsWeight_AndIsToldOnce) {
   constexpr double kG = 10;
