@@ -334,7 +334,9 @@ TYPED_TEST(GripOf, HandThatTurnsOn_IsFollowedWithoutAJump) {
   };
   this->grip.command(turned(0), S(kStep));
   this->strike(0, 1e6, 0.5, {vec<S>(0, 0, 0), vec<S>(0, 0, 2)});
+  this->move(0, kStep);  // it flies, unhindered: else the blow would be over
   this->finish();
+  EXPECT_EQ(this->grip.control(), S(0));
   Pose<S> last = this->body.X_WB;
   for (int i = 1; i <= 1000; ++i) {
     this->grip.command(turned(15e-3 * std::min(i, 400)), S(kStep));  // 6 rad in 0.4 s
