@@ -133,5 +133,25 @@ TEST(Sleep, WhatItLayOn_IsRemoved_AndItWakes) {
   EXPECT_FALSE(scene.world->is_asleep(scene.lying));
 }
 
+// Once: who was led in some earlier step is like everybody else.
+TEST(Sleep, CarrierThatIsLetGo_WakesWhatLiesOnIt_AndBothSleepAgain) {
+  Lying scene;
+  auto& world = *scene.world;
+  ASSERT_EQ(world.remove(scene.lying), Status::kOk);
+  const auto free = ball(0.2, {0, 0, 0.2});
+  auto held = free;
+  held.body.inverse_mass = 0;
+  held.body.inverse_moments.setZero();
+  const auto carrier = world.add(held).value;
+  scene.lying = world.add(ball(0.05, {0, 0, 0.45})).value;
+  ASSERT_GT(scene.sleep_after(), 0);
+  world.get(carrier)->body.inverse_mass = free.body.inverse_mass;
+  world.get(carrier)->body.inverse_moments = free.body.inverse_moments;
+  ASSERT_EQ(world.step(Lying::kStep), Status::kOk);
+  EXPECT_FALSE(world.is_asleep(scene.lying));
+  EXPECT_GT(scene.sleep_after(), 0);
+  EXPECT_TRUE(world.is_asleep(carrier));
+}
+
 }  // namespace
 }  // namespace batuta
