@@ -10,11 +10,17 @@ namespace {
 
 using namespace testing_detection;
 
-// A number that was given once stays: saved states name their search by it.
-static_assert(Stepping<float>::kNumber == 1 && Stepping<double>::kNumber == 1);
-static_assert(Advancement<float>::kNumber == 2 && Advancement<double>::kNumber == 2);
-static_assert(Translation<float>::kNumber == 3 && Translation<double>::kNumber == 3);
-static_assert(Spheres<float>::kNumber == 4 && Spheres<double>::kNumber == 4);
+/// A number that was given once stays.
+TEST(SearchNumbers, AreThoseByWhichSavedStatesNameThem) {
+  EXPECT_EQ(Stepping<float>::kNumber, 1U);
+  EXPECT_EQ(Advancement<float>::kNumber, 2U);
+  EXPECT_EQ(Translation<float>::kNumber, 3U);
+  EXPECT_EQ(Spheres<float>::kNumber, 4U);
+  EXPECT_EQ(Stepping<double>::kNumber, 1U);
+  EXPECT_EQ(Advancement<double>::kNumber, 2U);
+  EXPECT_EQ(Translation<double>::kNumber, 3U);
+  EXPECT_EQ(Spheres<double>::kNumber, 4U);
+}
 
 /// Two rods of 2 m side by side, so far apart, at rest.
 template <class Scalar>

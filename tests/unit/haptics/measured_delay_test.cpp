@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The longest delay that is measured, and the longest that a profile is made of.
+// The longest delay that is measured, the longest that a profile is made of, and how long measuring
+// takes.
 #include "measured_device.hpp"
 
 namespace batuta {
@@ -39,6 +40,19 @@ TEST(MeasuredDelay, ProfileOf17Periods_IsTheLastThatThereIs) {
   EXPECT_EQ(longest.value.delay, 17);
   estimates.delay = {17.5F, 0};
   EXPECT_EQ(measured_profile(settings, estimates, 3).status, Status::kInvalidArgument);
+}
+
+/// device_measurement.md, "The motion": 30,000 periods. A device that stuck once is not pushed as
+/// weakly again; so it sticks no more than a few times, for 2000 periods each.
+TEST(MeasuredDelay, AnyDevice_IsToldWithinThirtyThousandPeriods) {
+  int told = 0;
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    Measuring measuring(test::any_device(i), i);
+    if (measuring.run() != State::kMeasured) continue;
+    ++told;
+    EXPECT_LE(measuring.measurement.steps(), 30'000) << i;
+  }
+  EXPECT_GT(told, 80);
 }
 
 }  // namespace
