@@ -299,6 +299,29 @@ TEST_F(ContactGroups, WhatHasPassedOfAStep_IsSpent) {
   EXPECT_EQ(rig().contact(0).points[0].spent_normal, 0);
 }
 
+// The same of a neighbour that the blow is passed on to: it is brought to the time of the blow
+// first.
+TEST_F(ContactGroups, WhatHasPassedOfAStep_IsSpentOfWhatTakesItNext) {
+  constexpr double kG = 10;
+  rig().bodies.settings.gravity_W = {0, 0, -kG};
+  rig().add(0, 0);
+  rig().add(2, 0);
+  rig().add(1, 0);
+  for (int step = 0; step < 20; ++step) {
+    rig().solve();
+    rig().groups.end_step();
+  }
+  rig().solve();
+  const double carried = rig().impulse(1);
+  EXPECT_NEAR(carried, kG * kStep, 3 * kD / 64 / kStep) << "as in Column_CarriesItsWeight";
+  rig().bodies.now = kStep / 4;
+  rig().momentum(1) += 0.5;  // upwards, at 0.25 m/s: the upper one takes a third of it
+  rig().pass_on(0);
+  EXPECT_EQ(rig().contact(1).since, rig().bodies.now);
+  EXPECT_NEAR(rig().contact(1).points[0].spent_normal, 0.25 * carried, kExact);
+  EXPECT_GT(rig().velocity(2), 0.1);
+}
+
 // The least radius of gyration of a ball is sqrt(2/5) r: an eighth of it is 7.9 mm.
 TEST_F(ContactGroups, ShiftBeyondAnEighthOfTheGyration_HasItsPointsFoundAnew) {
   rig().add(1, 0);
