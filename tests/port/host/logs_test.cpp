@@ -97,7 +97,7 @@ TEST(BoutLog, WeaponsPartOnce) {
       ++parts;
     }
   }
-  EXPECT_GT(parts, 20) << "else this shows nothing";
+  EXPECT_GT(parts, 15) << "else this shows nothing";
 }
 
 TEST(JsonLog, ABoutToTwo_TouchByTouch) {

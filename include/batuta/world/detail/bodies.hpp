@@ -159,6 +159,10 @@ class Bodies : public Proxies<SceneT> {
     return !states[slot].plan.by_momentum || is_asleep(slot) ||
            Kinematics::is_immovable(actor(slot).body);
   }
+  /// Who lies on it is carried: it is led, or turns about an axle and goes nowhere.
+  bool holds(std::size_t slot) const {
+    return is_led(slot) || !(actor(slot).body.inverse_mass > Scalar(0));
+  }
   /// In the step, s: until then its planned motion goes.
   Scalar plan_end(std::size_t slot) const {
     if constexpr (kBends<SceneT>) return states[slot].plan_end;

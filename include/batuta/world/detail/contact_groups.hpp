@@ -307,7 +307,7 @@ void for_each_solved(const ContactGroups<SceneT>& groups, bool loaded_only, cons
 }
 
 /// Groups of bodies that contacts join. What is led belongs to none: it holds those that it
-/// touches. @param loaded_only  contacts that press
+/// touches, as does who turns about an axle. @param loaded_only  contacts that press
 template <class SceneT>
 void join_all(const Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups, bool loaded_only) {
   groups.joined.clear();
@@ -315,7 +315,7 @@ void join_all(const Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups, bool 
     if (!bodies.is_led(a) && !bodies.is_led(b)) groups.joined.join(a, b);
   });
   for_each_solved(groups, loaded_only, [&](std::size_t a, std::size_t b) {
-    if (bodies.is_led(a) || bodies.is_led(b)) groups.joined.hold(bodies.is_led(a) ? b : a);
+    if (bodies.holds(a) || bodies.holds(b)) groups.joined.hold(bodies.is_led(a) ? b : a);
   });
 }
 

@@ -254,7 +254,7 @@ template <class SceneT, class Passing>
 void pass_around(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups, int parts,
                  Scalar_of<SceneT> energy, const Passing& passing) {
   constexpr int kNone = ContactGroups<SceneT>::kNone;
-  constexpr int kEventSweeps = 32;
+  constexpr int kEventSweeps = 48;
   const auto& list = groups.contacts;
   bool is_done = false;
   for (int s = 0; s < kEventSweeps && !is_done; ++s) {  // Bound: kEventSweeps

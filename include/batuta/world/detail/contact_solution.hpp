@@ -14,17 +14,17 @@ struct GroupRange {
 };
 
 /// What gravity makes in half of what is left of the step, m/s, of what a contact gives to A, where
-/// one of the two is led: between two that fall it is nothing.
+/// one of the two holds the other: between two that fall it is nothing.
 template <class SceneT>
 Vec3<Scalar_of<SceneT>> carried_by([[maybe_unused]] const Bodies<SceneT>& bodies,
                                    [[maybe_unused]] const LastingContactOf<SceneT>& contact) {
   using Scalar = Scalar_of<SceneT>;
   Vec3<Scalar> carried_W = Vec3<Scalar>::Zero();
   if constexpr (SceneT::kGravity) {
-    const bool led_A = bodies.is_led(a_of<SceneT>(contact));
+    const bool A_holds = bodies.holds(a_of<SceneT>(contact));
     const Scalar half = (bodies.dt - bodies.now) / 2;
-    if (led_A != bodies.is_led(b_of<SceneT>(contact))) {
-      carried_W = (led_A ? half : -half) * bodies.settings.gravity_W;
+    if (A_holds != bodies.holds(b_of<SceneT>(contact))) {
+      carried_W = (A_holds ? half : -half) * bodies.settings.gravity_W;
     }
   }
   return carried_W;

@@ -33,11 +33,8 @@ GroupMembers<SceneT> members_with(const Bodies<SceneT>& bodies, ContactGroups<Sc
       if (!contact.is_solved) continue;
       const std::size_t a = a_of<SceneT>(contact);
       const std::size_t other = a == one ? b_of<SceneT>(contact) : a;
-      if (bodies.is_led(other)) {
-        members.is_held = true;
-      } else if (!changes.is_dirty[other]) {
-        changes.mark(other);
-      }
+      members.is_held = members.is_held || bodies.holds(other) || bodies.holds(one);
+      if (!bodies.is_led(other) && !changes.is_dirty[other]) changes.mark(other);
     }
   }
   return members;
