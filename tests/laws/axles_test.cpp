@@ -85,7 +85,8 @@ TYPED_TEST(Axles, WhatRestsOnThem_Rests) {
           fastest = std::max(fastest, std::abs(groove.spin_of(id)) * 0.03);
         }
       }
-      // Sweeps end where a visit changes no velocity by more than D / 64 in the step, D >= g dt^2 / 4.
+      // Sweeps end where a visit changes no velocity by more than D / 64 in the step, D >= g dt^2
+      // / 4.
       EXPECT_LT(fastest, max_of(1e-4, kGravity * dt * dt / 4) / 64 / dt) << r << ' ' << dt;
     }
   }

@@ -43,8 +43,8 @@
   } while (false)
 
 // GCC leaves many of Eigen's operators of a line each as calls. Told to inline them all it makes,
-// optimizing for size, less code than -O2 in 2.5 times fewer instructions (docs/cost.md); optimizing
-// for speed, steps of a world that take a tenth less.
+// optimizing for size, less code than -O2 in 2.5 times fewer instructions (docs/cost.md);
+// optimizing for speed, steps of a world that take a tenth less.
 #if defined(__OPTIMIZE__) && defined(__GNUC__) && !defined(__clang__)
 #define BATUTA_INLINE_EIGEN 1
 #else
