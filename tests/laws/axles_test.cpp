@@ -11,10 +11,13 @@
 namespace batuta {
 namespace {
 
-using test::Vector;
-
 constexpr double kGravity = 9.81;  // m/s^2
 constexpr double kMu = 0.5;
+
+/// D of these bodies, m.
+double gap_of_rest(double dt) {
+  return max_of(1e-4, kGravity * dt * dt / 4);
+}
 
 /// A solid roller along x that turns about its own axis and cannot be moved elsewhere.
 template <class SceneT>
@@ -43,8 +46,7 @@ struct Groove {
       const double y = i == 0 ? -aside : aside;
       rollers[i] = world.add(roller<SceneT>(8 * r, R, y, spin)).value;
     }
-    const double gap = max_of(1e-4, kGravity * dt * dt / 4) / 2;
-    const double apart = R + r + gap;
+    const double apart = R + r + gap_of_rest(dt) / 2;
     auto resting = test::solid_rod<SceneT>(
         6 * r, r, {0, 0, std::sqrt(apart * apart - aside * aside)}, test::along_x());
     resting.friction = static_cast<S>(kMu);
@@ -72,9 +74,10 @@ TYPED_TEST_SUITE(Axles, Scalars);
 
 // Nothing turns, and nothing has the velocity of a fall that does not happen.
 TYPED_TEST(Axles, WhatRestsOnThem_Rests) {
+  constexpr double kRadius = 0.03;
   for (const double r : {0.03, 0.1}) {
     for (const double dt : {1e-3, 1.0 / 60, 1.0 / 30}) {
-      Groove<test::Settling<TypeParam, test::kFalling>> groove(0.03, r, 0, dt);
+      Groove<test::Settling<TypeParam, test::kFalling>> groove(kRadius, r, 0, dt);
       double fastest = 0;
       for (int i = 0; i < std::lround(2 / dt); ++i) {
         groove.step();
@@ -82,12 +85,11 @@ TYPED_TEST(Axles, WhatRestsOnThem_Rests) {
         const auto& rod = groove.body(groove.rod);
         fastest = std::max(fastest, static_cast<double>(twist_of(rod).v_W.norm()));
         for (const auto& id : groove.rollers) {
-          fastest = std::max(fastest, std::abs(groove.spin_of(id)) * 0.03);
+          fastest = std::max(fastest, std::abs(groove.spin_of(id)) * kRadius);
         }
       }
-      // Sweeps end where a visit changes no velocity by more than D / 64 in the step, D >= g dt^2
-      // / 4.
-      EXPECT_LT(fastest, max_of(1e-4, kGravity * dt * dt / 4) / 64 / dt) << r << ' ' << dt;
+      // Sweeps end where no visit changes a velocity by more than D / 64 in the step.
+      EXPECT_LT(fastest, gap_of_rest(dt) / 64 / dt) << r << ' ' << dt;
     }
   }
 }
