@@ -5,7 +5,8 @@
 // world's. Functions that end in _f take float, those in _d double. A world and a duel live in
 // storage of the caller's, and hold no resources: nothing need be given back. Bad input gets a
 // status and changes nothing; whoever links this supplies batuta_trap() (batuta/core/assert.hpp),
-// where a fault of the library itself ends. Threads: one at a time for each world and each duel.
+// where a fault of the library itself ends. Threads: one at a time for each world.
+// A duel, its opponents and its recordings: batuta/c/duel.h.
 //
 // Shapes of arrays:
 //   capsule[7]   ends a and b of the axis, m (x y z each); radius, m, >= 0
@@ -49,12 +50,7 @@ enum {
   BATUTA_MOVING_NUMBERS = 20,      ///< of moving[]
   BATUTA_WORLD_BODIES = 16,        ///< most bodies of a world
   BATUTA_WORLD_EVENTS = 64,        ///< most events of a step
-  BATUTA_BODY_PARTS = 12,          ///< capsules of a fencer's body
-  BATUTA_SHORTEST_STEP_US = 100,   ///< of a duel, us
-  BATUTA_LONGEST_STEP_US = 20000,  ///< of a duel, us
-  BATUTA_MOST_TOUCHES = 99,        ///< that a bout can go to
-  BATUTA_WORLD_BYTES = 44032,      ///< batuta_world_size(), rounded up
-  BATUTA_DUEL_BYTES = 7168         ///< batuta_duel_size(), rounded up
+  BATUTA_WORLD_BYTES = 44032       ///< batuta_world_size(), rounded up
 };
 
 // --- Closest points ---------------------------------------------------------------------------
@@ -245,68 +241,6 @@ int32_t batuta_world_event(const batuta_world* world, int32_t index, batuta_even
 /// Hash of all that the next step depends on: two worlds of one hash go on alike.
 /// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT. Bound: members of the world.
 int32_t batuta_world_hash(const batuta_world* world, uint64_t* out);
-
-// --- Duel -------------------------------------------------------------------------------------
-
-/// Storage of a bout of the library's two fencers, in float; to be placed anywhere and kept there.
-typedef union batuta_duel {
-  uint64_t alignment;                      ///< nobody's
-  unsigned char bytes[BATUTA_DUEL_BYTES];  ///< the library's
-} batuta_duel;
-
-/// A new sample of a stick, each axis -1 ... 1.
-typedef struct batuta_stick {
-  float x;       ///< left ... right
-  float y;       ///< down ... up
-  float feet_x;  ///< second pair of axes, left ... right; 0 where there is none
-  float feet_y;  ///< back ... forward
-} batuta_stick;
-
-/// A touch.
-typedef struct batuta_touch {
-  int32_t by;        ///< 0 left fencer's blade, 1 right one's
-  int32_t part;      ///< where on the other: batuta::fencing::BodyPart
-  uint64_t time_us;  ///< since the start of the bout
-  float point_W[3];  ///< m
-} batuta_touch;
-
-/// How a bout stands. Of pairs the first is the left fencer's.
-typedef struct batuta_duel_state {
-  uint32_t steps;         ///< since the start
-  int32_t bout;           ///< 0 fencing, 1 lockout, 2 over by a touch, 3 over by two, 4 halt
-  int32_t exchange;       ///< the number of this one, from 1
-  int32_t annulled;       ///< 1: the touches of this exchange do not count
-  int32_t touches;        ///< of this exchange: 0 ... 2; a halt with 0 is for a corps a corps
-  batuta_touch touch[2];  ///< so many of them are set; the others are zeros
-  int32_t score[2];       ///< touches that count, of exchanges that are over
-  float gap;              ///< of the blades, m; negative: they overlap
-  float blade_W[2][BATUTA_CAPSULE_NUMBERS];  ///< capsule[7], guard to tip
-  float body_W[2][BATUTA_BODY_PARTS]
-              [BATUTA_CAPSULE_NUMBERS];  ///< BATUTA_BODY_PARTS times capsule[7]
-  float stick[2][2];                     ///< where the sticks are taken to be, x y
-  float control[2];                      ///< of the grips: 0 free ... 1 held
-} batuta_duel_state;
-
-/// Bytes that a duel takes: at most BATUTA_DUEL_BYTES. For who has no C compiler at hand.
-size_t batuta_duel_size(void);
-/// Its storage begins at a multiple of this: at most 8.
-size_t batuta_duel_align(void);
-/// Puts both fencers on guard, whatever was in the storage.
-/// @param bytes  of the storage
-/// @param step_us  length of a step, us: BATUTA_SHORTEST_STEP_US ... BATUTA_LONGEST_STEP_US
-/// @param touches  that the bout goes to, 1 ... BATUTA_MOST_TOUCHES
-/// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT: null, less than batuta_duel_size(), not aligned,
-///   or a number out of its range | BATUTA_UNAVAILABLE (arithmetic); what is in the storage goes on
-int32_t batuta_duel_init(batuta_duel* duel, size_t bytes, int32_t step_us, int32_t touches);
-/// One step. @param left, right  a new sample of the fencer's stick, or null where there is none
-/// @returns BATUTA_OK | BATUTA_UNAVAILABLE: the bout is over | BATUTA_INVALID_ARGUMENT: an axis is
-///   not within -1 ... 1, or it is no duel. Bound: Duel::step().
-int32_t batuta_duel_step(batuta_duel* duel, const batuta_stick* left, const batuta_stick* right);
-/// How it stands. @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT
-int32_t batuta_duel_get_state(const batuta_duel* duel, batuta_duel_state* out);
-/// Hash of all that the next step depends on: two duels of one hash go on alike.
-/// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT. Bound: members of the duel.
-int32_t batuta_duel_hash(const batuta_duel* duel, uint64_t* out);
 
 #ifdef __cplusplus  // deviation: names-of-c
 }

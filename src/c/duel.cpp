@@ -1,27 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "batuta/record/duel.hpp"
 
+#include "duel_for_c.hpp"
 #include "numbers.hpp"
-#include "storage.hpp"
 
 namespace batuta::fencing {
 namespace {
 
 static_assert(kBodyParts == BATUTA_BODY_PARTS && kMostTouches == BATUTA_MOST_TOUCHES,
-              "batuta/c.h says so");
-
-constexpr std::array<Side, 2> kBothSides = {Side::kLeft, Side::kRight};
-
-struct DuelForC {
-  static constexpr std::uint32_t kMark = file_id("batuta_duel");
-
-  std::uint32_t mark = kMark;
-  std::int32_t step_us = 0;
-  std::array<std::uint32_t, 2> samples{};  ///< that came, by index_of(side)
-  Duel<> duel;
-};
+              "batuta/c/duel.h says so");
 static_assert(batuta::detail::holds_closely<DuelForC, batuta_duel>(),
               "BATUTA_DUEL_BYTES, or an alignment");
+
+constexpr std::array<Side, 2> kBothSides = {Side::kLeft, Side::kRight};
 
 bool is_axis(float value) {
   return value >= -1 && value <= 1;
@@ -30,29 +21,55 @@ bool is_stick(const batuta_stick* stick) {
   return stick == nullptr || (is_axis(stick->x) && is_axis(stick->y) && is_axis(stick->feet_x) &&
                               is_axis(stick->feet_y));
 }
+const batuta_stick* stick_of(const batuta_sample* sample) {
+  return sample != nullptr ? &sample->stick : nullptr;
+}
 
 /// A sample that the device has taken at the beginning of the step; nothing where none came.
-InputSample sample_of(const batuta_stick* stick, Side side, const DuelForC& own) {
-  InputSample sample;
+batuta_sample sample_of(const batuta_stick* stick, Side side, const DuelForC& own) {
+  batuta_sample sample{};
   if (stick == nullptr) return sample;
-  sample.time = own.duel.steps() * static_cast<Microseconds>(own.step_us);
-  sample.x = stick->x;
-  sample.y = stick->y;
-  sample.feet_x = stick->feet_x;
-  sample.feet_y = stick->feet_y;
+  sample.stick = *stick;
+  sample.time_us = now_of(own.bout.duel());
   sample.sequence = own.samples[index_of(side)];
   return sample;
 }
 
-std::int32_t step(DuelForC& own, const batuta_stick* left, const batuta_stick* right) {
-  const InputSample of_left = sample_of(left, Side::kLeft, own);
-  const InputSample of_right = sample_of(right, Side::kRight, own);
+InputSample read(const batuta_sample* sample) {
+  if (sample == nullptr) return {};
+  const batuta_stick& stick = sample->stick;
+  return {sample->time_us, stick.x,         stick.y,         stick.feet_x,
+          stick.feet_y,    sample->buttons, sample->sequence};
+}
+
+/// @pre is_stick() of both
+std::int32_t step(DuelForC& own, const batuta_sample* left, const batuta_sample* right) {
+  const InputSample of_left = read(left);
+  const InputSample of_right = read(right);
   const Status status =
-      own.duel.step(left == nullptr ? nullptr : &of_left, right == nullptr ? nullptr : &of_right);
+      own.bout.step(left != nullptr ? &of_left : nullptr, right != nullptr ? &of_right : nullptr);
   if (status != Status::kOk) return batuta::detail::code_of(status);
   if (left != nullptr) ++own.samples[index_of(Side::kLeft)];
   if (right != nullptr) ++own.samples[index_of(Side::kRight)];
   return BATUTA_OK;
+}
+
+/// A bout that remembers nothing of another one. @pre valid settings
+void begin(batuta_duel* duel, const haptics::BoutSettings& settings) {
+  DuelForC& own = *batuta::detail::make_in<DuelForC>(duel);
+  own.settings = settings;
+  const Status status = own.bout.start(settings);
+  BATUTA_ASSERT(status == Status::kOk);
+  static_cast<void>(status);
+}
+
+void put_blows(const Duel<>& duel, batuta_duel_state& out) {
+  for (const auto& event : duel.world().events()) {  // Bound: DuelScene::kMaxEvents
+    if (event.kind == EventKind::kEnd) continue;
+    ++out.blows;
+    out.impulse += event.impulse;
+    batuta::detail::put(event.contact.point_W, out.blow_W);
+  }
 }
 
 void put_bout(const Duel<>& duel, batuta_duel_state& out) {
@@ -71,14 +88,20 @@ void put_bout(const Duel<>& duel, batuta_duel_state& out) {
   }
 }
 
-void put_side(const Duel<>& duel, Side side, batuta_duel_state& out) {
+void put_side(const haptics::SteppedBout& bout, Side side, batuta_duel_state& out) {
+  const Duel<>& duel = bout.duel();
   const std::size_t i = index_of(side);
-  out.score[i] = duel.bout().score[i];
-  batuta::detail::put(duel.blade_W(side), out.blade_W[i]);
   const Vec2<float>& stick = duel.stick(side).position();
-  out.stick[i][0] = stick.x();
-  out.stick[i][1] = stick.y();
+  const Vec2<float>& share = bout.forces().of(side).share;
+  for (int axis = 0; axis < 2; ++axis) {  // Bound: 2
+    out.stick[i][axis] = stick[axis];
+    out.force[i][axis] = share[axis];
+  }
+  out.score[i] = duel.bout().score[i];
   out.control[i] = duel.grip(side).control();
+  out.place[i] = duel.X_WF(side).p_W.x();
+  out.feet[i] = duel.stick(side).feet().y();
+  batuta::detail::put(duel.blade_W(side), out.blade_W[i]);
   const BodyShape<float>& body_W = duel.body_W(side);
   for (std::size_t part = 0; part < body_W.size(); ++part) {  // Bound: kBodyParts
     batuta::detail::put(body_W[part], out.body_W[i][part]);
@@ -105,41 +128,63 @@ std::int32_t batuta_duel_init(batuta_duel* duel, std::size_t bytes, std::int32_t
                     touches >= 1 && touches <= BATUTA_MOST_TOUCHES;
   if (!good) return BATUTA_INVALID_ARGUMENT;
   if (!batuta::rounds_each_operation<float>()) return BATUTA_UNAVAILABLE;
-  auto settings = batuta::fencing::duel_settings<>();
+  batuta::haptics::BoutSettings settings;
   settings.step_us = step_us;
-  settings.touches = static_cast<decltype(settings.touches)>(touches);
-  DuelForC& own = *batuta::detail::make_in<DuelForC>(duel);
-  own.step_us = step_us;
-  return batuta::detail::code_of(own.duel.configure(
-      settings, batuta::fencing::first_fencer<float>(), batuta::fencing::second_fencer<float>()));
+  settings.touches = touches;
+  batuta::fencing::begin(duel, settings);
+  return BATUTA_OK;
+}
+
+std::int32_t batuta_duel_set_distance(batuta_duel* duel, float distance) {
+  auto* const own = batuta::fencing::bout_in(duel);
+  if (own == nullptr) return BATUTA_INVALID_ARGUMENT;
+  if (own->bout.steps() != 0) return BATUTA_UNAVAILABLE;
+  batuta::haptics::BoutSettings settings = own->settings;
+  settings.distance = distance;
+  const batuta::Status status = own->bout.start(settings);
+  if (status == batuta::Status::kOk) batuta::fencing::begin(duel, settings);
+  return batuta::detail::code_of(status);
 }
 
 std::int32_t batuta_duel_step(batuta_duel* duel, const batuta_stick* left,
                               const batuta_stick* right) {
-  auto* const own = batuta::detail::found_in<DuelForC>(duel);
-  const bool good =
-      own != nullptr && batuta::fencing::is_stick(left) && batuta::fencing::is_stick(right);
-  return good ? batuta::fencing::step(*own, left, right) : BATUTA_INVALID_ARGUMENT;
+  using namespace batuta::fencing;
+  const auto* const own = bout_in(duel);
+  if (own == nullptr) return BATUTA_INVALID_ARGUMENT;
+  const batuta_sample of_left = sample_of(left, Side::kLeft, *own);
+  const batuta_sample of_right = sample_of(right, Side::kRight, *own);
+  return batuta_duel_step_sampled(duel, left != nullptr ? &of_left : nullptr,
+                                  right != nullptr ? &of_right : nullptr);
+}
+
+std::int32_t batuta_duel_step_sampled(batuta_duel* duel, const batuta_sample* left,
+                                      const batuta_sample* right) {
+  using namespace batuta::fencing;
+  auto* const own = bout_in(duel);
+  const bool good = own != nullptr && is_stick(stick_of(left)) && is_stick(stick_of(right));
+  return good ? step(*own, left, right) : BATUTA_INVALID_ARGUMENT;
 }
 
 std::int32_t batuta_duel_get_state(const batuta_duel* duel, batuta_duel_state* out) {
-  const auto* const own = batuta::detail::found_in<DuelForC>(duel);
+  const auto* const own = batuta::fencing::bout_in(duel);
   if (own == nullptr || out == nullptr) return BATUTA_INVALID_ARGUMENT;
+  const batuta::fencing::Duel<>& shown = own->bout.duel();
   *out = batuta_duel_state{};
-  out->steps = own->duel.steps();
-  batuta::fencing::put_bout(own->duel, *out);
+  out->steps = shown.steps();
+  batuta::fencing::put_bout(shown, *out);
+  batuta::fencing::put_blows(shown, *out);
   for (const auto side : batuta::fencing::kBothSides) {  // Bound: 2
-    batuta::fencing::put_side(own->duel, side, *out);
+    batuta::fencing::put_side(own->bout, side, *out);
   }
-  out->gap = batuta::capsule_gap(own->duel.blade_W(batuta::fencing::Side::kLeft),
-                                 own->duel.blade_W(batuta::fencing::Side::kRight))
+  out->gap = batuta::capsule_gap(shown.blade_W(batuta::fencing::Side::kLeft),
+                                 shown.blade_W(batuta::fencing::Side::kRight))
                  .gap;
   return BATUTA_OK;
 }
 
 std::int32_t batuta_duel_hash(const batuta_duel* duel, std::uint64_t* out) {
-  const auto* const own = batuta::detail::found_in<DuelForC>(duel);
+  const auto* const own = batuta::fencing::bout_in(duel);
   if (own == nullptr || out == nullptr) return BATUTA_INVALID_ARGUMENT;
-  *out = batuta::hash_of(own->duel);
+  *out = batuta::hash_of(own->bout.duel());
   return BATUTA_OK;
 }

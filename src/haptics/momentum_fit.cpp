@@ -64,11 +64,11 @@ NoiseGain noise_gain() {
 }
 
 using Triangle = std::array<std::array<float, kAll>, kAll>;
-using Vector = std::array<float, kAll>;
+using Column = std::array<float, kAll>;
 
 /// x with R x = y. @pre no zero on the diagonal
-Vector solved(const Triangle& R, const Vector& y, std::size_t count) {
-  Vector x{};
+Column solved(const Triangle& R, const Column& y, std::size_t count) {
+  Column x{};
   for (std::size_t i = count; i-- > 0;) {  // Bound: kAll
     float sum = y[i];
     for (std::size_t j = i + 1; j < count; ++j) sum -= R[i][j] * x[j];  // Bound: kAll
@@ -78,8 +78,8 @@ Vector solved(const Triangle& R, const Vector& y, std::size_t count) {
 }
 
 /// x with R' x = y.
-Vector solved_transposed(const Triangle& R, const Vector& y) {
-  Vector x{};
+Column solved_transposed(const Triangle& R, const Column& y) {
+  Column x{};
   for (std::size_t i = 0; i < kAll; ++i) {  // Bound: kAll
     float sum = y[i];
     for (std::size_t j = 0; j < i; ++j) sum -= R[j][i] * x[j];  // Bound: kAll
@@ -90,9 +90,9 @@ Vector solved_transposed(const Triangle& R, const Vector& y) {
 
 /// Root of the diagonal of (R' R)^-1 at i: the length of a row of R^-1.
 float spread(const Triangle& R, std::size_t i) {
-  Vector one{};
+  Column one{};
   one[i] = 1;
-  const Vector row = solved_transposed(R, one);
+  const Column row = solved_transposed(R, one);
   float sum = 0;
   for (const float x : row) sum += x * x;  // Bound: kAll
   return std::sqrt(sum);
@@ -236,7 +236,7 @@ Least least_over_delays(const Columns& columns) {
 /// The triangle of the unknowns and the delay's share, with the right side at that delay.
 struct Reduced {
   Triangle R{};
-  Vector y{};
+  Column y{};
   float response = 0;  ///< square of the force's column
 };
 
@@ -270,7 +270,7 @@ MomentumResult MomentumFit::solve(float encoder_step) const {
   const auto rows = static_cast<float>(rows_);
   if (rows_ <= kAll || !is_seen(R)) return result;
 
-  Vector x = solved(R, found.y, kN);
+  Column x = solved(R, found.y, kN);
   const NoiseGain gain = noise_gain();
   const float noise = encoder_step * encoder_step / 12;
   const float heard = x[kMass] * x[kMass] * gain.mass + x[kDamping] * x[kDamping] * gain.damping;
@@ -279,10 +279,10 @@ MomentumResult MomentumFit::solve(float encoder_step) const {
   const float rounding = kFinest * kFinest * found.response / rows;
   const float scatter = std::sqrt(kOverlap * (max_of(left, expected) + rounding));
   // What noise in the columns takes from the answer.
-  Vector pull{};
+  Column pull{};
   pull[kMass] = rows * noise * gain.mass * x[kMass];
   pull[kDamping] = rows * noise * gain.damping * x[kDamping];
-  const Vector taken = solved(R, solved_transposed(R, pull), kAll);
+  const Column taken = solved(R, solved_transposed(R, pull), kAll);
   const auto fitted = [&](std::size_t i, float value, float unit) {
     const float random = scatter * spread(R, i);
     const float finest = kFinest * value;

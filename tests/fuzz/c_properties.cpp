@@ -2,7 +2,7 @@
 // What must hold of batuta/c.h for any numbers whatever, as a libFuzzer target: each call answers
 // or refuses, a refusal leaves what it was given as it was, and an answer has its shape.
 
-#include "batuta/c.h"
+#include "batuta/c/duel.h"
 
 #include <array>
 #include <cstddef>

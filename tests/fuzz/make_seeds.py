@@ -437,7 +437,19 @@ def c_seeds():
     return files
 
 
-FUZZERS = {"c": c_seeds, "distance": distance_seeds, "duel": duel_seeds, "search": search_seeds,
+def c_recording_seeds():
+    """Bouts from C that are recorded and played: whole, fetched too slowly, changed, in small pieces and in large ones."""
+    def bout(steps, skill=1, hash_every=1, taken=255, edits=(), piece=255):
+        sample = b"".join(share(x) for x in (0.5, 0.9)) + b"\x10\x00\x03" + b"\x01" + bytes([taken])
+        changed = bytes([len(edits)]) + b"".join(struct.pack("<HB", at, by) for at, by in edits)
+        return struct.pack("<BHBB", skill, 7, hash_every, steps) + sample * steps + changed + bytes([piece])
+    return {"whole": bout(39), "nothing": bout(0), "no_hash": bout(20, hash_every=0), "slow": bout(39, hash_every=4, taken=0),
+            "small_pieces": bout(10, piece=0), "changed_start": bout(10, edits=[(700, 1)]),
+            "changed_mark": bout(10, edits=[(0, 255)]), "changed_step": bout(10, edits=[(6800, 16)]),
+            "changed_back": bout(10, edits=[(3000, 5), (3000, 5)]), "master": bout(30, skill=2), "novice": bout(30, skill=0)}
+
+
+FUZZERS = {"c": c_seeds, "c_recording": c_recording_seeds, "distance": distance_seeds, "duel": duel_seeds, "search": search_seeds,
            "impulse": impulse_seeds, "world": world_seeds, "keyframes": keyframes_seeds,
            "recording": recording_seeds, "pid": pid_seeds, "usb": usb_seeds, "laws": laws_seeds}
 

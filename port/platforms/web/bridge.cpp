@@ -1,45 +1,38 @@
 // SPDX-License-Identifier: MIT
-// Between the library and the page: one bout that is fenced now, one that a recording gives back,
-// and the numbers that a page shows of them. All of it is in static memory, and from one context:
-// the page's worker, which calls these functions (page/bridge.js). A later C API takes its place.
+// Between the C API (batuta/c/duel.h) and the page: one bout that is fenced now, one that a
+// recording gives back, and the numbers that a page shows of them. All of it is in static memory,
+// and from one context: the page's worker, which calls these functions (page/bridge.js).
 
 #include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
 
-#include "batuta/fencing/observation.hpp"
-#include "batuta/geometry/capsule.hpp"
-#include "batuta/record/duel.hpp"
-#include "batuta/record/memory_stream.hpp"
-#include "batuta/record/player.hpp"
-#include "batuta/record/recorder.hpp"
+#include "batuta/c/duel.h"
 #include "programs/devices/script_device.hpp"
-#include "programs/devices/seeing_device.hpp"
-#include "shared/firmware/stepped_bout.hpp"
 
 namespace batuta::web {
-using namespace fencing;
 namespace {
 
-constexpr std::array<Side, 2> kSides = {Side::kLeft, Side::kRight};
 constexpr std::int32_t kStepUs = 1000;
-constexpr std::array<const char*, 6> kScripts = {"guard",  "parry", "attack",
-                                                 "novice", "club",  "master"};
+constexpr float kSeen = 4;          // m on guard, where a fencer sees
+constexpr std::uint32_t kSeed = 1;  // of such a one
+/// Who may hold a stick, by the numbers of the page: scripts that see nothing, and then fencers
+/// that see, by their skill.
+constexpr std::array<const char*, 3> kScripts = {"guard", "parry", "attack"};
+constexpr std::array<std::int32_t, 3> kSkills = {BATUTA_NOVICE, BATUTA_CLUB, BATUTA_MASTER};
 constexpr std::uint32_t kHashEvery =
     1;                           // as batuta-duel: a replay names the step in which it parts
 constexpr int kTaken = 1 << 16;  // bytes between two calls of web_forget()
 constexpr int kRoom = 1 << 16;   // bytes of a recording that are fed at a time
 
-using DuelType = firmware::DuelType;
-
 /// A capsule: both ends of its axis, and its radius.
-using Numbers = std::array<float, 7>;
+using Numbers = std::array<float, BATUTA_CAPSULE_NUMBERS>;
 using Point = std::array<float, 3>;
 
 struct WebTouch {
   float by = 0;    ///< 0 left, 1 right
-  float part = 0;  ///< BodyPart
+  float part = 0;  ///< fencing::BodyPart
   float time = 0;  ///< s since the start of the bout
   Point point_W{};
 };
@@ -52,14 +45,14 @@ struct WebSide {
   std::array<float, 2> force{};  ///< share of the device's range, 0 where it is silent
   float control = 0;             ///< of the grip: 0 free ... 1 held
   Numbers blade_W{};
-  std::array<Numbers, kBodyParts> body_W{};
+  std::array<Numbers, BATUTA_BODY_PARTS> body_W{};
 };
 
 /// What the page sees after a step: floats alone, in the order that page/layout.js repeats. SI
 /// units.
 struct WebState {
   float steps = 0;
-  float bout = 0;  ///< BoutState
+  float bout = 0;  ///< as batuta_duel_state
   float exchange = 0;
   float annulled = 0;  ///< 1: the touches of this exchange do not count
   float touches = 0;   ///< of this exchange
@@ -71,125 +64,81 @@ struct WebState {
   std::array<WebSide, 2> sides{};
 };
 
-Point numbers_of(const Vec3<float>& v) {
-  return {v.x(), v.y(), v.z()};
+Point point_of(const float* numbers) {
+  return {numbers[0], numbers[1], numbers[2]};
 }
 
-Numbers numbers_of(const Capsule<float>& capsule) {
-  const Vec3<float>& a = capsule.axis.a;
-  const Vec3<float>& b = capsule.axis.b;
-  return {a.x(), a.y(), a.z(), b.x(), b.y(), b.z(), capsule.radius};
+Numbers capsule_of(const float* numbers) {
+  Numbers capsule;
+  std::copy_n(numbers, capsule.size(), capsule.begin());
+  return capsule;
 }
 
-void fill_bout(const DuelType& duel, WebState& state) {
-  const Bout<float>& bout = duel.bout();
-  state.bout = static_cast<float>(bout.state);
-  state.exchange = static_cast<float>(bout.exchange);
-  state.annulled = bout.annulled ? 1.0F : 0.0F;
-  std::size_t count = 0;
-  for (const Touch<float>& touch : bout.touches) {  // Bound: 2
-    WebTouch& told = state.touch[count++];
-    told.by = touch.by == Side::kLeft ? 0.0F : 1.0F;
-    told.part = static_cast<float>(touch.part);
-    told.time = 1e-6F * static_cast<float>(duel.time_us(touch.when));
-    told.point_W = numbers_of(touch.contact.point_W);
-  }
-  state.touches = static_cast<float>(count);
+WebTouch told(const batuta_touch& touch) {
+  return {static_cast<float>(touch.by), static_cast<float>(touch.part),
+          1e-6F * static_cast<float>(touch.time_us), point_of(touch.point_W)};
 }
 
-void fill_blows(const DuelType& duel, WebState& state) {
-  state.impulse = 0;
-  state.has_blow = 0;
-  for (const auto& event : duel.world().events()) {  // Bound: DuelScene::kMaxEvents
-    if (event.kind == EventKind::kEnd) continue;
-    state.impulse += event.impulse;
-    state.has_blow = 1;
-    state.blow_W = numbers_of(event.contact.point_W);
+WebSide told(const batuta_duel_state& duel, std::size_t side) {
+  WebSide told;
+  told.score = static_cast<float>(duel.score[side]);
+  told.place = duel.place[side];
+  told.feet = duel.feet[side];
+  told.stick = {duel.stick[side][0], duel.stick[side][1]};
+  told.force = {duel.force[side][0], duel.force[side][1]};
+  told.control = duel.control[side];
+  told.blade_W = capsule_of(duel.blade_W[side]);
+  for (std::size_t i = 0; i < told.body_W.size(); ++i) {  // Bound: BATUTA_BODY_PARTS
+    told.body_W[i] = capsule_of(duel.body_W[side][i]);
   }
+  return told;
 }
 
-void fill(const DuelType& duel, const firmware::StickForces& forces, WebState& state) {
-  state.steps = static_cast<float>(duel.steps());
-  fill_bout(duel, state);
-  fill_blows(duel, state);
-  state.gap = capsule_gap(duel.blade_W(Side::kLeft), duel.blade_W(Side::kRight)).gap;
-  for (const Side side : kSides) {  // Bound: 2
-    WebSide& told = state.sides[index_of(side)];
-    told.score = static_cast<float>(duel.bout().score[index_of(side)]);
-    told.place = duel.X_WF(side).p_W.x();
-    told.feet = duel.stick(side).feet().y();
-    const Vec2<float>& stick = duel.stick(side).position();
-    const Vec2<float>& share = forces.of(side).share;
-    told.stick = {stick.x(), stick.y()};
-    told.force = {share.x(), share.y()};
-    told.control = duel.grip(side).control();
-    told.blade_W = numbers_of(duel.blade_W(side));
-    const BodyShape<float>& body = duel.body_W(side);
-    for (std::size_t i = 0; i < body.size(); ++i) {  // Bound: kBodyParts
-      told.body_W[i] = numbers_of(body[i]);
-    }
+WebState told(const batuta_duel_state& duel) {
+  WebState state;
+  state.steps = static_cast<float>(duel.steps);
+  state.bout = static_cast<float>(duel.bout);
+  state.exchange = static_cast<float>(duel.exchange);
+  state.annulled = static_cast<float>(duel.annulled);
+  state.touches = static_cast<float>(duel.touches);
+  state.gap = duel.gap;
+  state.impulse = duel.impulse;
+  state.has_blow = duel.blows > 0 ? 1.0F : 0.0F;
+  state.blow_W = point_of(duel.blow_W);
+  for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2
+    if (static_cast<std::int32_t>(i) < duel.touches) state.touch[i] = told(duel.touch[i]);
+    state.sides[i] = told(duel, i);
   }
+  return state;
 }
 
-/// Gives the bytes that the page has put into the room.
-class Room final : public ByteSource {
- public:
-  std::uint8_t* bytes() { return bytes_.data(); }
-  int unread() const { return size_ - at_; }
-  void fill(int count, bool is_all) {
-    size_ = std::clamp(count, 0, kRoom);
-    at_ = 0;
-    is_all_ = is_all;
-  }
-
- private:
-  int do_read(std::uint8_t* bytes, int capacity) override {
-    if (unread() == 0) return is_all_ ? -1 : 0;
-    const int count = std::min(capacity, unread());
-    std::copy_n(bytes_.data() + at_, count, bytes);
-    at_ += count;
-    return count;
-  }
-
-  std::array<std::uint8_t, kRoom> bytes_{};
-  int size_ = 0;
-  int at_ = 0;
-  bool is_all_ = true;
-};
-
-/// A stick: of a script, which may see, or of whoever calls.
+/// Who holds a stick: a script, a fencer that sees, or else whoever calls.
 struct Stick {
   std::optional<host::ScriptDevice> script;
-  std::optional<host::SeeingDevice> fencer;
-  InputSample sample;
+  std::int32_t skill = -1;  ///< none
+  batuta_opponent fencer;
+  batuta_sample sample{};
   bool fresh = false;
 
-  /// Null: whoever calls moves it.
-  host::Source* source() {
-    if (script) return &*script;
-    return fencer ? &*fencer : nullptr;
-  }
+  bool sees() const { return skill >= 0; }
 };
 
-/// A bout that is fenced now. A world counts who has lived in its rooms: only a new one has the
-/// bits of the program's first bout.
+/// A bout that is fenced now.
 struct Live {
-  std::optional<firmware::SteppedBout> bout{std::in_place};
+  batuta_duel duel;
+  std::uint32_t steps = 0;
   std::array<Stick, 2> sticks;
+  batuta_recorder recorder;
+  bool records = false;
   std::array<std::uint8_t, kTaken> bytes{};  // recorded, and not yet fetched
-  std::optional<MemorySink> taken;           // into them
-  std::array<std::uint8_t, static_cast<std::size_t>(Recorder::kRoom<DuelType>)> buffer{};
-  std::optional<Recorder> recorder;
+  std::size_t taken = 0;
 };
 
 /// A bout that was.
 struct Past {
-  DuelType duel;
-  firmware::StickForces forces;
-  std::array<std::uint32_t, 2> used{};
-  Room room;
-  std::array<std::uint8_t, static_cast<std::size_t>(Player::kRoom<DuelType>)> buffer{};
-  std::optional<Player> player;
+  batuta_duel duel;
+  batuta_player player;
+  std::array<std::uint8_t, kRoom> room{};
 };
 
 Live live;
@@ -197,53 +146,80 @@ Past past;
 bool is_past = false;  // which of the two is shown
 WebState state;
 
-const DuelType& shown() {
-  return is_past ? past.duel : live.bout->duel();
+const batuta_duel& shown() {
+  return is_past ? past.duel : live.duel;
 }
 
 void show() {
-  fill(shown(), is_past ? past.forces : live.bout->forces(), state);
+  batuta_duel_state duel;
+  if (batuta_duel_get_state(&shown(), &duel) == BATUTA_OK) state = told(duel);
+}
+
+batuta_sample told(const InputSample& sample) {
+  return {{sample.x, sample.y, sample.feet_x, sample.feet_y},
+          static_cast<std::uint32_t>(sample.time),
+          sample.buttons,
+          sample.sequence};
 }
 
 /// The stick of a side for the step that comes, or null.
-const InputSample* read(Side side) {
-  Stick& stick = live.sticks[index_of(side)];
-  host::Source* const source = stick.source();
-  if (source == nullptr) return std::exchange(stick.fresh, false) ? &stick.sample : nullptr;
-  if (source->sees()) source->see(observation_of(live.bout->duel(), side), kStepUs);
-  const Microseconds now = live.bout->steps() * Microseconds{kStepUs};
-  return source->read(now, stick.sample) == Status::kOk ? &stick.sample : nullptr;
+const batuta_sample* read(int side) {
+  Stick& stick = live.sticks[static_cast<std::size_t>(side)];
+  const std::uint32_t now_us = live.steps * static_cast<std::uint32_t>(kStepUs);
+  if (stick.sees()) {
+    (void)batuta_opponent_look(&stick.fencer, &live.duel, side, &stick.sample.stick);
+    stick.sample.time_us = now_us;
+    stick.sample.buttons = 0;
+    stick.sample.sequence = live.steps;
+    return &stick.sample;
+  }
+  if (!stick.script) return std::exchange(stick.fresh, false) ? &stick.sample : nullptr;
+  InputSample sample;
+  if (stick.script->read(now_us, sample) != Status::kOk) return nullptr;
+  stick.sample = told(sample);
+  return &stick.sample;
 }
 
 Stick& stick_of(int side) {
-  return live.sticks[side == 0 ? 0 : 1];
+  return live.sticks[side == BATUTA_LEFT ? 0 : 1];
 }
 
-void flush() {
-  if (live.recorder) (void)live.recorder->flush();
+void take_recorded() {
+  if (!live.records) return;
+  live.taken += batuta_recorder_take(&live.recorder, live.bytes.data() + live.taken,
+                                     live.bytes.size() - live.taken);
 }
 
-/// Forces are not recorded: they follow from the duel and from who gave a sign of life.
-void follow_forces() {
-  std::array<bool, 2> alive{};
-  for (const Side side : kSides) {  // Bound: 2
-    const std::uint32_t used = past.duel.stick(side).report().used;
-    alive[index_of(side)] = used != past.used[index_of(side)];
-    past.used[index_of(side)] = used;
+/// Who holds it begins anew.
+void begin(Stick& stick) {
+  if (stick.script) stick.script->rewind();
+  if (stick.sees()) {
+    (void)batuta_opponent_init(&stick.fencer, sizeof stick.fencer, stick.skill, kSeed);
   }
-  past.forces.advance(past.duel, alive);
+  stick.fresh = false;
 }
 
-Playback begin_play() {
-  const Playback answer = past.player->begin<DuelInput>(past.duel);
-  if (answer != Playback::kReady) return answer;
-  (void)past.forces.configure({});  // kOk: they are the library's own
-  for (const Side side : kSides) {  // Bound: 2
-    past.used[index_of(side)] = past.duel.stick(side).report().used;
+void begin_recording() {
+  live.taken = 0;
+  if (!live.records) return;
+  (void)batuta_recorder_init(&live.recorder, sizeof live.recorder, &live.duel, kHashEvery);
+  take_recorded();
+}
+
+bool is_axis(float value) {
+  return value >= -1 && value <= 1;
+}
+
+/// @param function  batuta_player_begin() or batuta_player_next()  @returns a Playback
+template <class Function>
+std::int32_t play(Function* function) {
+  std::int32_t playback = BATUTA_PLAYBACK_FOREIGN;  // of a player that was not begun
+  (void)function(&past.player, &past.duel, &playback);
+  if (playback == BATUTA_PLAYBACK_READY || playback == BATUTA_PLAYBACK_STEP) {
+    is_past = true;
+    show();
   }
-  is_past = true;
-  show();
-  return answer;
+  return playback;
 }
 
 }  // namespace
@@ -251,83 +227,75 @@ Playback begin_play() {
 extern "C" {
 
 /// Begins a bout of the library's two fencers. @param touches  to which it goes, 1 ... 99
-/// @param record  0: what happens is not recorded. @returns a Status; where not kOk, no bout goes
-/// on
+/// @param record  0: what happens is not recorded. @returns a status; where not BATUTA_OK, the last
+/// bout goes on
 int web_start(int touches, int record) {
-  live.bout.emplace();
-  firmware::BoutSettings settings;
-  settings.step_us = kStepUs;
-  settings.touches = touches;
-  if (live.sticks[0].fencer || live.sticks[1].fencer)
-    settings.distance = fencing::Opponent::kOnGuard;
-  const Status status = live.bout->start(settings);
-  if (status != Status::kOk) return static_cast<int>(status);
+  const int status = batuta_duel_init(&live.duel, sizeof live.duel, kStepUs, touches);
+  if (status != BATUTA_OK) return status;
+  if (live.sticks[0].sees() || live.sticks[1].sees()) {
+    (void)batuta_duel_set_distance(&live.duel, kSeen);
+  }
   is_past = false;
-  live.taken.emplace(live.bytes.data(), kTaken);
-  live.recorder.reset();
-  if (record != 0) {
-    live.recorder.emplace(*live.taken, live.buffer.data(), static_cast<int>(live.buffer.size()));
-    // A duel that its own settings made can be saved, and the buffer is made for it.
-    (void)live.recorder->begin<DuelInput>(live.bout->duel(), kHashEvery);
-  }
-  for (Stick& stick : live.sticks) {  // Bound: 2
-    if (host::Source* const source = stick.source()) source->rewind();
-    stick.fresh = false;
-  }
-  flush();
+  live.steps = 0;
+  live.records = record != 0;
+  for (Stick& stick : live.sticks) begin(stick);  // Bound: 2
+  begin_recording();
   show();
-  return static_cast<int>(Status::kOk);
+  return status;
 }
 
-/// Who moves a stick: the kScripts by their number, anything else is a hand.
-void web_choose(int side, int script) {
+/// Who moves a stick: kScripts and then kSkills by their number, anything else is a hand.
+void web_choose(int side, int who) {
   Stick& stick = stick_of(side);
+  const auto number = static_cast<std::size_t>(who);
   stick.script.reset();
-  stick.fencer.reset();
-  if (script < 0 || script >= static_cast<int>(kScripts.size())) return;
-  const char* const name = kScripts[static_cast<std::size_t>(script)];
-  if (const auto named = host::script_named(name)) stick.script.emplace(*named);
-  if (const auto named = host::seeing_script(name)) stick.fencer.emplace(*named);
+  stick.skill = -1;
+  stick.sample = {};
+  if (number < kScripts.size()) {
+    if (const auto named = host::script_named(kScripts[number])) stick.script.emplace(*named);
+  } else if (number < kScripts.size() + kSkills.size()) {
+    stick.skill = kSkills[number - kScripts.size()];
+  }
+  begin(stick);
 }
 
 /// Where a device's second pair of axes stands, from the next web_sample() on.
 void web_feet(int side, float x, float y) {
-  InputSample& sample = stick_of(side).sample;
-  sample.feet_x = x;
-  sample.feet_y = y;
+  batuta_stick& stick = stick_of(side).sample.stick;
+  stick.feet_x = x;
+  stick.feet_y = y;
 }
 
-/// A hand's sample for the next step, as its device tells it; its feet are those of web_feet().
+/// A hand's sample for the next step, as its device tells it; its feet are those of web_feet(). One
+/// that is out of range is none.
 void web_sample(int side, std::uint32_t time_us, float x, float y, std::uint32_t buttons,
                 std::uint32_t sequence) {
   Stick& stick = stick_of(side);
-  stick.sample = {time_us, x, y, stick.sample.feet_x, stick.sample.feet_y, buttons, sequence};
-  stick.fresh = true;
+  const batuta_stick& feet = stick.sample.stick;
+  stick.sample = {{x, y, feet.feet_x, feet.feet_y}, time_us, buttons, sequence};
+  stick.fresh = is_axis(x) && is_axis(y) && is_axis(feet.feet_x) && is_axis(feet.feet_y);
 }
 
-/// One step of 1 ms. @returns a Status
+/// One step of 1 ms. @returns a status
 int web_step() {
   is_past = false;
-  const InputSample* const left = read(Side::kLeft);
-  const InputSample* const right = read(Side::kRight);
-  const Status status = live.bout->step(left, right);
-  if (status != Status::kOk) return static_cast<int>(status);
-  if (live.recorder) {
-    DuelInput input;
-    for (const Side side : kSides) input.set(side, live.bout->used(side));  // Bound: 2
-    live.recorder->step(input, live.bout->duel());
-    flush();
-  }
+  const batuta_sample* const left = read(BATUTA_LEFT);
+  const batuta_sample* const right = read(BATUTA_RIGHT);
+  const int status = batuta_duel_step_sampled(&live.duel, left, right);
+  if (status != BATUTA_OK) return status;
+  ++live.steps;
+  if (live.records) (void)batuta_recorder_step(&live.recorder, &live.duel);
+  take_recorded();
   show();
-  return static_cast<int>(status);
+  return status;
 }
 
-/// The end mark of the recording. @returns a Status
+/// The end mark of the recording. @returns a status
 int web_end() {
-  if (!live.recorder) return static_cast<int>(Status::kUnavailable);
-  const Status status = live.recorder->end(live.bout->duel());
-  flush();
-  return static_cast<int>(status);
+  if (!live.records) return BATUTA_UNAVAILABLE;
+  const int status = batuta_recorder_end(&live.recorder, &live.duel);
+  take_recorded();
+  return status;
 }
 
 /// WebState, and how many floats it is.
@@ -338,9 +306,11 @@ int web_state_size() {
   return static_cast<int>(sizeof state / sizeof(float));
 }
 
-/// hash_of() the duel that is shown.
+/// Of the duel that is shown.
 std::uint64_t web_hash() {
-  return hash_of(shown());
+  std::uint64_t hash = 0;
+  (void)batuta_duel_hash(&shown(), &hash);
+  return hash;
 }
 
 /// What was recorded since the last web_forget(), and how many bytes: at most 64 KB are kept.
@@ -348,54 +318,47 @@ const std::uint8_t* web_recorded() {
   return live.bytes.data();
 }
 int web_recorded_size() {
-  return live.taken ? live.taken->size() : 0;
+  return static_cast<int>(live.taken);
 }
 void web_forget() {
-  live.taken.emplace(live.bytes.data(), kTaken);
-  flush();
+  live.taken = 0;
+  take_recorded();
 }
 
 /// Where up to 64 KB of a recording go before web_play() and web_feed().
 std::uint8_t* web_room() {
-  return past.room.bytes();
+  return past.room.data();
 }
 
-/// Begins with the `count` bytes in the room. @param is_all  0: there are more
-/// @returns a Playback; the first 64 KB hold the start of any recording of this duel
-int web_play(int count, int is_all) {
-  past.room.fill(count, is_all != 0);
-  past.player.emplace(past.room, past.buffer.data(), static_cast<int>(past.buffer.size()));
-  return static_cast<int>(begin_play());
-}
-
-/// Goes on with these. @pre the player is waiting: what it has not read is gone
+/// Goes on with the `count` bytes in the room. @param is_all  0: there are more
+/// @pre the player is waiting: what it has not read is gone
 void web_feed(int count, int is_all) {
-  past.room.fill(count, is_all != 0);
+  const auto size = static_cast<std::size_t>(std::clamp(count, 0, kRoom));
+  (void)batuta_player_give(&past.player, past.room.data(), size, is_all);
+}
+
+/// Begins with them. @returns a Playback; the first 64 KB hold the start of any recording of this
+/// duel
+int web_play(int count, int is_all) {
+  (void)batuta_duel_init(&past.duel, sizeof past.duel, kStepUs, 1);
+  (void)batuta_player_init(&past.player, sizeof past.player);
+  web_feed(count, is_all);
+  return play(batuta_player_begin);
 }
 
 /// Bytes of the room that the player has not asked for; behind an end mark there should be none.
 int web_unread() {
-  return past.room.unread();
+  return static_cast<int>(batuta_player_unread(&past.player));
 }
 
 /// The recording's next step. @returns a Playback
 int web_next() {
-  if (!past.player) return static_cast<int>(Playback::kForeign);
-  DuelInput input;
-  const Playback answer = past.player->next(input, past.duel);
-  if (answer == Playback::kStep) {
-    // What the duel says to a step is part of its state, and compared with it.
-    (void)past.duel.step(input.at(Side::kLeft), input.at(Side::kRight));
-    follow_forces();
-    is_past = true;
-    show();
-  }
-  return static_cast<int>(answer);
+  return play(batuta_player_next);
 }
 
 /// Hashes that agreed so far.
 std::uint32_t web_agreed() {
-  return past.player ? past.player->agreed() : 0;
+  return batuta_player_agreed(&past.player);
 }
 
 }  // extern "C"

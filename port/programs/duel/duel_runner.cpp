@@ -35,7 +35,7 @@ DuelRunner::DuelRunner(Source& left, Source& right, double limit, const BoutRule
       limit_(bout_length(left, right, limit)) {}
 
 Status DuelRunner::start() {
-  firmware::BoutSettings settings;
+  haptics::BoutSettings settings;
   settings.step_us = kStep_us;
   settings.touches = rules_.touches;
   settings.distance = rules_.distance;

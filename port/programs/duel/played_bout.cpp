@@ -11,12 +11,12 @@ class PlayedBoutOf final : public PlayedBout {
  public:
   PlayedBoutOf() : duel_(bout_.duel()) {}
 
-  Status start(const firmware::BoutSettings& settings) override { return bout_.start(settings); }
+  Status start(const haptics::BoutSettings& settings) override { return bout_.start(settings); }
   Status step(const InputSample* left, const InputSample* right) override {
     return bout_.step(left, right);
   }
   const SeenDuel& duel() const override { return duel_; }
-  const firmware::StickForces& forces() const override { return bout_.forces(); }
+  const haptics::StickForces& forces() const override { return bout_.forces(); }
   const InputSample* used(Side side) const override { return bout_.used(side); }
   bool is_alive(Side side) const override { return bout_.is_alive(side); }
 
@@ -30,13 +30,13 @@ class PlayedBoutOf final : public PlayedBout {
   void end(Recorder& recorder) const override { (void)recorder.end(bout_.duel()); }
 
   SearchKind search() const override { return kSearch; }
-  const firmware::SteppedBout* on_board() const override {
+  const haptics::SteppedBout* on_board() const override {
     if constexpr (kSearch == SearchKind::kAdvancement) return &bout_;
     return nullptr;
   }
 
  private:
-  firmware::SteppedBoutOf<DuelT> bout_;
+  haptics::SteppedBoutOf<DuelT> bout_;
   SeenDuelOf<DuelT> duel_;
 };
 

@@ -4,10 +4,10 @@
 
 #include <memory>
 
+#include "batuta/haptics/stepped_bout.hpp"
 #include "batuta/record/duel.hpp"
 #include "batuta/record/recorder.hpp"
 #include "programs/duel/seen_duel.hpp"
-#include "shared/firmware/stepped_bout.hpp"
 
 namespace batuta::host {
 
@@ -18,11 +18,11 @@ class PlayedBout {
   PlayedBout& operator=(const PlayedBout&) = delete;
   virtual ~PlayedBout() = default;
 
-  // As those of firmware::SteppedBout.
-  virtual Status start(const firmware::BoutSettings& settings) = 0;
+  // As those of haptics::SteppedBout.
+  virtual Status start(const haptics::BoutSettings& settings) = 0;
   virtual Status step(const InputSample* left, const InputSample* right) = 0;
   virtual const SeenDuel& duel() const = 0;
-  virtual const firmware::StickForces& forces() const = 0;
+  virtual const haptics::StickForces& forces() const = 0;
   virtual const InputSample* used(fencing::Side side) const = 0;
   virtual bool is_alive(fencing::Side side) const = 0;
   std::uint32_t steps() const { return duel().steps(); }
@@ -34,7 +34,7 @@ class PlayedBout {
 
   virtual SearchKind search() const = 0;
   /// As a board plays it; null: no board has this search.
-  virtual const firmware::SteppedBout* on_board() const = 0;
+  virtual const haptics::SteppedBout* on_board() const = 0;
 };
 
 std::unique_ptr<PlayedBout> make_bout(SearchKind search);

@@ -2,7 +2,7 @@
 #pragma once
 // A duel as the program looks at it, whatever search it has.
 
-#include "shared/firmware/stick_forces.hpp"
+#include "batuta/haptics/stick_forces.hpp"
 
 namespace batuta::host {
 
@@ -43,7 +43,7 @@ class SeenDuel {
   virtual const Events& events() const = 0;
   virtual const StepReport<float>& step_report() const = 0;
   /// What the hands feel after its last step.
-  virtual void feel(firmware::StickForces& forces, const std::array<bool, 2>& fresh) const = 0;
+  virtual void feel(haptics::StickForces& forces, const std::array<bool, 2>& fresh) const = 0;
 };
 
 template <class DuelT>
@@ -67,7 +67,7 @@ class SeenDuelOf final : public SeenDuel {
   Pose<float> X_WF(fencing::Side side) const override { return duel_.X_WF(side); }
   const Events& events() const override { return duel_.world().events(); }
   const StepReport<float>& step_report() const override { return duel_.world().report(); }
-  void feel(firmware::StickForces& forces, const std::array<bool, 2>& fresh) const override {
+  void feel(haptics::StickForces& forces, const std::array<bool, 2>& fresh) const override {
     forces.advance(duel_, fresh);
   }
 

@@ -9,10 +9,10 @@
 // side in free mode. A host's Hello opens a session: a new bout, paced or free. In a session the
 // device waits after the bout until the host opens another one.
 
+#include "batuta/haptics/stepped_bout.hpp"
 #include "shared/firmware/frame_reader.hpp"
 #include "shared/firmware/rival.hpp"
 #include "shared/firmware/stage_settings.hpp"
-#include "shared/firmware/stepped_bout.hpp"
 #include "shared/firmware/tick_watch.hpp"
 #include "shared/link/sender.hpp"
 
@@ -33,7 +33,7 @@ struct LastFault {
 };
 
 struct ApplicationSettings {
-  BoutSettings bout;  ///< touches: of bouts alone, until a session says another number
+  haptics::BoutSettings bout;  ///< touches: of bouts alone, until a session says another number
   fencing::Side own_side = fencing::Side::kLeft;  ///< whose stick and force the board has
   /// Alone: ticks from the end of a bout to the next one, > 0.
   std::int32_t pause = 2000;
@@ -82,7 +82,7 @@ class ApplicationOf : private RivalT {
   /// link::kMaxStepFrames frames out.
   void tick(std::uint32_t tick);
 
-  const SteppedBout& bout() const { return bout_; }
+  const haptics::SteppedBout& bout() const { return bout_; }
   const TickReport& ticks() const { return watch_.report(); }
   const ApplicationReport& report() const { return report_; }
   const link::LinkCounters& link() const { return reader_.counters(); }
@@ -154,7 +154,7 @@ class ApplicationOf : private RivalT {
   haptics::OutputStage stage_;  ///< by ticks
   ApplicationSettings settings_;
   ApplicationReport report_;
-  SteppedBout bout_;
+  haptics::SteppedBout bout_;
   FrameReader<link::End::kDevice> reader_;
   link::Sender<kSendBytes> sender_;
   TickWatch watch_;

@@ -230,7 +230,7 @@ template <class RivalT>
 void ApplicationOf<RivalT>::command_force(bool stepped) {
   const Side own = settings_.own_side;
   const auto& stick = bout_.duel().stick(own);
-  const StickForce& force = bout_.forces().of(own);
+  const haptics::StickForce& force = bout_.forces().of(own);
   StageInput input;
   input.time = watch_.begun();
   input.position = stick.position();

@@ -12,7 +12,8 @@ Status SeeingRival::configure(const Settings& settings) {
   return Status::kOk;
 }
 
-InputSample SeeingRival::play(const DuelType& duel, fencing::Side side, std::int32_t step_us) {
+InputSample SeeingRival::play(const fencing::Duel<>& duel, fencing::Side side,
+                              std::int32_t step_us) {
   const fencing::StickPlace& place = opponent_.step(fencing::observation_of(duel, side), step_us);
   InputSample sample;
   sample.time = duel.steps() * static_cast<std::uint32_t>(step_us);  // modulo 2^32, as of a clock

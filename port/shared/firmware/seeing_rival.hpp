@@ -2,10 +2,10 @@
 #pragma once
 // An opponent of the library that sees (batuta/fencing/opponent.hpp), in place of a stick.
 
+#include "batuta/fencing/duel.hpp"
 #include "batuta/fencing/opponent.hpp"
 #include "batuta/port/input.hpp"
 #include "shared/firmware/rival.hpp"
-#include "shared/firmware/stick_forces.hpp"
 
 namespace batuta::firmware {
 
@@ -30,7 +30,7 @@ class SeeingRival {
   /// @param step_us  length of the step, us, > 0
   /// @returns the sample of this step, its time that of the bout: a tick that comes late changes
   ///   no bit. Bound: one observation_of() and one Opponent::step().
-  InputSample play(const DuelType& duel, fencing::Side side, std::int32_t step_us);
+  InputSample play(const fencing::Duel<>& duel, fencing::Side side, std::int32_t step_us);
 
  private:
   Settings settings_;

@@ -67,8 +67,8 @@ link::Touch touch_message(const DuelType& duel, int index) {
   return message;
 }
 
-link::Force force_message(const SteppedBout& bout, Side side) {
-  const StickForce& force = bout.forces().of(side);
+link::Force force_message(const haptics::SteppedBout& bout, Side side) {
+  const haptics::StickForce& force = bout.forces().of(side);
   link::Force message;
   message.step = bout.steps();
   message.side = link_side(side);
@@ -80,7 +80,7 @@ link::Force force_message(const SteppedBout& bout, Side side) {
   return message;
 }
 
-link::StickUsed used_message(const SteppedBout& bout, Side side) {
+link::StickUsed used_message(const haptics::SteppedBout& bout, Side side) {
   const InputSample* sample = bout.used(side);
   BATUTA_ASSERT(sample != nullptr);
   link::StickUsed message;
@@ -90,7 +90,7 @@ link::StickUsed used_message(const SteppedBout& bout, Side side) {
   return message;
 }
 
-link::StepReport report_message(const SteppedBout& bout) {
+link::StepReport report_message(const haptics::SteppedBout& bout) {
   const DuelType& duel = bout.duel();
   link::StepReport message;
   message.step = bout.steps();
@@ -113,7 +113,7 @@ int new_touches(const DuelType& duel) {
   return count;
 }
 
-int frames_of(const SteppedBout& bout, bool samples) {
+int frames_of(const haptics::SteppedBout& bout, bool samples) {
   int frames = 5;  // poses, forces, report
   frames += bout.duel().world().events().size() + new_touches(bout.duel());
   for (const Side side : {Side::kLeft, Side::kRight}) {  // Bound: 2

@@ -12,7 +12,7 @@ namespace batuta::test {
 using namespace fencing;
 namespace {
 
-using firmware::SteppedBout;
+using haptics::SteppedBout;
 using link::MessageType;
 using link::Mode;
 using link::Refusal;

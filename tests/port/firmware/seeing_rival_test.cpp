@@ -18,7 +18,7 @@ using namespace fencing;
 namespace {
 
 using firmware::SeeingRival;
-using firmware::SteppedBout;
+using haptics::SteppedBout;
 using host::SeeingDevice;
 using Rig = DeviceRigOf<SeeingRival>;
 
@@ -36,7 +36,7 @@ class HostBout {
       : devices_{SeeingDevice(left), SeeingDevice(right)} {}
 
   void start(std::int32_t touches) {
-    firmware::BoutSettings settings;
+    haptics::BoutSettings settings;
     settings.touches = touches;
     ASSERT_EQ(bout.start(settings), Status::kOk);
   }

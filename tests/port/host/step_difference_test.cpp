@@ -12,7 +12,7 @@ namespace batuta::host {
 using namespace fencing;
 namespace {
 
-using firmware::SteppedBout;
+using haptics::SteppedBout;
 using ::testing::HasSubstr;
 
 /// A step in which the blades meet, told frame by frame, each of which a test may change.

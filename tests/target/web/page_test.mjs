@@ -259,6 +259,9 @@ async function laboratory(browser, url) {
   await page.mouse.up();
   const moved = [await slider.inputValue(), await page.locator('#numbers input[data-side="0"][data-name="v_x"]').inputValue(), await page.locator('#numbers input[data-side="0"][data-name="angle"]').inputValue()];
   check(moved[0] !== "-0.5" || moved[1] !== "0", `the pointer drags: ${moved}`);
+  for (const [name, value] of [["x", "-0.75"], ["y", "0"], ["v_x", "1"], ["v_y", "0"]]) { // one that comes to meet the other
+    for (const side of [0, 1]) await page.locator(`#numbers input[data-side="${side}"][data-name="${name}"]`).fill(side && /x/.test(name) ? String(-value) : value);
+  }
   await page.click("#next");
   check(/ 1 evaluation\./.test(await word(page)), `one evaluation: ${await word(page)}`);
   check(errors.length === 0, `${errors}`);

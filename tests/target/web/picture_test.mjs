@@ -8,8 +8,9 @@ const kBladeOf = [[0x4a, 0xa3, 0xff], [0xff, 0x9c, 0x45]]; // page/colours.js
 // The camera looks at the middle between the hands: of the picture's width and height. No chalk line, bell or body is there on guard.
 const kBetweenHands = [0.4, 0.38, 0.6, 0.5];
 const kViews = 4; // page/show.js
+const kDetails = 5; // levels of page/salle.js, and one more
 const kMuch = 0.1, kSomething = 0.02; // of the pixels
-const kSettled = 100; // pictures by which traces have faded and pixels are as coarse as they get
+const kSettled = 100; // pictures by which traces have faded, and most often pixels are as coarse as they get
 const kReplaySteps = 700, kReplayMs = 4500; // kReplaySeconds of page/main.js; by kReplayShare, and a little
 
 async function nothingOutOfSight(page, path, width, height) {
@@ -69,28 +70,46 @@ async function newPicture(page, more = 2) {
   return shot(page, "#salle");
 }
 
+/** What is seen while pixels stay as coarse as they are: they get coarser a few times at most. */
+async function atOneDetail(page, look) {
+  const detail = () => page.evaluate(() => document.body.dataset.detail);
+  for (let i = 0; i < kDetails; i += 1) {
+    const before = await detail();
+    const seen = await look();
+    if ((await detail()) === before) return seen;
+  }
+  throw new Error("FAILED: in the end pixels get no coarser");
+}
+
+/** Pictures: twice as it is, from each camera, turned by keys, and with the first camera again. */
+async function lookAround(page) {
+  const [still, again, views] = [await newPicture(page), await newPicture(page), []];
+  for (let i = 0; i < kViews; i += 1) {
+    await page.keyboard.press("v");
+    views.push(await newPicture(page));
+  }
+  await page.keyboard.press("q");
+  const turned = await newPicture(page);
+  await page.keyboard.press("PageUp");
+  for (let i = 0; i < kViews; i += 1) await page.keyboard.press("v"); // Bound: kViews
+  return { still, again, views, turned, undone: await newPicture(page) };
+}
+
 /** Each camera shows something else, and behind the last one comes the first; so do turns there and back. */
 async function cameras(page) {
   await page.keyboard.press("p");
   await until(page, "paused");
-  const still = await newPicture(page, kSettled);
-  check((await shareOfChange(page, still, await newPicture(page))) === 0, "a bout that stands still is one picture");
-  let last = still;
-  for (let i = 1; i <= kViews; i += 1) {
-    await page.keyboard.press("v");
-    const next = await newPicture(page);
-    const change = await shareOfChange(page, last, next);
-    check(change > kMuch, `camera ${i} shows something else: ${change}`);
-    last = next;
+  await newPicture(page, kSettled);
+  const { still, again, views, turned, undone } = await atOneDetail(page, () => lookAround(page));
+  check((await shareOfChange(page, still, again)) === 0, "a bout that stands still is one picture");
+  for (let i = 0; i < kViews; i += 1) {
+    const change = await shareOfChange(page, i === 0 ? still : views[i - 1], views[i]);
+    check(change > kMuch, `camera ${i + 1} shows something else: ${change}`);
   }
-  check((await shareOfChange(page, still, last)) === 0, "behind the last camera comes the first");
-  await page.keyboard.press("q");
-  const turned = await shareOfChange(page, still, await newPicture(page));
-  check(turned > kMuch, `Q turns the camera: ${turned}`);
-  await page.keyboard.press("PageUp");
-  await page.keyboard.press("v"); // the second camera, as it was
-  for (let i = 1; i < kViews; i += 1) await page.keyboard.press("v"); // Bound: kViews
-  check((await shareOfChange(page, still, await newPicture(page))) === 0, "V undoes what was turned");
+  check((await shareOfChange(page, still, views.at(-1))) === 0, "behind the last camera comes the first");
+  const change = await shareOfChange(page, still, turned);
+  check(change > kMuch, `Q turns the camera: ${change}`);
+  check((await shareOfChange(page, still, undone)) === 0, "V undoes what was turned");
   await page.keyboard.press("p");
   await until(page, "fencing");
 }
@@ -104,12 +123,17 @@ async function slowReplay(page) {
   await until(page, "over");
   for (const key of ["a", "w"]) await page.keyboard.up(key);
   await page.waitForTimeout(kReplayMs);
-  const [end, steps] = [await newPicture(page, kSettled), await stepsOf(page)];
-  await page.keyboard.press("r");
-  const back = await shareOfChange(page, end, await newPicture(page));
+  const steps = await stepsOf(page);
+  const { end, replayed, after } = await atOneDetail(page, async () => {
+    const pictures = { end: await newPicture(page, kSettled) };
+    await page.keyboard.press("r");
+    pictures.replayed = await newPicture(page);
+    await page.waitForTimeout(kReplayMs);
+    return { ...pictures, after: await newPicture(page, kSettled) };
+  });
+  const back = await shareOfChange(page, end, replayed);
   check(back > kSomething, `R shows what was before: ${back}`);
-  await page.waitForTimeout(kReplayMs);
-  const again = await shareOfChange(page, end, await newPicture(page, kSettled));
+  const again = await shareOfChange(page, end, after);
   check(again === 0, `it comes to the same end: ${again}`);
   check((await stepsOf(page)) === steps, "no step is made for it");
   console.log(`slow replay: ${(100 * back).toFixed(1)} % of the pixels are others`);

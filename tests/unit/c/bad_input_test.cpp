@@ -9,7 +9,7 @@
 #include <limits>
 #include <memory>
 
-#include "batuta/c.h"
+#include "batuta/c/duel.h"
 
 namespace batuta {
 namespace {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <stdio.h>
 
-#include "batuta/c.h"
+#include "batuta/c/duel.h"
 
 /* Two steel blades of 0.9 m and 5 mm radius: capsule, pose and twist. The first moves at 4 m/s. */
 static const float kA[BATUTA_MOVING_NUMBERS] = {0, 0, -0.45F, 0, 0, 0.45F, 0.005F, /* capsule */

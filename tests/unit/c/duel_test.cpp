@@ -6,9 +6,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <memory>
 
-#include "batuta/c.h"
+#include "batuta/c/duel.h"
+#include "batuta/haptics/stepped_bout.hpp"
 #include "batuta/record/duel.hpp"
 #include "heap_trap.hpp"
 
@@ -138,6 +140,90 @@ TEST_F(DuelForC, InitOfAnEndedBout_BeginsAsTheFirstOneDid) {
   ASSERT_NO_FATAL_FAILURE(run_to_the_end());
   ASSERT_EQ(batuta_duel_init(duel.get(), sizeof *duel, kStepUs, 2), BATUTA_OK);
   EXPECT_EQ(hash(), first);
+}
+
+/// As a device sends them: its own clock, buttons, and now and then a sample that got lost.
+batuta_sample sampled(const batuta_stick& stick, int k) {
+  const auto number = static_cast<std::uint32_t>(k);
+  return {stick, 7 + number * 1000U + number % 3U * 200U, number % 4U, number + number / 50U};
+}
+InputSample own_sample(const batuta_sample& sample) {
+  return {sample.time_us,      sample.stick.x, sample.stick.y, sample.stick.feet_x,
+          sample.stick.feet_y, sample.buttons, sample.sequence};
+}
+
+TEST_F(DuelForC, SamplesOfADevice_HaveTheBitsAndTheForcesOfTheLibrarysBout) {
+  const auto bout = std::make_unique<haptics::SteppedBout>();
+  haptics::BoutSettings settings;
+  settings.touches = 2;
+  ASSERT_EQ(bout->start(settings), Status::kOk);
+  float most = 0;
+  for (int k = 0; k < 1200 && !bout->is_over(); ++k) {
+    const batuta_sample left = sampled(left_at(k), k);
+    const batuta_sample right = sampled(right_at(k), k);
+    const InputSample l = own_sample(left);
+    const InputSample r = own_sample(right);
+    ASSERT_EQ(batuta_duel_step_sampled(duel.get(), &left, k % 2 == 0 ? &right : nullptr),
+              BATUTA_OK);
+    ASSERT_EQ(bout->step(&l, k % 2 == 0 ? &r : nullptr), Status::kOk);
+    ASSERT_EQ(hash(), hash_of(bout->duel())) << "step " << k;
+    const batuta_duel_state told = state();
+    for (const Side side : {Side::kLeft, Side::kRight}) {
+      const Vec2<float>& share = bout->forces().of(side).share;
+      ASSERT_EQ(Vec2<float>(told.force[index_of(side)]), share);
+      most = std::max(most, share.cwiseAbs().maxCoeff());
+    }
+  }
+  EXPECT_GT(most, 0) << "nothing was felt";
+}
+
+/// A stick that goes up the middle again and again: the blades meet.
+batuta_stick swept(int k) {
+  return {0, 0.5F * static_cast<float>(k % 200) / 200.0F, 0, k < 100 ? 0.25F : 0.0F};
+}
+
+TEST_F(DuelForC, FeetAndBlows_AreThoseOfTheLibrary) {
+  int blows = 0;
+  for (int k = 0; k < 600; ++k) {
+    const batuta_stick left = swept(k);
+    const InputSample l = sample(left, static_cast<std::uint32_t>(k), k);
+    ASSERT_EQ(batuta_duel_step(duel.get(), &left, nullptr), BATUTA_OK);
+    ASSERT_EQ(own->step(&l, nullptr), Status::kOk);
+    const batuta_duel_state told = state();
+    int count = 0;
+    float impulse = 0;
+    for (const auto& event : own->world().events()) {
+      if (event.kind == EventKind::kEnd) continue;
+      ++count;
+      impulse += event.impulse;
+      EXPECT_EQ(Vec3<float>(told.blow_W), event.contact.point_W);
+    }
+    EXPECT_EQ(told.blows, count);
+    EXPECT_EQ(told.impulse, impulse);
+    if (impulse > 0) ++blows;
+    for (const Side side : {Side::kLeft, Side::kRight}) {
+      EXPECT_EQ(told.place[index_of(side)], own->X_WF(side).p_W.x());
+      EXPECT_EQ(told.feet[index_of(side)], own->stick(side).feet().y());
+    }
+  }
+  EXPECT_GT(blows, 0) << "the blades never met";
+}
+
+TEST_F(DuelForC, AnotherDistance_IsThatOfTheLibrary_AndOnlyBeforeTheFirstStep) {
+  auto settings = duel_settings<>();
+  settings.touches = 2;
+  settings.salle.distance = 4;
+  const auto apart = std::make_unique<Duel<>>();
+  ASSERT_EQ(apart->configure(settings, first_fencer<float>(), second_fencer<float>()), Status::kOk);
+  ASSERT_EQ(batuta_duel_set_distance(duel.get(), 4), BATUTA_OK);
+  EXPECT_EQ(hash(), hash_of(*apart));
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  for (const float bad : {0.0F, -1.0F, 1e30F, kInfinity, std::numeric_limits<float>::quiet_NaN()}) {
+    EXPECT_EQ(batuta_duel_set_distance(duel.get(), bad), BATUTA_INVALID_ARGUMENT);
+    EXPECT_EQ(hash(), hash_of(*apart));
+  }
+  ASSERT_EQ(batuta_duel_step(duel.get(), nullptr, nullptr), BATUTA_OK);
+  EXPECT_EQ(batuta_duel_set_distance(duel.get(), 4), BATUTA_UNAVAILABLE);
 }
 
 TEST_F(DuelForC, LengthsOfAStep_AreThoseOfTheLibrary) {

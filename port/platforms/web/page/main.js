@@ -264,6 +264,7 @@ function picture(now) {
   const ms = Math.min(now - drawn.at, 250);
   drawn = { at: now, count: drawn.count + 1 };
   document.body.dataset.pictures = drawn.count;
+  document.body.dataset.detail = show.detail;
   if (!waiting) {
     waiting = true;
     send("look", { buffer: spare?.buffer }, spare ? [spare.buffer] : []);

@@ -69,6 +69,11 @@ export class Show {
     this.past = null;
   }
 
+  /** Share of the pixels that a picture could have along a side. */
+  get detail() {
+    return this.artist.detail ?? 1;
+  }
+
   watchPace(ms) {
     const { slow } = this;
     slow.sum += ms;

@@ -130,7 +130,7 @@ void compare(Comparison& to, const std::string& subject, const Message& here,
 
 }  // namespace
 
-std::string first_difference(const firmware::SteppedBout& here, const StepAnswer& there) {
+std::string first_difference(const haptics::SteppedBout& here, const StepAnswer& there) {
   const firmware::DuelType& duel = here.duel();
   Comparison to(here.steps());
   to.of("bout");

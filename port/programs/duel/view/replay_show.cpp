@@ -42,7 +42,7 @@ class ReplayShow final : public ReplayWatcher {
   View& view_;
   ViewFeed& feed_;
   Pacing pacing_;
-  firmware::StickForces forces_;
+  haptics::StickForces forces_;
   std::array<std::uint32_t, 2> used_{};
 };
 

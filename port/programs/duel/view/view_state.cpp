@@ -5,7 +5,7 @@
 namespace batuta::host {
 using namespace fencing;
 
-void ViewFeed::begin(const DuelRunner::DuelType& duel, const firmware::StickForces& forces) {
+void ViewFeed::begin(const DuelRunner::DuelType& duel, const haptics::StickForces& forces) {
   const std::uint32_t bout = state_.bout + 1;
   state_ = ViewState();
   state_.bout = bout;
@@ -13,7 +13,7 @@ void ViewFeed::begin(const DuelRunner::DuelType& duel, const firmware::StickForc
   take(duel, forces);
 }
 
-void ViewFeed::add_step(const DuelRunner::DuelType& duel, const firmware::StickForces& forces) {
+void ViewFeed::add_step(const DuelRunner::DuelType& duel, const haptics::StickForces& forces) {
   ++state_.steps;
   take(duel, forces);
   for (const auto& event : duel.events()) {  // Bound: DuelScene::kMaxEvents
@@ -23,7 +23,7 @@ void ViewFeed::add_step(const DuelRunner::DuelType& duel, const firmware::StickF
   }
 }
 
-void ViewFeed::take(const DuelRunner::DuelType& duel, const firmware::StickForces& forces) {
+void ViewFeed::take(const DuelRunner::DuelType& duel, const haptics::StickForces& forces) {
   state_.postures = postures_of(duel);
   for (const Side side : {Side::kLeft, Side::kRight}) {
     const std::size_t i = index_of(side);

@@ -38,14 +38,14 @@ struct ViewState {
 class ViewFeed {
  public:
   /// Another bout. Its steps start to be counted where the duel's stand.
-  void begin(const DuelRunner::DuelType& duel, const firmware::StickForces& forces);
-  void add_step(const DuelRunner::DuelType& duel, const firmware::StickForces& forces);
+  void begin(const DuelRunner::DuelType& duel, const haptics::StickForces& forces);
+  void add_step(const DuelRunner::DuelType& duel, const haptics::StickForces& forces);
   void end() { state_.over = true; }
 
   const ViewState& state() const { return state_; }
 
  private:
-  void take(const DuelRunner::DuelType& duel, const firmware::StickForces& forces);
+  void take(const DuelRunner::DuelType& duel, const haptics::StickForces& forces);
 
   ViewState state_;
   TouchCursor touches_;

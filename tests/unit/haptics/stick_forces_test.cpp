@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "shared/firmware/stick_forces.hpp"
+#include "batuta/haptics/stick_forces.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,14 +7,14 @@
 #include <limits>
 #include <memory>
 
-namespace batuta::firmware {
+namespace batuta::haptics {
 using namespace fencing;
 namespace {
 
 /// A duel in which the left blade beats the right one: the right fencer waits.
 class ABeat : public ::testing::Test {
  protected:
-  std::unique_ptr<DuelType> duel = std::make_unique<DuelType>();
+  std::unique_ptr<Duel<>> duel = std::make_unique<Duel<>>();
   StickForces forces;
 
   void SetUp() override {
@@ -132,4 +132,4 @@ TEST(StickForces, SettingsOutOfRange_AreRefused) {
 }
 
 }  // namespace
-}  // namespace batuta::firmware
+}  // namespace batuta::haptics

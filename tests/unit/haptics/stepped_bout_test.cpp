@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "shared/firmware/stepped_bout.hpp"
+#include "batuta/haptics/stepped_bout.hpp"
 
 #include <gtest/gtest.h>
 
 #include <memory>
 
-#include "shared/firmware/step_messages.hpp"
-
-namespace batuta::firmware {
+namespace batuta::haptics {
 using namespace fencing;
 namespace {
 
@@ -29,10 +27,10 @@ void make_steps(SteppedBout& bout, std::uint32_t count) {
 
 void expect_same(const SteppedBout& a, const SteppedBout& b) {
   for (const Side side : {Side::kLeft, Side::kRight}) {
-    const link::Pose pose_a = pose_message(a.duel(), side);
-    const link::Pose pose_b = pose_message(b.duel(), side);
-    ASSERT_EQ(pose_a.position_W, pose_b.position_W);
-    ASSERT_EQ(pose_a.rotation_WB, pose_b.rotation_WB);
+    const Capsule<float> blade_a = a.duel().blade_W(side);
+    const Capsule<float> blade_b = b.duel().blade_W(side);
+    ASSERT_EQ(blade_a.axis.a, blade_b.axis.a);
+    ASSERT_EQ(blade_a.axis.b, blade_b.axis.b);
     ASSERT_EQ(a.forces().of(side).share, b.forces().of(side).share);
   }
   ASSERT_EQ(a.duel().world().report().evaluations, b.duel().world().report().evaluations);
@@ -133,4 +131,4 @@ TEST(SteppedBout, BadForceSettings_LeaveTheBoutAlone) {
 }
 
 }  // namespace
-}  // namespace batuta::firmware
+}  // namespace batuta::haptics

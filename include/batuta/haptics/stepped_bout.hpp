@@ -4,9 +4,9 @@
 // device computes, and what a host computes to hold against it. The same samples give the same
 // bits.
 
-#include "shared/firmware/stick_forces.hpp"
+#include "batuta/haptics/stick_forces.hpp"
 
-namespace batuta::firmware {
+namespace batuta::haptics {
 
 struct BoutSettings {
   std::int32_t step_us = 1000;  ///< length of a step, us, as DuelSettings::step_us
@@ -29,6 +29,14 @@ class SteppedBoutOf {
   /// Bound: one Duel::step() and the forces of its events.
   Status step(const InputSample* left, const InputSample* right);
 
+  /// Puts a state that was kept into the duel. The forces begin anew: they follow from the duel and
+  /// its samples, and are not kept.
+  /// @param put  called once with the duel, to be changed; returns whether it was
+  template <class Put>
+  void restore(const Put& put) {
+    if (put(duel_)) begin_forces({});
+  }
+
   const DuelT& duel() const { return duel_; }
   const StickForces& forces() const { return forces_; }
   std::uint32_t steps() const { return duel_.steps(); }
@@ -42,6 +50,7 @@ class SteppedBoutOf {
   bool is_alive(fencing::Side side) const { return alive_[index_of(side)]; }
 
  private:
+  void begin_forces(const ForceSettings& settings);
   void take(fencing::Side side, const InputSample* sample);
 
   DuelT duel_;
@@ -61,11 +70,19 @@ Status SteppedBoutOf<DuelT>::start(const BoutSettings& settings) {
   if (validate(settings.force) != Status::kOk) return Status::kInvalidArgument;
   const Status status =
       duel_.configure(duel, fencing::first_fencer<float>, fencing::second_fencer<float>);
-  if (status != Status::kOk) return status;
+  if (status == Status::kOk) begin_forces(settings.force);
+  return status;
+}
+
+/// @pre settings are valid
+template <class DuelT>
+void SteppedBoutOf<DuelT>::begin_forces(const ForceSettings& settings) {
+  (void)forces_.configure(settings);
   fresh_ = {};
-  believed_ = {};
   alive_ = {};
-  return forces_.configure(settings.force);
+  for (const fencing::Side side : {fencing::Side::kLeft, fencing::Side::kRight}) {  // Bound: 2
+    believed_[index_of(side)] = duel_.stick(side).report().used;
+  }
 }
 
 template <class DuelT>
@@ -87,6 +104,6 @@ void SteppedBoutOf<DuelT>::take(fencing::Side side, const InputSample* sample) {
   believed_[index_of(side)] = believed;
 }
 
-using SteppedBout = SteppedBoutOf<DuelType>;
+using SteppedBout = SteppedBoutOf<fencing::Duel<>>;
 
-}  // namespace batuta::firmware
+}  // namespace batuta::haptics

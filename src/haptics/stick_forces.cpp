@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 
-#include "shared/firmware/stick_forces.hpp"
+#include "batuta/haptics/stick_forces.hpp"
 
 #include "batuta/haptics/force_share.hpp"
 
-namespace batuta::firmware {
-using namespace haptics;
+namespace batuta::haptics {
 using namespace fencing;
 namespace {
 
@@ -45,7 +44,7 @@ void StickForces::leap(std::uint32_t exchange) {
 void StickForces::take(Side side, const Vec2<float>& demanded, bool fresh) {
   ForceRamp& ramp = ramps_[index_of(side)];
   ramp.advance(fresh);
-  const float least = kLeastShare * full_scale_;
+  const float least = kLeastFeltShare * full_scale_;
   Vec2<float> felt = demanded;
   for (int i = 0; i < 2; ++i) {  // Bound: the stick's coordinates
     if (std::abs(felt[i]) < least) felt[i] = 0.0F;
@@ -60,7 +59,7 @@ void StickForces::take(Side side, const Vec2<float>& demanded, bool fresh) {
 
 /// By the output stage's own first step, and its watchdog over the samples.
 StickForce StickForces::told(const Vec2<float>& demanded, const ForceRamp& ramp) const {
-  const Vec2<float> whole = scaled(demanded, gain_of(full_scale_));
+  const Vec2<float> whole = scaled(demanded, Vec2<float>::Constant(1.0F / full_scale_));
   const bool usable = is_finite(whole);
   const ForceShare force = usable ? clipped(whole) : ForceShare{};
   const float left = ramp.share();
@@ -69,4 +68,4 @@ StickForce StickForces::told(const Vec2<float>& demanded, const ForceRamp& ramp)
       ramp.is_silent(), left < 1.0F};
 }
 
-}  // namespace batuta::firmware
+}  // namespace batuta::haptics

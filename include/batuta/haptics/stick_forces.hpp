@@ -10,13 +10,11 @@
 #include "batuta/haptics/force_ramp.hpp"
 #include "batuta/haptics/speed_limiter.hpp"
 
-namespace batuta::firmware {
-
-using DuelType = fencing::Duel<>;
+namespace batuta::haptics {
 
 /// A demand that takes less of the range than this is none: a motor driver of 12 bits would not
 /// show it, and the rounding of poses in hand and blade comes to a tenth of it.
-inline constexpr float kLeastShare = 1.0F / 4096;
+inline constexpr float kLeastFeltShare = 1.0F / 4096;
 
 /// What a hand with the grip of the library's fencers (GripSettings::strength, 4 N) can feel of its
 /// blade: a coupling that pulls no harder than twice that.
@@ -25,11 +23,6 @@ inline haptics::HandForceSettings<float> soft_feel() {
   feel.coupling.max_force = 8;
   feel.coupling.max_moment = 0.8F;
   return feel;
-}
-
-/// Share of the range for each N m for each unit of the stick, by axis.
-inline Vec2<float> gain_of(float full_scale) {
-  return Vec2<float>::Constant(1.0F / full_scale);
 }
 
 struct ForceSettings {
@@ -44,7 +37,8 @@ struct ForceSettings {
   /// device's: check() of haptics/gain_advisor.hpp.
   haptics::HandForceSettings<float> feel = soft_feel();
 
-  Vec2<float> gain() const { return gain_of(full_scale); }
+  /// Share of the range for each N m for each unit of the stick, by axis.
+  Vec2<float> gain() const { return Vec2<float>::Constant(1.0F / full_scale); }
 };
 
 /// @returns kOk | kInvalidArgument: out of range
@@ -100,4 +94,4 @@ class StickForces {
   std::uint32_t exchange_ = 1;  ///< of the bout, that was seen last
 };
 
-}  // namespace batuta::firmware
+}  // namespace batuta::haptics
