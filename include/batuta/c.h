@@ -44,13 +44,13 @@ enum {
 
 /// Sizes.
 enum {
-  BATUTA_CAPSULE_NUMBERS = 7,      ///< of capsule[]
-  BATUTA_POSE_NUMBERS = 7,         ///< of pose[]
-  BATUTA_TWIST_NUMBERS = 6,        ///< of twist[]
-  BATUTA_MOVING_NUMBERS = 20,      ///< of moving[]
-  BATUTA_WORLD_BODIES = 16,        ///< most bodies of a world
-  BATUTA_WORLD_EVENTS = 64,        ///< most events of a step
-  BATUTA_WORLD_BYTES = 44032       ///< batuta_world_size(), rounded up
+  BATUTA_CAPSULE_NUMBERS = 7,  ///< of capsule[]
+  BATUTA_POSE_NUMBERS = 7,     ///< of pose[]
+  BATUTA_TWIST_NUMBERS = 6,    ///< of twist[]
+  BATUTA_MOVING_NUMBERS = 20,  ///< of moving[]
+  BATUTA_WORLD_BODIES = 16,    ///< most bodies of a world
+  BATUTA_WORLD_EVENTS = 64,    ///< most events of a step
+  BATUTA_WORLD_BYTES = 44032   ///< batuta_world_size(), rounded up
 };
 
 // --- Closest points ---------------------------------------------------------------------------
