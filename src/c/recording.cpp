@@ -110,12 +110,12 @@ DuelInput input_of(const haptics::SteppedBout& bout) {
 
 Playback play_step(Player& player, haptics::SteppedBout& bout) {
   DuelInput input;
-  const Playback answer = player.next(input, bout.duel());
-  if (answer == Playback::kStep) {
+  const Playback result = player.next(input, bout.duel());
+  if (result == Playback::kStep) {
     // What the duel says to a step is part of its state, and compared with it.
     static_cast<void>(bout.step(input.at(Side::kLeft), input.at(Side::kRight)));
   }
-  return answer;
+  return result;
 }
 
 }  // namespace
@@ -210,12 +210,12 @@ std::int32_t batuta_player_begin(batuta_player* player, batuta_duel* duel, std::
   auto* const own = batuta::detail::found_in<PlayerForC>(player);
   auto* const played = batuta::detail::found_in<DuelForC>(duel);
   if (own == nullptr || played == nullptr || playback == nullptr) return BATUTA_INVALID_ARGUMENT;
-  batuta::Playback answer{};
+  batuta::Playback result{};
   played->bout.restore([&](Duel<>& state) {
-    answer = own->player.begin<DuelInput>(state);
-    return answer == batuta::Playback::kReady || answer == batuta::Playback::kDamaged;
+    result = own->player.begin<DuelInput>(state);
+    return result == batuta::Playback::kReady || result == batuta::Playback::kDamaged;
   });
-  *playback = code_of(answer);
+  *playback = code_of(result);
   return BATUTA_OK;
 }
 

@@ -50,7 +50,7 @@ void StickForces::take(Side side, const Vec2<float>& demanded, bool fresh) {
     if (std::abs(felt[i]) < least) felt[i] = 0.0F;
   }
   StickForce& force = forces_[index_of(side)];
-  force = told(felt, ramp);
+  force = force_of(felt, ramp);
   // The hand's pulses and coupling come cut to the range.
   const HandForce<float>& hand = hands_[index_of(side)];
   force.limited = force.limited || hand.is_clipped();
@@ -58,7 +58,7 @@ void StickForces::take(Side side, const Vec2<float>& demanded, bool fresh) {
 }
 
 /// By the output stage's own first step, and its watchdog over the samples.
-StickForce StickForces::told(const Vec2<float>& demanded, const ForceRamp& ramp) const {
+StickForce StickForces::force_of(const Vec2<float>& demanded, const ForceRamp& ramp) const {
   const Vec2<float> whole = scaled(demanded, Vec2<float>::Constant(1.0F / full_scale_));
   const bool usable = is_finite(whole);
   const ForceShare force = usable ? clipped(whole) : ForceShare{};

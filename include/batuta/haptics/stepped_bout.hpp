@@ -8,11 +8,12 @@
 
 namespace batuta::haptics {
 
+/// Of a bout and of the forces on its sticks.
 struct BoutSettings {
   std::int32_t step_us = 1000;  ///< length of a step, us, as DuelSettings::step_us
   std::int32_t touches = 1;     ///< to which the bout goes, as DuelSettings::touches
   float distance = fencing::Salle<float>().distance;  ///< on guard, m, as Salle::distance
-  ForceSettings force;
+  ForceSettings force;                                ///< on both sticks
 };
 
 /// @tparam DuelT  the duel of either search; a firmware has the certified one
@@ -37,9 +38,13 @@ class SteppedBoutOf {
     if (put(duel_)) begin_forces({});
   }
 
+  /// As it is after the last step.
   const DuelT& duel() const { return duel_; }
+  /// Of the last step.
   const StickForces& forces() const { return forces_; }
+  /// Made since start().
   std::uint32_t steps() const { return duel_.steps(); }
+  /// No step will be made any more.
   bool is_over() const { return duel_.bout().is_over(); }
   /// The sample that the last step was made with, or null.
   const InputSample* used(fencing::Side side) const {
@@ -104,6 +109,7 @@ void SteppedBoutOf<DuelT>::take(fencing::Side side, const InputSample* sample) {
   believed_[index_of(side)] = believed;
 }
 
+/// Of the library's two fencers, by the search that misses nothing.
 using SteppedBout = SteppedBoutOf<fencing::Duel<>>;
 
 }  // namespace batuta::haptics

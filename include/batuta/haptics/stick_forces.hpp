@@ -25,6 +25,7 @@ inline haptics::HandForceSettings<float> soft_feel() {
   return feel;
 }
 
+/// What becomes of what a duel demands of a stick.
 struct ForceSettings {
   /// The force on a stick's coordinate that takes all that the actuator has, N m for each unit of
   /// the stick, > 0 and finite. The hardest blows of the recordings come to half of it.
@@ -44,6 +45,7 @@ struct ForceSettings {
 /// @returns kOk | kInvalidArgument: out of range
 Status validate(const ForceSettings& settings);
 
+/// The force on one stick.
 struct StickForce {
   /// What the duel demands, N m for each unit of the stick, before the stage's limits.
   Vec2<float> demanded = Vec2<float>::Zero();
@@ -55,6 +57,8 @@ struct StickForce {
   bool ramped = false;   ///< the share is less than what was demanded
 };
 
+/// The forces on both sticks of a duel.
+/// Allocates: never.
 class StickForces {
  public:
   /// Starts anew: no force, both sides silent. @returns kOk | kInvalidArgument (nothing changed)
@@ -75,6 +79,7 @@ class StickForces {
     if (forces_[0].silent || forces_[1].silent) ++stale_steps_;
   }
 
+  /// On the stick of a side, of the last step.
   const StickForce& of(fencing::Side side) const { return forces_[index_of(side)]; }
   /// Silences that began on either side since the start.
   std::uint32_t silences() const { return ramps_[0].silences() + ramps_[1].silences(); }
@@ -84,7 +89,7 @@ class StickForces {
  private:
   void leap(std::uint32_t exchange);
   void take(fencing::Side side, const Vec2<float>& demanded, bool fresh);
-  StickForce told(const Vec2<float>& demanded, const haptics::ForceRamp& ramp) const;
+  StickForce force_of(const Vec2<float>& demanded, const haptics::ForceRamp& ramp) const;
 
   float full_scale_ = ForceSettings().full_scale;
   std::array<haptics::HandForce<float>, 2> hands_;

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "programs/duel/bout_words.hpp"
 
@@ -56,13 +59,43 @@ void draw_beats(Canvas& canvas, const SalleView& view, const BoutStory& story) {
   }
 }
 
+constexpr double kLabel = 14;  // height of a label's letters, pixels
+
+struct Label {
+  Pixel at;  ///< middle of the base line
+  std::string words;
+
+  /// About: letters are half as broad as high, on the average.
+  double width() const { return 0.58 * kLabel * static_cast<double>(words.size()); }
+  bool covers(const Label& other) const {
+    return 2 * std::abs(at.x - other.at.x) < width() + other.width() &&
+           std::abs(at.y - other.at.y) < kLabel;
+  }
+};
+
+/// Up from its star, a line at a time, to where nothing is written yet. Bound: the labels.
+void put(std::vector<Label>& labels, Label label) {
+  const auto is_covered = [&] {
+    return std::any_of(labels.begin(), labels.end(),
+                       [&](const Label& other) { return other.covers(label); });
+  };
+  while (is_covered()) label.at.y -= kLabel;
+  labels.push_back(std::move(label));
+}
+
+/// A star each, and what was touched in which exchange.
 void draw_touches(Canvas& canvas, const SalleView& view, const BoutStory& story) {
+  constexpr double kStar = 15;  // pixels
+  constexpr double kAbove = 18;
+  std::vector<Label> labels;
   for (const TouchMark& touch : story.touches()) {
-    const Pixel at = view.at(touch.point_W);
-    canvas.star(at, 15, kTouch);
-    canvas.text({at.x, at.y - 18},
-                std::to_string(touch.exchange) + " " + fencing::name_of(touch.part), 14,
-                Anchor::kMiddle);
+    const Pixel star = view.at(touch.point_W);
+    put(labels, {{star.x, star.y - kAbove},
+                 std::to_string(touch.exchange) + " " + fencing::name_of(touch.part)});
+    const Label& label = labels.back();
+    if (label.at.y < star.y - kAbove) canvas.line(star, {star.x, label.at.y + 3}, {kGrey, 0.7, 1});
+    canvas.star(star, kStar, kTouch);
+    canvas.text(label.at, label.words, kLabel, Anchor::kMiddle);
   }
 }
 

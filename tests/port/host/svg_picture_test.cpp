@@ -4,9 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <memory>
+#include <regex>
 #include <sstream>
+#include <vector>
 
 #include "bouts.hpp"
 #include "heap_trap.hpp"
@@ -52,6 +55,40 @@ TEST(SvgPicture, ADraw_HasNoStarButThatOfTheLegend) {
   const std::string svg = picture_of(bout);
   EXPECT_THAT(svg, HasSubstr("No touch in 1.00 s"));
   EXPECT_EQ(count(svg, "<polygon"), 1);
+}
+
+/// A text of a picture: the middle of its base line, and how broad it is, about.
+struct Written {
+  double x = 0;
+  double y = 0;
+  double width = 0;
+};
+
+/// What is written at the stars: the texts of this size.
+std::vector<Written> labels_of(const std::string& svg) {
+  const std::regex text("<text x=\"([-0-9.]+)\" y=\"([-0-9.]+)\" font-size=\"14\"[^>]*>([^<]*)<");
+  std::vector<Written> found;
+  for (std::sregex_iterator it(svg.begin(), svg.end(), text), end; it != end; ++it) {
+    found.push_back(
+        {std::stod((*it)[1]), std::stod((*it)[2]), 7.0 * static_cast<double>((*it)[3].length())});
+  }
+  return found;
+}
+
+// Who is touched five times by the same lunge is touched in the same places.
+TEST(SvgPicture, OfManyTouches_WritesNoWordOverAnother) {
+  BoutRules rules;
+  rules.touches = 5;
+  BoutRig bout("script:attack", "script:guard", std::numeric_limits<double>::infinity(), rules);
+  const std::vector<Written> labels = labels_of(picture_of(bout));
+  ASSERT_GE(labels.size(), 10U) << "five touches in both views";
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const bool is_aside =
+          std::abs(labels[i].x - labels[k].x) > (labels[i].width + labels[k].width) / 2;
+      EXPECT_TRUE(is_aside || std::abs(labels[i].y - labels[k].y) > 12) << i << " over " << k;
+    }
+  }
 }
 
 TEST(SvgPicture, ABoutThatIsBrokenOff_SaysSo) {

@@ -22,13 +22,14 @@ constexpr SceneOptions bars_options() {
   return scene;
 }
 
-/// As tests/support/crowd.hpp has it.
+/// Room for two neighbours each, and for a contact of every second one: fewer than half as many
+/// pairs are near at once, and one contact in a hundred bodies.
 template <int N>
 constexpr SceneOptions sparse_options() {
   SceneOptions scene;
   scene.max_bodies = N;
-  scene.max_pairs = 4 * N;
-  scene.max_contacts = N;
+  scene.max_pairs = N;
+  scene.max_contacts = N / 4;
   scene.max_events = 0;
   scene.owners = false;
   scene.resting = RestingContact::kSettling;
