@@ -60,43 +60,53 @@ void draw_beats(Canvas& canvas, const SalleView& view, const BoutStory& story) {
 }
 
 constexpr double kLabel = 14;  // height of a label's letters, pixels
+constexpr double kStar = 15;   // radius, pixels
 
-struct Label {
-  Pixel at;  ///< middle of the base line
-  std::string words;
+/// What is drawn at a place already: a word, or a star.
+struct Taken {
+  Pixel middle;
+  double width = 0;
+  double height = 0;
 
-  /// About: letters are half as broad as high, on the average.
-  double width() const { return 0.58 * kLabel * static_cast<double>(words.size()); }
-  bool covers(const Label& other) const {
-    return 2 * std::abs(at.x - other.at.x) < width() + other.width() &&
-           std::abs(at.y - other.at.y) < kLabel;
+  bool covers(const Taken& other) const {
+    return 2 * std::abs(middle.x - other.middle.x) < width + other.width &&
+           2 * std::abs(middle.y - other.middle.y) < height + other.height;
   }
 };
 
-/// Up from its star, a line at a time, to where nothing is written yet. Bound: the labels.
-void put(std::vector<Label>& labels, Label label) {
+/// Up from a star, a line at a time, to where nothing is drawn yet. Bound: what is taken.
+Pixel place_for(const std::string& words, Pixel star, std::vector<Taken>& taken) {
+  constexpr double kBreadth = 0.58;  // of a letter on the average, of its height
+  Taken label = {{star.x, star.y - kStar - kLabel / 2},
+                 kBreadth * kLabel * static_cast<double>(words.size()),
+                 kLabel};
   const auto is_covered = [&] {
-    return std::any_of(labels.begin(), labels.end(),
-                       [&](const Label& other) { return other.covers(label); });
+    return std::any_of(taken.begin(), taken.end(),
+                       [&](const Taken& other) { return other.covers(label); });
   };
-  while (is_covered()) label.at.y -= kLabel;
-  labels.push_back(std::move(label));
+  while (is_covered()) label.middle.y -= kLabel;
+  taken.push_back(label);
+  return label.middle;
 }
 
 /// A star each, and what was touched in which exchange.
 void draw_touches(Canvas& canvas, const SalleView& view, const BoutStory& story) {
-  constexpr double kStar = 15;  // pixels
-  constexpr double kAbove = 18;
-  std::vector<Label> labels;
+  constexpr double kBase = 4;  // of a line of letters, below its middle
+  std::vector<Taken> taken;
   for (const TouchMark& touch : story.touches()) {
     const Pixel star = view.at(touch.point_W);
-    put(labels, {{star.x, star.y - kAbove},
-                 std::to_string(touch.exchange) + " " + fencing::name_of(touch.part)});
-    const Label& label = labels.back();
-    if (label.at.y < star.y - kAbove) canvas.line(star, {star.x, label.at.y + 3}, {kGrey, 0.7, 1});
-    canvas.star(star, kStar, kTouch);
-    canvas.text(label.at, label.words, kLabel, Anchor::kMiddle);
+    taken.push_back({star, 2 * kStar, 2 * kStar});
   }
+  for (const TouchMark& touch : story.touches()) {
+    const Pixel star = view.at(touch.point_W);
+    const std::string words = std::to_string(touch.exchange) + " " + fencing::name_of(touch.part);
+    const Pixel middle = place_for(words, star, taken);
+    if (middle.y < star.y - kStar - kLabel) {
+      canvas.line(star, {star.x, middle.y + kLabel / 2}, {kGrey, 0.7, 1});
+    }
+    canvas.text({middle.x, middle.y + kBase}, words, kLabel, Anchor::kMiddle);
+  }
+  for (const TouchMark& touch : story.touches()) canvas.star(view.at(touch.point_W), kStar, kTouch);
 }
 
 }  // namespace
