@@ -52,7 +52,7 @@ enum class MeasurementState : std::uint8_t {
   kHeldBack,      ///< the device was told far less than what was asked for, or more
   kNotANumber,    ///< an input was not finite
   kTooFew,        ///< too few pieces of motion could be used: too fast, or too coarse an encoder
-  kDelayTooLong,  ///< longer than 16 periods
+  kDelayTooLong,  ///< 16 periods or longer
   /// It does not move as mass, damping, friction, spring and offset do, or not always as the same.
   kDoesNotFit,
   kHeld,  ///< something pulls it back to where it was: a hand, or a spring not stated

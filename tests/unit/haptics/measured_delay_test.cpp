@@ -17,14 +17,14 @@ State end_of(double delay) {
   return Measuring(device).run();
 }
 
-TEST(MeasuredDelay, UpTo16Periods_IsTold) {
+TEST(MeasuredDelay, Below16Periods_IsTold) {
   for (const double delay : {0.0, 1.0, 7.0, 12.0, 14.0, 15.0, 15.5}) {
     EXPECT_EQ(end_of(delay), State::kMeasured) << delay;
   }
 }
 
-TEST(MeasuredDelay, Beyond16Periods_IsCalledTooLong) {
-  for (const double delay : {16.25, 16.5, 17.0, 18.0, 20.0, 40.0}) {
+TEST(MeasuredDelay, From16PeriodsOn_IsCalledTooLong) {
+  for (const double delay : {16.0, 16.25, 16.5, 17.0, 18.0, 20.0, 40.0}) {
     EXPECT_EQ(end_of(delay), State::kDelayTooLong) << delay;
   }
 }
