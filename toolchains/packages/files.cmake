@@ -69,6 +69,7 @@ set(BATUTA_SOURCES
   src/haptics/encoder_grid.cpp
   src/haptics/momentum_fit.cpp
   src/haptics/device_measurement.cpp
+  src/haptics/stick_forces.cpp
   src/record/archive.cpp
   src/record/snapshot.cpp
   src/record/recorder.cpp
@@ -77,6 +78,8 @@ set(BATUTA_SOURCES
   src/c/time_of_contact.cpp
   src/c/world.cpp
   src/c/duel.cpp
+  src/c/opponent.cpp
+  src/c/recording.cpp
 )
 set(BATUTA_FLAGS
   -ffp-contract=off
