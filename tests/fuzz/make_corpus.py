@@ -78,6 +78,9 @@ def seeds():
 
 
 def main(arguments):
+    if not arguments or arguments[-1].startswith("-"):
+        print(__doc__)
+        return 0 if "--help" in arguments else 2
     folder = pathlib.Path(arguments[-1])
     wanted = seeds()
     if "--compare" not in arguments:

@@ -461,6 +461,9 @@ def differing(folder, files):
 
 
 def main(arguments):
+    if not arguments or arguments[-1].startswith("-"):
+        print(__doc__)
+        return 0 if "--help" in arguments else 2
     corpus = pathlib.Path(arguments[-1])
     wrong = []
     for fuzzer, seeds in FUZZERS.items():
