@@ -97,6 +97,28 @@ Vec3<Scalar> velocity_at(const Pose<Scalar>& X_WB, const Twist<Scalar>& twist,
   return twist.v_W + twist.w_W.cross(Vec3<Scalar>(x_W - X_WB.p_W));
 }
 
+namespace detail {
+
+template <class Scalar>
+void drop_held(Body<Scalar>& body) {
+  constexpr Scalar kRoundings = 16;  // of a turn into B
+  Momentum<Scalar>& momentum = body.momentum;
+  Vec3<Scalar> held_B = body.X_WB.q_WB.conjugate() * momentum.angular_W;
+  int axes = 0;
+  for (int i = 0; i < 3; ++i) {  // Bound: 3
+    if (body.inverse_moments[i] == Scalar(0)) continue;
+    held_B[i] = 0;
+    ++axes;
+  }
+  if (axes != 1) return;
+  momentum.linear_W.setZero();
+  const Scalar rounding = kRoundings * kRoundOff<Scalar> * momentum.angular_W.cwiseAbs().maxCoeff();
+  if (!(held_B.cwiseAbs().maxCoeff() > rounding)) return;
+  momentum.angular_W -= body.X_WB.q_WB * held_B;
+}
+
+}  // namespace detail
+
 template <class Scalar>
 Vec3<Scalar> torque_of(const Pose<Scalar>& X_WB, const Vec3<Scalar>& force_W,
                        const Vec3<Scalar>& x_W) {
@@ -136,6 +158,7 @@ Scalar kinetic_energy(const Body<Scalar>& body) {
   template Capsule<Scalar> to_world(const Pose<Scalar>&, const Capsule<Scalar>&);                 \
   template Mat3<Scalar> detail::inverse_inertia_W(const Body<Scalar>&);                           \
   template Vec3<Scalar> detail::velocity_of(const Body<Scalar>&);                                 \
+  template void detail::drop_held(Body<Scalar>&);                                                 \
   template Twist<Scalar> twist_of(const Body<Scalar>&);                                           \
   template Momentum<Scalar> momentum_of(const Body<Scalar>&, const Twist<Scalar>&);               \
   template Vec3<Scalar> velocity_at(const Pose<Scalar>&, const Twist<Scalar>&,                    \

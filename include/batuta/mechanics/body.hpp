@@ -102,6 +102,13 @@ Mat3<Scalar> inverse_inertia_W(const Body<Scalar>& body);
 template <class Scalar>
 Vec3<Scalar> velocity_of(const Body<Scalar>& body);
 
+/// Of a body that goes nowhere and turns about one axis: what its bearing has taken is not its own,
+/// and moves it nowhere (world.md, "About an axle"). It stays where it is no more than rounding:
+/// nothing that merely turns is touched. Who turns about two axes keeps it: there it makes a
+/// gyroscope. @pre inverse_mass == 0
+template <class Scalar>
+void drop_held(Body<Scalar>& body);
+
 }  // namespace detail
 
 /// v = p / m, w = I^-1 b [Kavan eq. 7, 8]. Computed in B, so that strongly unequal moments lose

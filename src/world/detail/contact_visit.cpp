@@ -113,8 +113,36 @@ Scalar push_normals(const LastingContact<Traits>& contact, NormalSides<Traits>& 
   return side.change * (side.rate + side.softness * side.change / 2);
 }
 
+/// The impulse of the least energy on the circle where friction slips: (K + s) x = p, |x| = limit,
+/// with p = K x_old - slip, by Newton's method for 1 / |x| (world.md, "About an axle").
+/// @param K  what is soft across: 11, 12, 22, 1/kg  @param p  along both tangents, m/s
+/// @pre the circle does not hold the least of all. Bound: kNewtonSteps
+template <class Scalar>
+Vec2<Scalar> least_on_circle(const std::array<Scalar, 3>& K, const Vec2<Scalar>& p, Scalar limit) {
+  constexpr int kNewtonSteps = 12;
+  constexpr Scalar kNear = 1 + 16 * kRoundOff<Scalar>;
+  using std::sqrt;
+  Vec2<Scalar> x = Vec2<Scalar>::Zero();
+  Scalar s = 16 * kRoundOff<Scalar> * (K[0] + K[2]);  // or what is not soft would be divided by
+  Scalar size = 0;
+  for (int i = 0; i < kNewtonSteps && limit > Scalar(0); ++i) {  // Bound: kNewtonSteps
+    const Scalar a = K[0] + s;
+    const Scalar d = K[2] + s;
+    const Scalar det = a * d - K[1] * K[1];
+    if (!(det > Scalar(0))) return Vec2<Scalar>::Zero();
+    x = {(d * p.x() - K[1] * p.y()) / det, (a * p.y() - K[1] * p.x()) / det};
+    size = sqrt(x.x() * x.x() + x.y() * x.y());
+    if (!(size > kNear * limit)) break;
+    // -|x| d|x| / ds
+    const Scalar fall = (d * x.x() * x.x() - 2 * K[1] * x.x() * x.y() + a * x.y() * x.y()) / det;
+    s += (size / limit - 1) * (size * size / fall);
+  }
+  return size > limit ? Vec2<Scalar>(limit / size * x) : x;
+}
+
 /// The part of friction: stops the slip within the cone. Where that is beyond it, a step down the
-/// slope of the energy, back onto the cone: neither adds energy, unless the cone has become smaller
+/// slope of the energy, back onto the cone; about an axle, which is soft one way and stiff the
+/// other, the least of the energy on the cone. None adds energy, unless the cone has become smaller
 /// than what was there.
 /// @returns what it adds to the energy at most, J
 template <class Traits, class Scalar>
@@ -143,7 +171,15 @@ Scalar relax_friction(ContactPoint<Traits>& point, SolvedBody<Scalar>& A, Solved
     return along * along + across * across;
   };
   Scalar bend = 0;  // an upper bound of K's tangential part
-  if (square() > limit * limit) {
+  const bool slips = square() > limit * limit;
+  const bool slips_on_axle = slips && (is_on_axle(A) || is_on_axle(B));
+  if (slips_on_axle) {
+    const Vec2<Scalar> pull = {a * point.along + b * point.across - u,
+                               b * point.along + d * point.across - v};
+    const Vec2<Scalar> best = least_on_circle(point.softness_across, pull, limit);
+    change = best.x() - point.along;
+    aside = best.y() - point.across;
+  } else if (slips) {
     bend = (a + d) / 2 + sqrt((a - d) * (a - d) / 4 + b * b);
     change = bend > Scalar(0) ? -u / bend : Scalar(0);
     aside = bend > Scalar(0) ? -v / bend : Scalar(0);
@@ -158,6 +194,9 @@ Scalar relax_friction(ContactPoint<Traits>& point, SolvedBody<Scalar>& A, Solved
   point.along += change;
   point.across += aside;
   const Scalar slope = change * u + aside * v;
+  if (slips_on_axle) {
+    return slope + (a * change * change + 2 * b * change * aside + d * aside * aside) / 2;
+  }
   return bend > Scalar(0) ? slope + bend * (change * change + aside * aside) / 2 : slope / 2;
 }
 
@@ -246,6 +285,15 @@ Scalar relax_along([[maybe_unused]] const LastingContact<Traits>& contact,
   return gain;
 }
 
+/// How fast the two part by a change of an impulse, m/s: where none turns about an axle alone, what
+/// their masses make of it.
+template <class Scalar>
+Scalar speed_of(const NormalSide<Scalar>& side, const SolvedBody<Scalar>& A,
+                const SolvedBody<Scalar>& B) {
+  const bool turns = is_on_axle(A) || is_on_axle(B);
+  return std::abs(side.change) * (turns ? side.softness : A.inverse_mass + B.inverse_mass);
+}
+
 }  // namespace
 
 template <class Traits, class Scalar>
@@ -268,7 +316,7 @@ Scalar relax(LastingContact<Traits>& contact, SolvedBody<Scalar>& A, SolvedBody<
     auto& point = contact.points[k];
     point.normal += sides[k].change;
     gain -= sides[k].change * point.room;  // what counts is energy
-    most = max_of(most, std::abs(sides[k].change));
+    most = max_of(most, speed_of(sides[k], A, B));
     gain = relax_along(contact, point, A, B, gain);
   }
   // What was carried and falls again has gained nothing.
@@ -279,7 +327,7 @@ Scalar relax(LastingContact<Traits>& contact, SolvedBody<Scalar>& A, SolvedBody<
     return Scalar(0);
   }
   energy = min_of(Scalar(0), energy + gain + lift);
-  return most * (A.inverse_mass + B.inverse_mass);
+  return most;
 }
 
 template <class Traits, class Scalar>
@@ -326,9 +374,9 @@ Scalar relax_opening(LastingContact<Traits>& contact, SolvedBody<Scalar>& A, Sol
   for (int i = 0; i < contact.count; ++i) {  // Bound: 2
     const auto k = static_cast<std::size_t>(i);
     contact.points[k].opening += sides[k].change;
-    most = max_of(most, std::abs(sides[k].change));
+    most = max_of(most, speed_of(sides[k], A, B));
   }
-  return most * mass;
+  return most;
 }
 
 #define BATUTA_INSTANTIATE_CONTACT(S, F, R, L)                                                     \

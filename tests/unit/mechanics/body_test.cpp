@@ -287,6 +287,47 @@ TYPED_TEST(BodyOf, Impulse_ChangesTheVelocityOfItsPointByTheCollisionMatrix) {
   }
 }
 
+/// A body that goes nowhere, with the axes that it can turn about.
+template <class Scalar>
+Body<Scalar> on_axle(Source<Scalar>& source, const Vec3<Scalar>& axes) {
+  Body<Scalar> body = random_body<Scalar>(source, 10);
+  body.inverse_mass = 0;
+  body.inverse_moments = body.inverse_moments.cwiseProduct(axes);
+  return body;
+}
+
+TYPED_TEST(BodyOf, DropHeld_LeavesWhatTheOneAxleCanHave) {
+  using Scalar = TypeParam;
+  Source<Scalar> source(17);
+  for (int k = 0; k < 300; ++k) {
+    const Vec3<Scalar> axis = Vec3<Scalar>::Unit(k % 3);
+    Body<Scalar> body = on_axle<Scalar>(source, axis);
+    const Vec3<Real> along_W = true_rotation(body) * real(axis);
+    const Vec3<Real> right = along_W.dot(real(body.momentum.angular_W)) * along_W;
+    const Real size = real(body.momentum.angular_W).norm();
+    detail::drop_held(body);
+    EXPECT_LE((real(body.momentum.angular_W) - right).norm(), 24 * u<Scalar> * size);
+    EXPECT_EQ(body.momentum.linear_W, Vec3<Scalar>::Zero());
+  }
+}
+
+TYPED_TEST(BodyOf, DropHeld_LeavesSpinAndGyroscopesToTheLastBit) {
+  using Scalar = TypeParam;
+  Source<Scalar> source(18);
+  for (int k = 0; k < 300; ++k) {
+    const Vec3<Scalar> axis = Vec3<Scalar>::Unit(k % 3);
+    Body<Scalar> spinning = on_axle<Scalar>(source, axis);
+    spinning.momentum.linear_W.setZero();
+    spinning.momentum.angular_W = spinning.X_WB.q_WB * Vec3<Scalar>(3 * axis);
+    Body<Scalar> gyroscope = on_axle<Scalar>(source, Vec3<Scalar>(Vec3<Scalar>::Ones() - axis));
+    for (Body<Scalar>* const body : {&spinning, &gyroscope}) {
+      const Body<Scalar> before = *body;
+      detail::drop_held(*body);
+      expect_same(*body, before);
+    }
+  }
+}
+
 TYPED_TEST(BodyOf, KineticEnergy_IsHalfMomentumTimesTwist) {
   Source<TypeParam> source(9);
   for (int i = 0; i < 5000; ++i) {

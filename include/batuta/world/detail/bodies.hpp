@@ -34,10 +34,19 @@ struct FallState {
   Vec3<Scalar> off_W = Vec3<Scalar>::Zero();
   bool loaded = false;  ///< something carries it: it goes with the velocity of the step's end
 };
+/// What carrying a body takes of who turns about an axle.
+template <class Scalar>
+struct Reaction {
+  static constexpr std::uint16_t kNobody = 0xFFFF;
+
+  Vec3<Scalar> torque_W = Vec3<Scalar>::Zero();  ///< on it, N m
+  std::uint16_t carrier = kNobody;               ///< slot
+};
 /// Of a body that falls, where contacts do not last.
 template <class Scalar>
 struct CarriedState {
   Momentum<Scalar> support;  ///< by what carries it, per second, N and N m; 0: nothing does
+  std::array<Reaction<Scalar>, 2> reactions;  ///< the last two axles on which it lies
 };
 /// Where the turn of a body may be the chord of a bent one, and contacts are answered.
 template <class SceneT>
@@ -224,7 +233,7 @@ bool Bodies<SceneT>::begin(std::size_t slot) {
     state.off_W.setZero();
     state.loaded = false;
   }
-  if constexpr (kCarries<SceneT>) state.support = {};
+  if constexpr (kCarries<SceneT>) static_cast<CarriedState<Scalar>&>(state) = {};
   if constexpr (kLasts<SceneT>) {
     state.opening = {};
     state.moment_W.setZero();
@@ -292,6 +301,7 @@ void Bodies<SceneT>::finish(std::size_t slot) {
   const BodyState& state = states[slot];
   ActorType& actor = this->actor(slot);
   if (!state.stands && state.start < dt) move_on(*this, slot, dt - state.start);
+  if constexpr (SceneT::kResponse) Kinematics::drop_held(actor.body);
   if constexpr (!kIsFree) actor.controller.on_step_end(actor.body, dt);
 }
 

@@ -168,7 +168,7 @@ bool GeneralWorld<SceneT>::strike_turning(ProxyPair pair, const Sides& sides,
     if (!press.ok()) ++bodies_.report.resolutions_invalid;
     result.impulse += press.value.magnitude;  // nothing where it is not valid
     result.impulse_A_W += press.value.on_A.linear_W;
-    note_support(carried, carried == pair.first ? press.value.on_A : press.value.on_B);
+    note_load(pair, carried, press.value.on_A, press.value.on_B);
   }
   return true;
 }

@@ -39,24 +39,79 @@ int GeneralWorld<SceneT>::takes_load(ProxyPair pair, const Contact<Scalar>& cont
 }
 
 /// What carries a body has given it an impulse for the rest of the step.
+/// @param carried_by  who is carried, and by whom
 template <class SceneT>
-void GeneralWorld<SceneT>::note_support(int proxy, const Momentum<Scalar>& impulse) {
+void GeneralWorld<SceneT>::note_support(ProxyPair carried_by, const Momentum<Scalar>& impulse,
+                                        [[maybe_unused]] const Momentum<Scalar>& on_carrier) {
   if constexpr (kCarries<SceneT>) {
-    auto& state = bodies_.states[BodiesT::body_of(proxy)];
+    const std::size_t slot = BodiesT::body_of(carried_by.first);
+    auto& state = bodies_.states[slot];
     const Scalar rest = bodies_.dt - bodies_.now;
     if (!state.loaded || !(rest > Scalar(0))) return;
     for (int i = 0; i < 3; ++i) {  // Bound: 3; by component: expressions double the code
       state.support.linear_W[i] += impulse.linear_W[i] / rest;
       state.support.angular_W[i] += impulse.angular_W[i] / rest;
     }
+    note_reaction(slot, BodiesT::body_of(carried_by.second), on_carrier.angular_W / rest);
   }
+}
+
+/// Who turns about an axle gives way to what it carries, and gets that back where the other is
+/// struck off it. Other carriers do not: they are fixed, led or carried themselves.
+template <class SceneT>
+void GeneralWorld<SceneT>::note_reaction([[maybe_unused]] std::size_t slot,
+                                         [[maybe_unused]] std::size_t carrier,
+                                         [[maybe_unused]] const Vec3<Scalar>& torque_W) {
+  if constexpr (kCarries<SceneT> && SceneT::kRotation) {
+    if (bodies_.is_led(carrier) || bodies_.actor(carrier).body.inverse_mass > Scalar(0)) return;
+    auto& reactions = bodies_.states[slot].reactions;
+    const bool is_first =
+        reactions[0].carrier == carrier || reactions[0].carrier == Reaction<Scalar>::kNobody;
+    auto& reaction = reactions[is_first ? 0 : 1];
+    if (reaction.carrier != carrier) reaction = {};
+    reaction.carrier = static_cast<std::uint16_t>(carrier);
+    reaction.torque_W += torque_W;
+  }
+}
+
+/// @param times  s: < 0: what the rest of the step would have taken comes back
+template <class SceneT>
+void GeneralWorld<SceneT>::give_reactions([[maybe_unused]] std::size_t slot,
+                                          [[maybe_unused]] Scalar times) {
+  if constexpr (kCarries<SceneT> && SceneT::kRotation) {
+    for (const auto& reaction : bodies_.states[slot].reactions) {  // Bound: 2
+      if (reaction.carrier == Reaction<Scalar>::kNobody) continue;
+      bodies_.actor(reaction.carrier).body.momentum.angular_W += times * reaction.torque_W;
+    }
+  }
+}
+
+/// Who has been struck off what carried it: that is planned anew.
+template <class SceneT>
+void GeneralWorld<SceneT>::drop_reactions([[maybe_unused]] std::size_t slot) {
+  if constexpr (kCarries<SceneT> && SceneT::kRotation) {
+    for (auto& reaction : bodies_.states[slot].reactions) {  // Bound: 2
+      if (reaction.carrier == Reaction<Scalar>::kNobody) continue;
+      bodies_.advance_to_now(reaction.carrier);
+      bodies_.states[reaction.carrier].changed = bodies_.is_changed = true;
+      reaction = {};
+    }
+  }
+}
+
+/// The impulse of a load that is taken. @param carried  proxy of who is carried
+template <class SceneT>
+void GeneralWorld<SceneT>::note_load(ProxyPair pair, int carried, const Momentum<Scalar>& on_A,
+                                     const Momentum<Scalar>& on_B) {
+  if (carried == pair.first) return note_support(pair, on_A, on_B);
+  note_support({pair.second, pair.first}, on_B, on_A);
 }
 
 template <class SceneT>
 void GeneralWorld<SceneT>::note_supports(ProxyPair pair, const Momentum<Scalar>& on_A,
                                          const Momentum<Scalar>& on_B) {
-  note_support(pair.first, on_A);
-  note_support(pair.second, on_B);
+  note_support(pair, on_A, on_B);
+  note_support({pair.second, pair.first}, on_B, on_A);
 }
 
 /// The two as the load of one presses on the other: what is carried itself passes it on to what it
@@ -95,7 +150,8 @@ typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::load_straight(
   const Scalar impulse = -v_rel / body.inverse_mass;
   const Vec3<Scalar> impulse_W = (is_A ? impulse : -impulse) * normal_BA_W;
   body.momentum_W += impulse_W;
-  note_support(carried, {impulse_W, zero<Scalar>()});
+  const Momentum<Scalar> push = {impulse_W, zero<Scalar>()};
+  note_load(pair, carried, push, push);
   return impulse;
 }
 
@@ -119,6 +175,7 @@ Momentum<typename GeneralWorld<SceneT>::Scalar> GeneralWorld<SceneT>::release(st
   const Momentum<Scalar> support = state.support;
   if (is_zero(support.linear_W)) return support;
   add_support<SceneT>(bodies_.actor(slot).body, support, bodies_.now - bodies_.dt);
+  give_reactions(slot, bodies_.now - bodies_.dt);
   state.loaded = false;
   state.support = {};
   return support;
@@ -144,7 +201,11 @@ bool GeneralWorld<SceneT>::is_blow([[maybe_unused]] ProxyPair pair,
     const Scalar scale = speeds_at(a, contact.point_W) + speeds_at(b, contact.point_W) +
                          (bodies_.dt - bodies_.now) * length(bodies_.settings.gravity_W);
     const Scalar rounding = kLoadRoundings * kRoundOff<Scalar> * scale;
-    if (velocity_between(pair, contact) < -rounding) return true;
+    if (velocity_between(pair, contact) < -rounding) {
+      drop_reactions(a);
+      drop_reactions(b);
+      return true;
+    }
     restore(a, body_A, of_A);
     restore(b, body_B, of_B);
     return false;
@@ -158,6 +219,7 @@ void GeneralWorld<SceneT>::restore(std::size_t slot, const BodyType& body,
                                    const Momentum<Scalar>& support) {
   if (is_zero(support.linear_W)) return;
   bodies_.actor(slot).body = body;
+  give_reactions(slot, bodies_.dt - bodies_.now);
   bodies_.states[slot].support = support;
   bodies_.states[slot].loaded = true;
 }

@@ -188,7 +188,13 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   Sides sides_of_load(ProxyPair pair, int carried) const;
   Scalar load_straight(ProxyPair pair, const Contact<Scalar>& contact, Scalar pressed);
   void note_supports(ProxyPair pair, const Momentum<Scalar>& on_A, const Momentum<Scalar>& on_B);
-  void note_support(int proxy, const Momentum<Scalar>& impulse);
+  void note_support(ProxyPair carried_by, const Momentum<Scalar>& impulse,
+                    const Momentum<Scalar>& on_carrier);
+  void note_load(ProxyPair pair, int carried, const Momentum<Scalar>& on_A,
+                 const Momentum<Scalar>& on_B);
+  void note_reaction(std::size_t slot, std::size_t carrier, const Vec3<Scalar>& torque_W);
+  void give_reactions(std::size_t slot, Scalar times);
+  void drop_reactions(std::size_t slot);
   Momentum<Scalar> release(std::size_t slot);
   void restore(std::size_t slot, const BodyType& body, const Momentum<Scalar>& support);
   Scalar speeds_at(std::size_t slot, const Vec3<Scalar>& point_W) const;

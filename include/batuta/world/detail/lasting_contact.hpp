@@ -154,6 +154,12 @@ bool is_led(const SolvedBody<Scalar>& body) {
   return body.inverse_mass == Scalar(0) && body.inverse_inertia_W.trace() == Scalar(0);
 }
 
+/// Whether it turns, and goes nowhere.
+template <class Scalar>
+bool is_on_axle(const SolvedBody<Scalar>& body) {
+  return body.inverse_mass == Scalar(0) && body.inverse_inertia_W.trace() > Scalar(0);
+}
+
 /// The same of the two surfaces, as friction sees it: the point lies on the surface of the one that
 /// is pushed, and the surface of one that is led is a gap away from it (world.md, "Where").
 template <class Traits, class Scalar>

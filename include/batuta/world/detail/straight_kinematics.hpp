@@ -70,6 +70,7 @@ struct StraightKinematics {
     return {body.p_W, Vec3<Scalar>::Zero(), duration};
   }
   static bool is_immovable(const BodyType& body) { return body.inverse_mass == Scalar(0); }
+  static void drop_held(BodyType&) {}
   static bool is_still(const MotionType& motion) { return is_zero(motion.v_W); }
   static bool is_at_start(const BodyType& body, const MotionType& motion) {
     return is_same(body.p_W, motion.p_W);

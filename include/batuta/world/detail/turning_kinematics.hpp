@@ -109,6 +109,10 @@ struct TurningKinematics {
     return still(body.X_WB, duration);
   }
   static bool is_immovable(const BodyType& body) { return is_fixed(body); }
+  /// What a bearing has taken is none of the body's.
+  static void drop_held(BodyType& body) {
+    if (body.inverse_mass == Scalar(0) && !is_fixed(body)) detail::drop_held(body);
+  }
   [[gnu::noinline]] static bool is_still(const MotionType& motion) {
     return is_zero(motion.twist.v_W) && is_zero(motion.twist.w_W);
   }

@@ -186,7 +186,8 @@ template <class SceneT>
   state.off_W.setZero();
   if (!is_led) state.off_W = sums.off_W / sums.group.mass;
   state.loaded = !sums.falls || is_led;
-  if constexpr (kCarries<SceneT>) state.support = {};  // of the group, and no longer its own
+  // Of the group, and no longer its own.
+  if constexpr (kCarries<SceneT>) static_cast<CarriedState<Scalar>&>(state) = {};
 }
 
 /// Gives all of a group one motion.
