@@ -165,7 +165,7 @@ TYPED_TEST(Levers, ALoadThatSlidesAlongAxles_IsBrakedByFriction) {
       const double time = 0.3;
       ASSERT_NO_FATAL_FAILURE(cradle.run(time, dt));
       const double cos_A = std::sqrt(1 - 0.7 * 0.7);
-      const double right = kGravity * part * (1 - kMu / cos_A) * std::lround(time / dt) * dt;
+      const double right = kGravity * part * (1 - kMu / cos_A) * std::round(time / dt) * dt;
       EXPECT_NEAR(-cradle.twist_of_body(cradle.rod).v_W.x() / right, 1, 0.015)
           << density << ' ' << dt;
     }
