@@ -22,6 +22,28 @@ TEST(Translation, NearestAfterTheEnd_WitnessIsOfTheStep) {
   EXPECT_GT(found.witness.gap, 0.15);
 }
 
+/// A ball passes another of one diameter, 1 m, off by `aside`. The line between the middles proves
+/// it free up to a gap of 7/8 tau. That is a touch at the start alone: here the entry at 3/4 tau
+/// (translation.md) lies ahead, and one evaluation proves the way to it.
+TEST(Translation, SeenWithinTheToleranceOnTheWay_IsContactWhereItIsPredicted) {
+  for (const double aside : {0.3, 0.5, 0.7}) {
+    const Capsule64 A{kO, kO, kO, 0.5};
+    Capsule64 B{{3, aside, 0}, kO, kO, 0.5};
+    B.v = {-3, 0, 0};
+    // In the direction of the start, (3, aside), the two are 1 m apart at this x:
+    const double x = (std::sqrt(9 + aside * aside) - aside * aside) / 3;
+    const double gap = std::sqrt(x * x + aside * aside) - 1;
+    const double tau = gap / 0.875;
+    const double entry = 1 + 0.75 * tau;
+    const auto asked = ask(moving<double>(A), moving<double>(B), tau);
+    const auto found = search_translation(asked.pair, asked.options);
+    expect_true_claims(asked, found, "balls");
+    EXPECT_EQ(found.outcome, Outcome::kContact);
+    EXPECT_NEAR(found.t_free, (3 - std::sqrt(entry * entry - aside * aside)) / 3, 1e-12) << aside;
+    EXPECT_EQ(found.evaluations, 1U) << aside;
+  }
+}
+
 /// Two bars that meet tip to tip, each named by either end first: the closed form knows the
 /// instant.
 TEST(Translation, TipMeetsTip_IsFoundInTwoEvaluations) {

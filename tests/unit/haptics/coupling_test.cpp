@@ -250,6 +250,58 @@ RC_GTEST_PROP(CoupledBody, Pull_IsThatOfTheLimitedSpringAtTheEnd, ()) {
   RC_ASSERT((felt.value.moment_W + limited).norm() <= 1e-6 * limited.norm() + 1e-12 * size);
 }
 
+/// F_i = r_i / (a + c_i) after so many steps of Newton's method on 1 / |F(a)|, from a = 1
+/// (coupling.md), as a direction.
+Vec3<double> eased_direction(const Vec3<double>& r, const Vec3<double>& c, double limit,
+                             int steps) {
+  using Real = long double;
+  const auto F = [&](Real a) {
+    return Vec3<Real>(static_cast<Real>(r.x()) / (a + static_cast<Real>(c.x())),
+                      static_cast<Real>(r.y()) / (a + static_cast<Real>(c.y())),
+                      static_cast<Real>(r.z()) / (a + static_cast<Real>(c.z())));
+  };
+  Real a = 1;
+  for (int i = 0; i < steps; ++i) {
+    const Real size = F(a).norm();
+    Real slope = 0;  // of 1 / |F|
+    for (int k = 0; k < 3; ++k) {
+      slope += F(a)(k) * F(a)(k) / (a + static_cast<Real>(c(k))) / (size * size * size);
+    }
+    a += (1 / static_cast<Real>(limit) - 1 / size) / slope;
+  }
+  return F(a).normalized().cast<double>();
+}
+
+/// Axes that differ by twenty powers of ten are not eased when the bound of the loop is reached:
+/// what is left is cut, and costs no thirteenth round.
+TEST(CoupledBody, NotEasedInTwelveRounds_IsCut) {
+  struct Stiff {
+    Vec3<double> rigid, gives;
+    double limit;
+  };
+  for (const Stiff& stiff : {Stiff{{1e-2, 1e8, 1e-8}, {1e7, 1e17, 1}, 1e-9},
+                             Stiff{{1e10, 1e-2, 1e4}, {1e13, 1, 1e8}, 1e-3},
+                             Stiff{{1e-3, 1e4, 1e10}, {1e-1, 1e13, 1e18}, 1e-8}}) {
+    CouplingSettings<double> settings;
+    settings.turn_stiffness = 0;
+    settings.turn_damping = 1;
+    settings.max_moment = stiff.limit;
+    Body<double> body;
+    body.inverse_mass = 1;
+    body.inverse_moments = stiff.gives;  // of a damper of 1 N m s/rad in a step of 1 s
+    Frame hand;
+    hand.twist.w_W = stiff.rigid;
+    const auto felt = couple(settings, hand, body, 1.0);
+    ASSERT_TRUE(felt.ok());
+    const Vec3<double> pull = -felt.value.moment_W / stiff.limit;
+    const auto after = [&](int rounds) {
+      return eased_direction(stiff.rigid, stiff.gives, stiff.limit, rounds);
+    };
+    EXPECT_LT((pull - after(12)).norm(), 1e-9);
+    EXPECT_GT((after(12) - after(13)).norm(), 1e-3) << "eased before";
+  }
+}
+
 TEST(CoupledBody, BothSides_TakeTheSameImpulse) {
   Body<double> body = make_body({}, 0.5, Vec3<double>(1e-3, 2e-3, 3e-3)).value;
   Frame hand{{{0.02, -0.01, 0.03}, exp_map(Vec3<double>(0.1, 0.2, -0.3))}, {{1, 2, 3}, {4, 5, 6}}};

@@ -96,6 +96,30 @@ TYPED_TEST(FlightOf, WhoIsLeftOnTheWay_ComesBackToTheEnergyOfItsFlight) {
   }
 }
 
+/// Turned by hand away from the axis that the flight was about: each flight leads back, and by no
+/// more of the way than apart_i / (4 spread), the `most` of motion.md.
+TYPED_TEST(FlightOf, WhoWasTurnedByHand_ComesBackByNoMoreThanAQuarterAFlight) {
+  using S = TypeParam;
+  for (const double apart : {0.25, 1.0, 2.0}) {
+    Body<S> body;
+    body.inverse_mass = 1;
+    body.inverse_moments = Vec3<S>(1, S(4), S(1 + apart));
+    body.momentum.angular_W = Vec3<S>::UnitX();
+    body.flight.angular_W = body.momentum.angular_W;  // about x: without an excess
+    const double tilt = 1.0 / 64;
+    body.X_WB.q_WB = exp_map(Vec3<S>(0, 0, S(tilt)));  // towards the y axis of B
+    double left = tilt;
+    for (int flights = 0; flights < 3; ++flights) {
+      move_along(body, free_flight(body, S(1e-5)), S(1e-5));
+      left *= 1 - 3 / (4 * (3 + apart));
+      const Vec3<Real> b_B =
+          real(body.X_WB.q_WB).normalized().conjugate() * real(body.momentum.angular_W);
+      // To first order: the next is the square of the tilt, and it flies by 3e-5 of it a flight.
+      EXPECT_NEAR(static_cast<double>(std::abs(b_B.y())) / left, 1, 0.003) << apart;
+    }
+  }
+}
+
 /// To second order at t it is -t (T - t) / 2 (w x b) . J (w x b), and nothing at both ends.
 TYPED_TEST(FlightOf, EnergyOnTheChord_IsOffAsTheSecondOrderSays) {
   Source<TypeParam> source(34);

@@ -227,6 +227,27 @@ TEST_F(ContactGroups, BlowOnARow_IsPassedOn) {
   }
 }
 
+// What a contact may close by, D / 8 in the rest of the step, is not passed on, and neither is what
+// is left to close: not a bit of the next ball changes.
+TEST_F(ContactGroups, ApproachThatDoesNotMatter_IsNotPassedOn) {
+  for (const double of_unseen : {0.5, 0.9, 1.1, 2.0}) {
+    RowRig row;
+    for (int i = 0; i < 3; ++i) row.add(1, 0);
+    row.solve();
+    row.momentum(0) = 2 * of_unseen * kUnseen;  // shared with the second ball
+    row.pass_on(0);
+    EXPECT_TRUE(row.contact(1).is_solved);
+    if (of_unseen < 1) {
+      EXPECT_NEAR(row.velocity(1), of_unseen * kUnseen, kExact);
+      EXPECT_EQ(row.momentum(2), 0) << of_unseen;
+      EXPECT_EQ(row.impulse(1), 0) << of_unseen;
+    } else {
+      EXPECT_GT(row.momentum(2), 0.25 * of_unseen * kUnseen) << of_unseen;
+    }
+    EXPECT_NEAR(row.sum(), 2 * of_unseen * kUnseen, kExact);
+  }
+}
+
 // The same where the other two sleep: they are woken before they take anything, and share it all
 // the same. One that sleeps further on is let sleep.
 TEST_F(ContactGroups, BlowOnSleepers_WakesThem) {

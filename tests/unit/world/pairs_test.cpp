@@ -8,6 +8,7 @@
 #include <array>
 
 #include "draws.hpp"
+#include "row_rig.hpp"
 #include "scenes.hpp"
 
 namespace batuta {
@@ -127,6 +128,27 @@ TEST(CandidateOrder, FurtherContacts_ComeInTheOrderOfTheirPairs) {
   const int second = CandidateOrder::next_contact(candidates, candidates[first].pair, has_had);
   ASSERT_EQ(second, 0);
   EXPECT_EQ(CandidateOrder::next_contact(candidates, {3, 4}, has_had), CandidateOrder::kNone);
+}
+
+// Two balls of radius R at rest, whose lengths are R and 3 R: apart beyond a gap of 2 kInflation
+// times the sum of them, which is 576 u R, whatever R is.
+TEST(StaysApart, NoiseGoesWithTheLengths) {
+  for (const double R : {0x1p-10, 1.0, 0x1p10}) {
+    for (const double noise : {512.0, 640.0, -640.0}) {
+      Bodies<test::Row> bodies{1};
+      bodies.settings.gravity_W.setZero();
+      bodies.dt = test::kStep;
+      for (std::size_t i = 0; i < 2; ++i) {
+        Actor<test::Row> ball;
+        ball.capsule_B = Capsule<double>::sphere(Vec3<double>::Zero(), R);
+        ball.body.X_WB.p_W.x() = i == 0 ? 0 : (2 + noise * kRoundOff<double>)*R;
+        EXPECT_TRUE(bodies.actors.make(ball).ok());
+        (void)bodies.begin(i);
+        bodies.plan(i);
+      }
+      EXPECT_EQ(stays_apart(bodies, {0, 1}, Vec3<double>::UnitX()), noise > 576) << R << noise;
+    }
+  }
 }
 
 }  // namespace

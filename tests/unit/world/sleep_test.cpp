@@ -153,5 +153,46 @@ TEST(Sleep, CarrierThatIsLetGo_WakesWhatLiesOnIt_AndBothSleepAgain) {
   EXPECT_TRUE(world.is_asleep(carrier));
 }
 
+// Let go far away, and some steps ago: it wakes nobody whom it does not press on.
+TEST(Sleep, WhoWasLedOnce_LiesDownBesideASleeper_AndLetsItSleep) {
+  auto world = std::make_unique<SleepyWorld>();
+  auto rod = ball(1, {0, 0, -1});
+  rod.capsule_B.axis = {{-3, 0, 0}, {3, 0, 0}};
+  rod.body.inverse_mass = 0;
+  rod.body.inverse_moments.setZero();
+  ASSERT_TRUE(world->add(rod).ok());
+  const auto sleeper = world->add(ball(0.05, {0, 0, 0.05})).value;
+  const auto other = ball(0.05, {2, 0, 0.05});
+  auto held = other;
+  held.body.inverse_mass = 0;
+  held.body.inverse_moments.setZero();
+  const auto comes = world->add(held).value;
+  const auto step = [&world] { ASSERT_EQ(world->step(Lying::kStep), Status::kOk); };
+  for (int i = 0; i < 200; ++i) step();
+  ASSERT_TRUE(world->is_asleep(sleeper));
+  world->get(comes)->body.inverse_mass = other.body.inverse_mass;
+  world->get(comes)->body.inverse_moments = other.body.inverse_moments;
+  for (int i = 0; i < 4; ++i) step();
+  // Within D, 1e-4 m, of the sleeper, and too far to press on it.
+  world->get(comes)->body.X_WB.p_W.x() = 0.1 + 0.9e-4;
+  for (int i = 0; i < 8; ++i) {
+    step();
+    EXPECT_TRUE(world->is_asleep(sleeper)) << i;
+    EXPECT_FALSE(world->is_asleep(comes)) << i;
+  }
+}
+
+/// A ball that sleeps on what stands: restored, it does not take that for new.
+TEST(Sleep, RestoredSleeper_SleepsOn) {
+  Lying scene;
+  ASSERT_GT(scene.sleep_after(), 0);
+  Lying another;
+  another.world->restore(*scene.world);
+  for (int i = 0; i < 4; ++i) {
+    ASSERT_EQ(another.world->step(Lying::kStep), Status::kOk);
+    EXPECT_TRUE(another.world->is_asleep(another.lying)) << i;
+  }
+}
+
 }  // namespace
 }  // namespace batuta

@@ -170,6 +170,49 @@ TYPED_TEST(WorldArchive, RecordedAndPlayed_Agrees) {
   EXPECT_EQ(seen(*again), seen(*world));
 }
 
+constexpr SceneOptions lying_scene_options() {
+  SceneOptions scene = full_scene_options();
+  scene.gravity = true;
+  return scene;
+}
+using LyingScene = Scene<lying_scene_options, Advancement<double>, test::AnyFlight<double>>;
+
+// A ball that lies on a fixed one and turns: what presses, and with what friction, is saved too.
+TEST(WorldArchive, SavedWhileItLies_GoesOnWithTheSameBits) {
+  using WorldT = World<LyingScene>;
+  const auto make = [] {
+    auto world = std::make_unique<WorldT>();
+    auto settings = world->settings();
+    settings.gravity_W = {-10, 0, 0};
+    EXPECT_EQ(world->configure(settings), Status::kOk);
+    return world;
+  };
+  auto world = make();
+  auto ground = test::ball<LyingScene>(0, 0.1, 0);
+  ground.body.inverse_mass = 0;
+  ground.body.inverse_moments.setZero();
+  auto lying = test::ball<LyingScene>(0.2 + 5e-5, 0.1, 0);
+  lying.restitution = 0;
+  lying.body.momentum.angular_W.z() = 1e-5 / lying.body.inverse_moments.z();
+  for (auto* actor : {&ground, &lying}) {
+    actor->friction = 0.5;
+    ASSERT_TRUE(world->add(*actor).ok());
+  }
+  for (int step = 0; step < 20; ++step) advance(*world, {});
+  const double x = world->get(world->id_at(1))->body.X_WB.p_W.x();
+  ASSERT_LT(std::abs(x - 0.2), 1e-3) << "it lies no more";
+  Bytes bytes(kSnapshotRoom<WorldT>);
+  const auto size = save(*world, bytes.data(), static_cast<int>(bytes.size()));
+  ASSERT_EQ(size.status, Status::kOk);
+  auto other = make();
+  ASSERT_EQ(restore(*other, bytes.data(), size.value), Restored::kOk);
+  for (int step = 0; step < 20; ++step) {
+    advance(*world, {});
+    advance(*other, {});
+    ASSERT_EQ(seen(*other), seen(*world)) << step;
+  }
+}
+
 TEST(WorldArchive, OtherFeaturesOrScalar_AreRefused) {
   auto plain = std::make_unique<World<test::FlightScene<float>>>();
   const auto size_of = [](const auto& world, Bytes& bytes) {

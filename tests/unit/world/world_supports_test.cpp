@@ -2,6 +2,8 @@
 // A body between neighbours: a shift by separation is cut short only by those it leads towards.
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "scenes.hpp"
 
 namespace batuta {
@@ -71,6 +73,55 @@ TYPED_TEST(WorldSupports, OneOnEachSide_NeverPushedIntoTheOther) {
     ASSERT_GT(rack.gap_to(above), 0) << step;
   }
   EXPECT_GT(separations, 0U);
+}
+
+constexpr SceneOptions carrying_options() {
+  SceneOptions scene = test::flight_scene_options();
+  scene.gravity = true;
+  scene.resting = RestingContact::kNone;
+  return scene;
+}
+
+/// A rod of 1 kg begins to tip over a fixed ball, d off its middle, which pushes it with
+/// s = g / (1 / m + d^2 / I). After t a ball from below strikes it at the other side, a off its
+/// middle, with J, and it leaves both. It keeps what the support has given by then, s t and its
+/// moment, and no more.
+TYPED_TEST(WorldSupports, StruckUp_KeepsWhatTheSupportHasGiven) {
+  using S = TypeParam;
+  using SceneT = Scene<carrying_options, Advancement<S>, test::AnyFlight<S>>;
+  constexpr double kG = 10, kD = 0.2, kA = 0.3, kMass = 0.25, kT = 0.004, kStep = 0.01;
+  for (const double side : {-1.0, 1.0}) {
+    auto world = std::make_unique<World<SceneT>>();
+    auto settings = world->settings();
+    settings.gravity_W = test::vec<S>(-kG, 0, 0);
+    ASSERT_EQ(world->configure(settings), Status::kOk);
+    const auto add = [&world](Actor<SceneT> actor, double z) {
+      actor.body.X_WB.p_W.z() = static_cast<S>(z);
+      actor.restitution = 0;
+      return world->add(actor).value;
+    };
+    const auto rod = add(test::rod<SceneT>(0, 0.5, kRadius), 0);
+    auto support = test::ball<SceneT>(-0.1 - kRadius, 0.1, 0);
+    support.body.inverse_mass = 0;
+    support.body.inverse_moments.setZero();
+    add(support, side * kD);
+    auto striker = test::ball<SceneT>(-kRadius - 0.01 - kT, 0.01, 1);  // at 1 m/s
+    striker.body.inverse_mass /= S(kMass);
+    striker.body.inverse_moments /= S(kMass);
+    striker.body.momentum.linear_W *= S(kMass);
+    const auto struck_by = add(striker, -side * kA);
+    ASSERT_EQ(world->step(S(kStep)), Status::kOk);
+    const auto& after = world->get(struck_by)->body.momentum.linear_W;
+    const double J = kMass * (1 - kG * kStep) - static_cast<double>(after.x());
+    const auto& body = world->get(rod)->body;
+    const double I = 1 / static_cast<double>(body.inverse_moments.y());
+    const double s = kG / (1 + kD * kD / I);
+    const double given = s * kD * kT / I;  // rad/s
+    // What the two move before they meet is some hundredths of the way that they have.
+    const Twist<S> twist = twist_of(body);
+    EXPECT_NEAR(static_cast<double>(twist.v_W.x()), J - kG * kStep + s * kT, 0.05 * s * kT);
+    EXPECT_NEAR(static_cast<double>(twist.w_W.y()), side * (given - J * kA / I), 0.05 * given);
+  }
 }
 
 }  // namespace
