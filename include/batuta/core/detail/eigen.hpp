@@ -68,6 +68,27 @@
 #pragma GCC diagnostic pop
 #endif
 
+#if BATUTA_INLINE_EIGEN
+namespace Eigen {
+namespace internal {
+
+// Eigen hands the lesser of two on as a pointer to a function, and GCC refuses to inline that at
+// -Og. The same formula, without the pointer.
+#define BATUTA_WITHOUT_POINTER(name, formula, Scalar)                                             \
+  template <>                                                                                     \
+  EIGEN_DEVICE_FUNC inline Scalar name<PropagateFast, Scalar>(const Scalar& a, const Scalar& b) { \
+    return numext::formula(a, b);                                                                 \
+  }
+BATUTA_WITHOUT_POINTER(pmin, mini, float)
+BATUTA_WITHOUT_POINTER(pmin, mini, double)
+BATUTA_WITHOUT_POINTER(pmax, maxi, float)
+BATUTA_WITHOUT_POINTER(pmax, maxi, double)
+#undef BATUTA_WITHOUT_POINTER
+
+}  // namespace internal
+}  // namespace Eigen
+#endif
+
 #if BATUTA_INLINE_EIGEN && defined(__OPTIMIZE_SIZE__)
 namespace Eigen {
 
