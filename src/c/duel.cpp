@@ -31,7 +31,7 @@ batuta_sample sample_of(const batuta_stick* stick, Side side, const DuelForC& ow
   if (stick == nullptr) return sample;
   sample.stick = *stick;
   sample.time_us = now_of(own.bout.duel());
-  sample.sequence = own.samples[index_of(side)];
+  sample.sequence = own.bout.duel().stick(side).next_sequence();
   return sample;
 }
 
@@ -46,12 +46,8 @@ InputSample read(const batuta_sample* sample) {
 std::int32_t step(DuelForC& own, const batuta_sample* left, const batuta_sample* right) {
   const InputSample of_left = read(left);
   const InputSample of_right = read(right);
-  const Status status =
-      own.bout.step(left != nullptr ? &of_left : nullptr, right != nullptr ? &of_right : nullptr);
-  if (status != Status::kOk) return batuta::detail::code_of(status);
-  if (left != nullptr) ++own.samples[index_of(Side::kLeft)];
-  if (right != nullptr) ++own.samples[index_of(Side::kRight)];
-  return BATUTA_OK;
+  return batuta::detail::code_of(
+      own.bout.step(left != nullptr ? &of_left : nullptr, right != nullptr ? &of_right : nullptr));
 }
 
 /// A bout that remembers nothing of another one. @pre valid settings
@@ -138,7 +134,8 @@ std::int32_t batuta_duel_init(batuta_duel* duel, std::size_t bytes, std::int32_t
 std::int32_t batuta_duel_set_distance(batuta_duel* duel, float distance) {
   auto* const own = batuta::fencing::bout_in(duel);
   if (own == nullptr) return BATUTA_INVALID_ARGUMENT;
-  if (own->bout.steps() != 0) return BATUTA_UNAVAILABLE;
+  const bool begins = own->bout.steps() == 0 && !own->is_played;
+  if (!begins || !batuta::rounds_each_operation<float>()) return BATUTA_UNAVAILABLE;
   batuta::haptics::BoutSettings settings = own->settings;
   settings.distance = distance;
   const batuta::Status status = own->bout.start(settings);

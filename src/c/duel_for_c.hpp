@@ -12,7 +12,7 @@ struct DuelForC {
   static constexpr std::uint32_t kMark = file_id("batuta_duel");
 
   std::uint32_t mark = kMark;
-  std::array<std::uint32_t, 2> samples{};  ///< that came, by index_of(side)
+  bool is_played = false;  ///< the bout is that of a recording
   haptics::BoutSettings settings;
   haptics::SteppedBout bout;
 };

@@ -64,9 +64,13 @@ struct RecorderForC {
 
   std::uint32_t mark = kMark;
   bool has_ended = false;
+  std::uint32_t first = 0;  ///< steps of the duel when it began
   TakingSink sink;
   std::array<std::uint8_t, static_cast<std::size_t>(kRoom)> buffer;
   Recorder recorder{sink, buffer.data(), kRoom};
+
+  /// Of the duel that has made the next step to be recorded.
+  std::uint32_t next_steps() const { return first + recorder.steps() + recorder.lost() + 1; }
 };
 static_assert(batuta::detail::holds_closely<RecorderForC, batuta_recorder>(),
               "BATUTA_RECORDER_BYTES, or an alignment");
@@ -76,6 +80,7 @@ struct PlayerForC {
   static constexpr int kRoom = Player::kRoom<Duel<>>;
 
   std::uint32_t mark = kMark;
+  bool has_begun = false;
   GivenSource source;
   std::array<std::uint8_t, static_cast<std::size_t>(kRoom)> buffer;
   Player player{source, buffer.data(), kRoom};
@@ -106,6 +111,18 @@ DuelInput input_of(const haptics::SteppedBout& bout) {
   DuelInput input;
   for (const Side side : {Side::kLeft, Side::kRight}) input.set(side, bout.used(side));  // Bound: 2
   return input;
+}
+
+/// The start of a recording goes into a duel; one that is not configured is none.
+Playback begin_play(Player& player, DuelForC& played) {
+  Playback result{};
+  played.bout.restore([&](Duel<>& state) {
+    result = player.begin<DuelInput>(state);
+    if (result == Playback::kReady && state.dt() == 0.0F) result = Playback::kDamaged;
+    return result == Playback::kReady || result == Playback::kDamaged;
+  });
+  played.is_played = played.is_played || result != Playback::kForeign;
+  return result;
 }
 
 Playback play_step(Player& player, haptics::SteppedBout& bout) {
@@ -139,6 +156,7 @@ std::int32_t batuta_recorder_init(batuta_recorder* recorder, std::size_t bytes,
   const bool good = seen != nullptr && batuta::detail::has_room<RecorderForC>(recorder, bytes);
   if (!good) return BATUTA_INVALID_ARGUMENT;
   RecorderForC& own = *batuta::detail::make_in<RecorderForC>(recorder);
+  own.first = seen->bout.steps();
   return batuta::detail::code_of(
       own.recorder.begin<batuta::fencing::DuelInput>(seen->bout.duel(), hash_every));
 }
@@ -148,6 +166,7 @@ std::int32_t batuta_recorder_step(batuta_recorder* recorder, const batuta_duel* 
   const auto* const seen = batuta::fencing::bout_in(duel);
   if (own == nullptr || seen == nullptr) return BATUTA_INVALID_ARGUMENT;
   if (own->has_ended) return BATUTA_UNAVAILABLE;
+  if (seen->bout.steps() != own->next_steps()) return BATUTA_INVALID_ARGUMENT;
   own->recorder.step(batuta::fencing::input_of(seen->bout), seen->bout.duel());
   return own->recorder.lost() == 0 ? BATUTA_OK : BATUTA_POOL_FULL;
 }
@@ -210,12 +229,9 @@ std::int32_t batuta_player_begin(batuta_player* player, batuta_duel* duel, std::
   auto* const own = batuta::detail::found_in<PlayerForC>(player);
   auto* const played = batuta::detail::found_in<DuelForC>(duel);
   if (own == nullptr || played == nullptr || playback == nullptr) return BATUTA_INVALID_ARGUMENT;
-  batuta::Playback result{};
-  played->bout.restore([&](Duel<>& state) {
-    result = own->player.begin<DuelInput>(state);
-    return result == batuta::Playback::kReady || result == batuta::Playback::kDamaged;
-  });
-  *playback = code_of(result);
+  if (own->has_begun) return BATUTA_INVALID_ARGUMENT;
+  *playback = code_of(begin_play(own->player, *played));
+  own->has_begun = *playback == BATUTA_PLAYBACK_READY;
   return BATUTA_OK;
 }
 
@@ -224,6 +240,7 @@ std::int32_t batuta_player_next(batuta_player* player, batuta_duel* duel, std::i
   auto* const own = batuta::detail::found_in<PlayerForC>(player);
   auto* const played = bout_in(duel);
   if (own == nullptr || played == nullptr || playback == nullptr) return BATUTA_INVALID_ARGUMENT;
+  if (!own->has_begun) return BATUTA_INVALID_ARGUMENT;
   *playback = code_of(play_step(own->player, played->bout));
   return BATUTA_OK;
 }

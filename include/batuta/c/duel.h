@@ -95,15 +95,18 @@ size_t batuta_duel_align(void);
 ///   or a number out of its range | BATUTA_UNAVAILABLE (arithmetic); what is in the storage goes on
 int32_t batuta_duel_init(batuta_duel* duel, size_t bytes, int32_t step_us, int32_t touches);
 /// Before the first step: puts them on guard elsewhere.
-/// @param distance  between their frames, m, > 0; 4 suits an opponent, who needs time to see
-/// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT | BATUTA_UNAVAILABLE: it has made a step
+/// @param distance  between their frames, m, > 0, at most some kilometres; 4 suits an opponent, who
+///   needs time to see
+/// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT | BATUTA_UNAVAILABLE: it has made a step, a
+///   recording was put into it, or arithmetic; the bout goes on
 int32_t batuta_duel_set_distance(batuta_duel* duel, float distance);
 /// One step. @param left, right  a new sample of the fencer's stick, taken at the beginning of the
 ///   step, or null where there is none
 /// @returns BATUTA_OK | BATUTA_UNAVAILABLE: the bout is over | BATUTA_INVALID_ARGUMENT: an axis is
 ///   not within -1 ... 1, or it is no duel. Bound: Duel::step() and the forces of its events.
 int32_t batuta_duel_step(batuta_duel* duel, const batuta_stick* left, const batuta_stick* right);
-/// The same with samples of devices that have a clock. One bout takes samples of one clock.
+/// The same with samples of devices that have a clock. One bout takes samples of one clock, also
+/// after a recording: those of another one are believed after a quarter of a second of silence.
 int32_t batuta_duel_step_sampled(batuta_duel* duel, const batuta_sample* left,
                                  const batuta_sample* right);
 /// How it stands. @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT
@@ -159,10 +162,12 @@ size_t batuta_recorder_align(void);
 int32_t batuta_recorder_init(batuta_recorder* recorder, size_t bytes, const batuta_duel* duel,
                              uint32_t hash_every);
 /// After each step of the duel, made by batuta_duel_step() or batuta_duel_step_sampled().
-/// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT | BATUTA_POOL_FULL: there was no room, and the
-///   recording ends before this step; its end says how many are missing
+/// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT: also where the duel has not made just one step
+///   since the last call | BATUTA_UNAVAILABLE: it has ended | BATUTA_POOL_FULL: there was no room,
+///   and the recording ends before this step; its end says how many are missing
 int32_t batuta_recorder_step(batuta_recorder* recorder, const batuta_duel* duel);
-/// The end mark. @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT | BATUTA_POOL_FULL: take, then again
+/// The end mark; then take until nothing is left. @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT |
+/// BATUTA_POOL_FULL: take, then again
 ///   | BATUTA_UNAVAILABLE: it has ended
 int32_t batuta_recorder_end(batuta_recorder* recorder, const batuta_duel* duel);
 /// Hands out what was recorded, from the first byte on, each once.
@@ -203,24 +208,26 @@ size_t batuta_player_align(void);
 int32_t batuta_player_init(batuta_player* player, size_t bytes);
 /// The next bytes of the recording. They stay the caller's, and where they are until all of them
 /// are read: what is unread of those before is forgotten.
-/// @param is_all  1: none will follow
-/// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT: null, or more than 2^31 - 1
+/// @param bytes  not null, also where count is 0  @param is_all  1: none will follow
+/// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT
 int32_t batuta_player_give(batuta_player* player, const uint8_t* bytes, size_t count,
                            int32_t is_all);
 /// Bytes that were given and are unread; behind an end mark there should be none.
 size_t batuta_player_unread(const batuta_player* player);
 /// Hashes that agreed so far.
 uint32_t batuta_player_agreed(const batuta_player* player);
-/// Puts the start of the recorded bout into a duel.
-/// @param duel  one that batuta_duel_init() has made: what it was is gone where this is READY, or
-///   DAMAGED; it goes on where it is not
-/// @param[out] playback  BATUTA_PLAYBACK_READY | _WAITING | one of the ends
-/// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT
+/// Puts the start of the recorded bout into a duel: call it until it is READY, or an end.
+/// @param duel  one that batuta_duel_init() has made, the same in each call: what it was may be
+/// gone
+///   after any answer but FOREIGN
+/// @param[out] playback  BATUTA_PLAYBACK_READY | _WAITING: give more bytes | one of the ends
+/// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT: also where it was READY before
 int32_t batuta_player_begin(batuta_player* player, batuta_duel* duel, int32_t* playback);
 /// Makes the recording's next step, after a look whether the duel is the recorded one so far.
 /// @param duel  as this player left it
 /// @param[out] playback  BATUTA_PLAYBACK_STEP | _END | _WAITING | one of the other ends
-/// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT. Bound: two records and batuta_duel_step().
+/// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT: also before it is READY. Bound: two records and
+///   batuta_duel_step().
 int32_t batuta_player_next(batuta_player* player, batuta_duel* duel, int32_t* playback);
 
 #ifdef __cplusplus  // deviation: names-of-c

@@ -97,6 +97,8 @@ class StickTracker {
   }
   /// The buttons of the last sample that was used or repeated, a bit each.
   std::uint32_t buttons() const { return last_.buttons; }
+  /// The number of the next sample, where none is missing; 0: none has come.
+  std::uint32_t next_sequence() const { return started_ ? last_.sequence + 1 : 0; }
   /// What became of the samples since configure().
   const StickReport& report() const { return report_; }
 

@@ -42,8 +42,11 @@ class Player {
   Player(const Player&) = delete;
   Player& operator=(const Player&) = delete;
 
-  /// Reads the state at the start. @returns kReady | kWaiting | one of the ends; the state has then
-  /// not been changed, but for what restore() answers with kOutOfRange, which is kDamaged here
+  /// Reads the state at the start, and then what comes behind it: call it with one state until it
+  /// answers something else than kWaiting. @returns kReady | kWaiting | one of the ends. The state
+  /// is that of the start as soon as that was read, whatever the answer; it was not changed where
+  /// the answer is kForeign, or speaks of the state itself but for kOutOfRange of restore(), which
+  /// is kDamaged here
   template <class Input, class State>
   Playback begin(State& state);
 

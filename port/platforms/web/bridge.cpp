@@ -117,6 +117,8 @@ struct Stick {
   std::optional<host::ScriptDevice> script;
   std::int32_t skill = -1;  ///< none
   batuta_opponent fencer;
+  std::uint32_t looks = 0;  ///< of the fencer
+  std::array<float, 2> feet{};
   batuta_sample sample{};
   bool fresh = false;
 
@@ -138,6 +140,7 @@ struct Live {
 struct Past {
   batuta_duel duel;
   batuta_player player;
+  bool is_made = false;
   std::array<std::uint8_t, kRoom> room{};
 };
 
@@ -170,7 +173,7 @@ const batuta_sample* read(int side) {
     (void)batuta_opponent_look(&stick.fencer, &live.duel, side, &stick.sample.stick);
     stick.sample.time_us = now_us;
     stick.sample.buttons = 0;
-    stick.sample.sequence = live.steps;
+    stick.sample.sequence = stick.looks++;
     return &stick.sample;
   }
   if (!stick.script) return std::exchange(stick.fresh, false) ? &stick.sample : nullptr;
@@ -196,7 +199,7 @@ void begin(Stick& stick) {
   if (stick.sees()) {
     (void)batuta_opponent_init(&stick.fencer, sizeof stick.fencer, stick.skill, kSeed);
   }
-  stick.fresh = false;
+  stick.looks = 0;
 }
 
 void begin_recording() {
@@ -238,7 +241,10 @@ int web_start(int touches, int record) {
   is_past = false;
   live.steps = 0;
   live.records = record != 0;
-  for (Stick& stick : live.sticks) begin(stick);  // Bound: 2
+  for (Stick& stick : live.sticks) {  // Bound: 2
+    begin(stick);
+    stick.fresh = false;
+  }
   begin_recording();
   show();
   return status;
@@ -250,7 +256,6 @@ void web_choose(int side, int who) {
   const auto number = static_cast<std::size_t>(who);
   stick.script.reset();
   stick.skill = -1;
-  stick.sample = {};
   if (number < kScripts.size()) {
     if (const auto named = host::script_named(kScripts[number])) stick.script.emplace(*named);
   } else if (number < kScripts.size() + kSkills.size()) {
@@ -261,9 +266,7 @@ void web_choose(int side, int who) {
 
 /// Where a device's second pair of axes stands, from the next web_sample() on.
 void web_feet(int side, float x, float y) {
-  batuta_stick& stick = stick_of(side).sample.stick;
-  stick.feet_x = x;
-  stick.feet_y = y;
+  stick_of(side).feet = {x, y};
 }
 
 /// A hand's sample for the next step, as its device tells it; its feet are those of web_feet(). One
@@ -271,9 +274,9 @@ void web_feet(int side, float x, float y) {
 void web_sample(int side, std::uint32_t time_us, float x, float y, std::uint32_t buttons,
                 std::uint32_t sequence) {
   Stick& stick = stick_of(side);
-  const batuta_stick& feet = stick.sample.stick;
-  stick.sample = {{x, y, feet.feet_x, feet.feet_y}, time_us, buttons, sequence};
-  stick.fresh = is_axis(x) && is_axis(y) && is_axis(feet.feet_x) && is_axis(feet.feet_y);
+  const auto [feet_x, feet_y] = stick.feet;
+  stick.sample = {{x, y, feet_x, feet_y}, time_us, buttons, sequence};
+  stick.fresh = is_axis(x) && is_axis(y) && is_axis(feet_x) && is_axis(feet_y);
 }
 
 /// One step of 1 ms. @returns a status
@@ -340,7 +343,9 @@ void web_feed(int count, int is_all) {
 /// Begins with them. @returns a Playback; the first 64 KB hold the start of any recording of this
 /// duel
 int web_play(int count, int is_all) {
-  (void)batuta_duel_init(&past.duel, sizeof past.duel, kStepUs, 1);
+  // What is no recording leaves the one that is shown.
+  if (!past.is_made) (void)batuta_duel_init(&past.duel, sizeof past.duel, kStepUs, 1);
+  past.is_made = true;
   (void)batuta_player_init(&past.player, sizeof past.player);
   web_feed(count, is_all);
   return play(batuta_player_begin);

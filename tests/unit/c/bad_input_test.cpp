@@ -138,6 +138,9 @@ TEST(BadArithmeticFromC, IsUnavailable) {
   using Numbers = std::array<float, BATUTA_TWIST_NUMBERS>;
   const auto world = std::make_unique<batuta_world>();
   const auto duel = std::make_unique<batuta_duel>();
+  const auto begun = std::make_unique<batuta_duel>();
+  ASSERT_EQ(batuta_duel_init(begun.get(), sizeof *begun, 1000, 5), BATUTA_OK);
+  batuta_opponent fencer;
   const Upward upward;
   expect_refused<batuta_closest_f>(
       [=](batuta_closest_f* out) { return batuta_closest_points_f(A, A, out); },
@@ -150,6 +153,8 @@ TEST(BadArithmeticFromC, IsUnavailable) {
       BATUTA_UNAVAILABLE);
   EXPECT_EQ(batuta_world_init(world.get(), sizeof *world), BATUTA_UNAVAILABLE);
   EXPECT_EQ(batuta_duel_init(duel.get(), sizeof *duel, 1000, 5), BATUTA_UNAVAILABLE);
+  EXPECT_EQ(batuta_duel_set_distance(begun.get(), 4), BATUTA_UNAVAILABLE);
+  EXPECT_EQ(batuta_opponent_init(&fencer, sizeof fencer, BATUTA_CLUB, 1), BATUTA_UNAVAILABLE);
 }
 
 class BadStorageFromC : public testing::Test {
