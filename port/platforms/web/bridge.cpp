@@ -75,8 +75,12 @@ Numbers capsule_of(const float* numbers) {
 }
 
 WebTouch told(const batuta_touch& touch) {
-  return {static_cast<float>(touch.by), static_cast<float>(touch.part),
-          1e-6F * static_cast<float>(touch.time_us), point_of(touch.point_W)};
+  WebTouch told;
+  told.by = static_cast<float>(touch.by);
+  told.part = static_cast<float>(touch.part);
+  told.time = 1e-6F * static_cast<float>(touch.time_us);
+  told.point_W = point_of(touch.point_W);
+  return told;
 }
 
 WebSide told(const batuta_duel_state& duel, std::size_t side) {
@@ -95,21 +99,21 @@ WebSide told(const batuta_duel_state& duel, std::size_t side) {
 }
 
 WebState told(const batuta_duel_state& duel) {
-  WebState state;
-  state.steps = static_cast<float>(duel.steps);
-  state.bout = static_cast<float>(duel.bout);
-  state.exchange = static_cast<float>(duel.exchange);
-  state.annulled = static_cast<float>(duel.annulled);
-  state.touches = static_cast<float>(duel.touches);
-  state.gap = duel.gap;
-  state.impulse = duel.impulse;
-  state.has_blow = duel.blows > 0 ? 1.0F : 0.0F;
-  state.blow_W = point_of(duel.blow_W);
+  WebState web;
+  web.steps = static_cast<float>(duel.steps);
+  web.bout = static_cast<float>(duel.bout);
+  web.exchange = static_cast<float>(duel.exchange);
+  web.annulled = static_cast<float>(duel.annulled);
+  web.touches = static_cast<float>(duel.touches);
+  web.gap = duel.gap;
+  web.impulse = duel.impulse;
+  web.has_blow = duel.blows > 0 ? 1.0F : 0.0F;
+  web.blow_W = point_of(duel.blow_W);
   for (std::size_t i = 0; i < 2; ++i) {  // Bound: 2
-    if (static_cast<std::int32_t>(i) < duel.touches) state.touch[i] = told(duel.touch[i]);
-    state.sides[i] = told(duel, i);
+    if (static_cast<std::int32_t>(i) < duel.touches) web.touch[i] = told(duel.touch[i]);
+    web.sides[i] = told(duel, i);
   }
-  return state;
+  return web;
 }
 
 /// Who holds a stick: a script, a fencer that sees, or else whoever calls.

@@ -27,6 +27,10 @@ inline constexpr bool kLasts = SceneT::kResting == RestingContact::kSettling;
 template <class SceneT>
 inline constexpr bool kCarries = SceneT::kGravity && !kLasts<SceneT>;
 
+/// Bearings may have something to take in every step.
+template <class SceneT>
+inline constexpr bool kBearsLoads = SceneT::kResponse && (SceneT::kGravity || kLasts<SceneT>);
+
 /// Of a body that falls.
 template <class Scalar>
 struct FallState {
@@ -301,7 +305,7 @@ void Bodies<SceneT>::finish(std::size_t slot) {
   const BodyState& state = states[slot];
   ActorType& actor = this->actor(slot);
   if (!state.stands && state.start < dt) move_on(*this, slot, dt - state.start);
-  if constexpr (SceneT::kResponse) Kinematics::drop_held(actor.body);
+  if constexpr (kBearsLoads<SceneT>) Kinematics::drop_held(actor.body);
   if constexpr (!kIsFree) actor.controller.on_step_end(actor.body, dt);
 }
 
