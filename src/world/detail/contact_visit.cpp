@@ -121,7 +121,6 @@ template <class Scalar>
 Vec2<Scalar> least_on_circle(const std::array<Scalar, 3>& K, const Vec2<Scalar>& p, Scalar limit) {
   constexpr int kNewtonSteps = 12;
   constexpr Scalar kNear = 1 + 16 * kRoundOff<Scalar>;
-  using std::sqrt;
   Vec2<Scalar> x = Vec2<Scalar>::Zero();
   Scalar s = 16 * kRoundOff<Scalar> * (K[0] + K[2]);  // or what is not soft would be divided by
   Scalar size = 0;
@@ -131,13 +130,25 @@ Vec2<Scalar> least_on_circle(const std::array<Scalar, 3>& K, const Vec2<Scalar>&
     const Scalar det = a * d - K[1] * K[1];
     if (!(det > Scalar(0))) return Vec2<Scalar>::Zero();
     x = {(d * p.x() - K[1] * p.y()) / det, (a * p.y() - K[1] * p.x()) / det};
-    size = sqrt(x.x() * x.x() + x.y() * x.y());
+    size = std::sqrt(x.x() * x.x() + x.y() * x.y());
     if (!(size > kNear * limit)) break;
     // -|x| d|x| / ds
     const Scalar fall = (d * x.x() * x.x() - 2 * K[1] * x.x() * x.y() + a * x.y() * x.y()) / det;
     s += (size / limit - 1) * (size * size / fall);
   }
   return size > limit ? Vec2<Scalar>(limit / size * x) : x;
+}
+
+/// Along both tangents, what stops a slip of u and v, m/s; roughly, where K is singular.
+template <class Scalar>
+Vec2<Scalar> stopping(const std::array<Scalar, 3>& K, Scalar u, Scalar v) {
+  constexpr Scalar kSingular = 16 * kRoundOff<Scalar>;
+  const auto& [a, b, d] = K;
+  const Scalar det = a * d - b * b;
+  const bool is_regular = det > kSingular * a * d;
+  const Scalar size = is_regular ? det : a + d;
+  const Scalar share = size > Scalar(0) ? 1 / size : Scalar(0);
+  return {-share * (is_regular ? d * u - b * v : u), -share * (is_regular ? a * v - b * u : v)};
 }
 
 /// The part of friction: stops the slip within the cone. Where that is beyond it, a step down the
@@ -148,7 +159,6 @@ Vec2<Scalar> least_on_circle(const std::array<Scalar, 3>& K, const Vec2<Scalar>&
 template <class Traits, class Scalar>
 Scalar relax_friction(ContactPoint<Traits>& point, SolvedBody<Scalar>& A, SolvedBody<Scalar>& B,
                       Scalar friction) {
-  constexpr Scalar kSingular = 16 * kRoundOff<Scalar>;
   if (point.normal == Scalar(0) && point.along == Scalar(0) && point.across == Scalar(0)) {
     return Scalar(0);
   }
@@ -158,12 +168,9 @@ Scalar relax_friction(ContactPoint<Traits>& point, SolvedBody<Scalar>& A, Solved
   const Scalar u = tangents.along_W.dot(slip);
   const Scalar v = tangents.across_W.dot(slip);
   const auto& [a, b, d] = point.softness_across;
-  const Scalar det = a * d - b * b;
-  const bool is_regular = det > kSingular * a * d;
-  const Scalar size = is_regular ? det : a + d;
-  const Scalar share = size > Scalar(0) ? 1 / size : Scalar(0);
-  Scalar change = -share * (is_regular ? d * u - b * v : u);
-  Scalar aside = -share * (is_regular ? a * v - b * u : v);
+  const Vec2<Scalar> stop = stopping(point.softness_across, u, v);
+  Scalar change = stop.x();
+  Scalar aside = stop.y();
   const Scalar limit = friction * point.normal;
   const auto square = [&] {
     const Scalar along = point.along + change;
@@ -285,8 +292,7 @@ Scalar relax_along([[maybe_unused]] const LastingContact<Traits>& contact,
   return gain;
 }
 
-/// How fast the two part by a change of an impulse, m/s: where none turns about an axle alone, what
-/// their masses make of it.
+/// How fast the two part by a change of an impulse, m/s (world.md, "About an axle").
 template <class Scalar>
 Scalar speed_of(const NormalSide<Scalar>& side, const SolvedBody<Scalar>& A,
                 const SolvedBody<Scalar>& B) {
