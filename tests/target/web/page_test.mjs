@@ -241,7 +241,6 @@ async function laboratory(browser, url) {
     await agree();
   }
   const before = await data(page, "truth");
-  const box = await page.locator("#plane").boundingBox();
   const slider = page.locator('#numbers input[data-side="0"][data-name="x"]');
   await slider.focus();
   for (let i = 0; i < 15; i += 1) await page.keyboard.press("ArrowRight");
@@ -252,9 +251,11 @@ async function laboratory(browser, url) {
   check(/ rad\/s$/.test(await told("turn_rate")), await told("turn_rate"));
   await slider.fill("-0.5");
   await page.locator('#numbers input[data-side="0"][data-name="y"]').fill("0");
-  // Which handle it is depends on what chance has drawn: the middle, an end, or the tip of the velocity.
-  const numbers = () => page.$$eval('#numbers input[data-side="0"]', (inputs) => inputs.map((input) => input.value).join(" "));
+  // Whose handle it is, and which, depends on what chance has drawn: a middle, an end, or the tip of a velocity.
+  const numbers = () => page.$$eval("#numbers input", (inputs) => inputs.map((input) => input.value).join(" "));
   const still = await numbers();
+  await page.locator("#plane").scrollIntoViewIfNeeded(); // the sliders have been, and words above it break into lines
+  const box = await page.locator("#plane").boundingBox();
   const scale = Math.min(box.width, box.height) / 2.5;
   await page.mouse.move(box.x + box.width / 2 - 0.5 * scale, box.y + box.height / 2);
   await page.mouse.down();
