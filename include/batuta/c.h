@@ -29,10 +29,10 @@ enum {
   BATUTA_POOL_FULL = 2,         ///< the capacity is used up
   BATUTA_STALE_HANDLE = 3,      ///< there is no such body
   BATUTA_DEGENERATE = 4,        ///< no function here returns it
-  BATUTA_UNAVAILABLE =
-      5  ///< too late: a bout is over, or has begun, a recording has ended;
-         ///< the library is built without double; or the thread computes in another way than its
-         ///< proofs stand on: rounds elsewhere than to nearest, flushes small numbers to zero
+  BATUTA_UNAVAILABLE = 5        ///< too late: a bout is over or has begun, a recording has ended;
+                                ///< no double is built in; or the thread computes in another way
+                                ///< than proofs stand on: it rounds elsewhere than to nearest, or
+                                ///< flushes small numbers to zero
 };
 
 /// What a search says of [0, duration]: batuta::Outcome.

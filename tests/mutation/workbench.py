@@ -16,8 +16,7 @@ TIME_IS_UP = (-signal.SIGXCPU, -signal.SIGKILL)
 SOURCES = ("include", "src", "tests", "port")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.M)
 # Few seconds to compile, and the same bits as any other: contraction is off everywhere. What only warns is no finding.
-# Without __OPTIMIZE__ no call of Eigen's is inlined by force, which GCC refuses at -Og where minCoeff() hands one on.
-FLAGS = ["-Og", "-U__OPTIMIZE__", "-w"]
+FLAGS = ["-Og", "-w"]
 # What every file of a folder begins with costs half its compilation: compiled once, unless it is mutated itself.
 EIGEN = "include/batuta/core/types.hpp"
 HEADS = {"src/": '#include "batuta/core/types.hpp"\n',

@@ -76,8 +76,8 @@ typedef struct batuta_duel_state {
   float place[2];                        ///< of the feet along the strip, W's x, m
   float feet[2];                         ///< what moves them: -1 back ... 1 forward
   float force[2][2];  ///< on the sticks, x y: shares of what the device has, each
-                      ///< -1 ... 1; 0 where no samples come, and behind a recording
-                      ///< that was begun, until the hand is felt again
+                      ///< -1 ... 1; 0 where no samples come; it begins anew where a
+                      ///< recording is begun
   int32_t blows;      ///< meetings of the weapons in the last step
   float impulse;      ///< of all of them, N s
   float blow_W[3];    ///< where the last of them was, m; zeros without one
@@ -166,8 +166,8 @@ int32_t batuta_recorder_init(batuta_recorder* recorder, size_t bytes, const batu
 ///   since the last call | BATUTA_UNAVAILABLE: it has ended | BATUTA_POOL_FULL: there was no room,
 ///   and the recording ends before this step; its end says how many are missing
 int32_t batuta_recorder_step(batuta_recorder* recorder, const batuta_duel* duel);
-/// The end mark; then take until nothing is left. @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT |
-/// BATUTA_POOL_FULL: take, then again
+/// The end mark; then take until nothing is left.
+/// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT | BATUTA_POOL_FULL: take, then again
 ///   | BATUTA_UNAVAILABLE: it has ended
 int32_t batuta_recorder_end(batuta_recorder* recorder, const batuta_duel* duel);
 /// Hands out what was recorded, from the first byte on, each once.
@@ -217,9 +217,8 @@ size_t batuta_player_unread(const batuta_player* player);
 /// Hashes that agreed so far.
 uint32_t batuta_player_agreed(const batuta_player* player);
 /// Puts the start of the recorded bout into a duel: call it until it is READY, or an end.
-/// @param duel  one that batuta_duel_init() has made, the same in each call: what it was may be
-/// gone
-///   after any answer but FOREIGN
+/// @param duel  one that batuta_duel_init() has made, the same in each call. What it was may be
+///   gone after any answer but FOREIGN.
 /// @param[out] playback  BATUTA_PLAYBACK_READY | _WAITING: give more bytes | one of the ends
 /// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT: also where it was READY before
 int32_t batuta_player_begin(batuta_player* player, batuta_duel* duel, int32_t* playback);

@@ -156,6 +156,26 @@ TEST_F(RecordingForC, Played_TellsTheForcesOfTheBout) {
   EXPECT_NE(live.force[0][1], 0) << "nothing was felt";
 }
 
+// Forces are not kept: they begin anew, whatever was felt in the duel before.
+TEST_F(RecordingForC, PlayedIntoADuelThatWasFenced_FeelsNothingOfIt) {
+  ASSERT_NO_FATAL_FAILURE(record());
+  ASSERT_EQ(batuta_duel_init(played.get(), sizeof *played, kStepUs, 5), BATUTA_OK);
+  batuta_duel_state felt;
+  for (int k = 0; k < 150; ++k) {
+    const batuta_stick stick = left_at(k);
+    ASSERT_EQ(batuta_duel_step(played.get(), &stick, nullptr), BATUTA_OK);
+  }
+  ASSERT_EQ(batuta_duel_get_state(played.get(), &felt), BATUTA_OK);
+  ASSERT_NE(felt.force[0][1], 0) << "nothing was felt before";
+  ASSERT_EQ(batuta_player_init(player.get(), sizeof *player), BATUTA_OK);
+  ASSERT_EQ(batuta_player_give(player.get(), bytes.data(), bytes.size(), 1), BATUTA_OK);
+  std::int32_t answer = -1;
+  ASSERT_EQ(batuta_player_begin(player.get(), played.get(), &answer), BATUTA_OK);
+  ASSERT_EQ(answer, BATUTA_PLAYBACK_READY);
+  ASSERT_EQ(batuta_duel_get_state(played.get(), &felt), BATUTA_OK);
+  for (const float share : {felt.force[0][0], felt.force[0][1]}) EXPECT_EQ(share, 0);
+}
+
 TEST_F(RecordingForC, WithABitFlipped_DoesNotEndWell) {
   ASSERT_NO_FATAL_FAILURE(record());
   const std::vector<std::uint8_t> whole = bytes;

@@ -150,7 +150,7 @@ typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::load_straight(
   const Scalar impulse = -v_rel / body.inverse_mass;
   const Vec3<Scalar> impulse_W = (is_A ? impulse : -impulse) * normal_BA_W;
   body.momentum_W += impulse_W;
-  const Momentum<Scalar> push = {impulse_W, zero<Scalar>()};
+  const Momentum<Scalar> push = {impulse_W, zero<Scalar>()};  // of who is carried alone
   note_load(pair, carried, push, push);
   return impulse;
 }
