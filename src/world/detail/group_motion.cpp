@@ -168,6 +168,11 @@ BATUTA_RARE void take_along(Body<Scalar>& body, const Vec3<Scalar>& from_W,
 }
 
 template <class Scalar>
+BATUTA_RARE void turn_along(Body<Scalar>& body, const Pose<Scalar>& X_WG) {
+  body.momentum.angular_W = to_world({Vec3<Scalar>::Zero(), X_WG.q_WB}, body.momentum.angular_W);
+}
+
+template <class Scalar>
 BATUTA_RARE void give_momentum(Body<Scalar>& body, const Vec3<Scalar>& center_W,
                                const Twist<Scalar>& twist, Momentum<Scalar>& left) {
   Vec3<Scalar> r_W = body.X_WB.p_W;
@@ -186,6 +191,7 @@ BATUTA_RARE void give_momentum(Body<Scalar>& body, const Vec3<Scalar>& center_W,
   template Motion<S> group_motion(const RigidGroup<S>&, S);              \
   template StraightMotion<S> group_motion(const StraightGroup<S>&, S);   \
   template void take_along(Body<S>&, const Vec3<S>&, const Pose<S>&);    \
+  template void turn_along(Body<S>&, const Pose<S>&);                    \
   template Twist<S> group_twist(const RigidGroup<S>&, const Vec3<S>&);   \
   template void give_momentum(Body<S>&, const Vec3<S>&, const Twist<S>&, Momentum<S>&);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)

@@ -60,6 +60,16 @@ template <class SceneT>
 inline constexpr bool kPartsGroups = SceneT::kRotation&& SceneT::kResponse&& SceneT::kResting ==
                                          RestingContact::kSeparation &&
                                      (SceneT::kMaxBodies > 2);
+/// Where time may stand still for a body, which keeps its momentum: the paper's separation.
+template <class SceneT>
+inline constexpr bool kHolds =
+    SceneT::kRotation&& SceneT::kResponse&& SceneT::kResting == RestingContact::kSeparation;
+/// Where a group goes.
+enum class GroupCourse : std::uint8_t {
+  kOwn,   ///< by the momenta of all in it
+  kLed,   ///< where a controller leads, or it stands
+  kHeld,  ///< the same; who is not led keeps its momentum, and time stands still for it
+};
 /// Where courses may end before a contact.
 template <class SceneT>
 inline constexpr bool kCuts = kBends<SceneT> || kPartsGroups<SceneT>;
@@ -122,16 +132,18 @@ class Bodies : public Proxies<SceneT> {
                      FeatureIf<kCarries<SceneT>, CarriedState<Scalar>, 5> {
     [[gnu::noinline]] BodyState() {}  // kept apart: some calls, and no copies
     typename Kinematics::PlanType plan;
-    Scalar start = 0;           ///< in the step, s: the body's own pose is the one of this time
-    Scalar held_until = 0;      ///< in the step, s: until then it goes with its group
-    Group group = kAlone;       ///< with whom it goes on together
-    bool present = false;       ///< takes part in the step
-    bool changed = false;       ///< it has to be planned anew
-    bool fresh = false;         ///< it was planned, its pairs are not collected yet
-    bool stands = false;        ///< it was planned to stand still for a whole step, and did
-    bool boxed = false;         ///< its boxes are those of its planned motion
-    bool asleep = false;        ///< it sleeps (sleep.hpp)
-    bool is_led_group = false;  ///< its group goes where a controller leads, or stands
+    Scalar start = 0;       ///< in the step, s: the body's own pose is the one of this time
+    Scalar held_until = 0;  ///< in the step, s: until then it goes with its group
+    Group group = kAlone;   ///< with whom it goes on together
+    bool present = false;   ///< takes part in the step
+    bool changed = false;   ///< it has to be planned anew
+    bool fresh = false;     ///< it was planned, its pairs are not collected yet
+    bool stands = false;    ///< it was planned to stand still for a whole step, and did
+    bool boxed = false;     ///< its boxes are those of its planned motion
+    bool asleep = false;    ///< it sleeps (sleep.hpp)
+    GroupCourse course = GroupCourse::kOwn;  ///< of its group
+
+    bool is_led_group() const { return course != GroupCourse::kOwn; }
   };
 
   explicit Bodies(std::uint16_t number) : actors(number) {}
@@ -207,6 +219,9 @@ class Bodies : public Proxies<SceneT> {
 
   /// The two, and whoever goes with one of them already, go on together (weld.hpp).
   void weld(std::size_t a, std::size_t b, Scalar until);
+  /// The same of two of which one is moved by nothing that the other does: for that time stands
+  /// still. @pre nothing carries it; both are alone, and have come to now
+  void hold(std::size_t a, std::size_t b, Scalar until);
   /// Those of the body's group go on alone, from now.
   void part_group(std::size_t slot);
   /// They part then. @pre the group was made now

@@ -217,6 +217,7 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   SeparationOptions<Scalar> separation_options(Scalar margin, bool is_charged) const;
   void separate_pair(ProxyPair pair, const PairQuery& query, const Contact<Scalar>& contact,
                      const Answer<Scalar>& result, bool is_resting);
+  bool stop(ProxyPair pair, const Contact<Scalar>& contact);
   Scalar room_of(std::size_t slot, ProxyPair pair, const Vec3<Scalar>& away_W, Scalar shift) const;
   void tell_controllers(ProxyPair pair, const Contact<Scalar>& contact,
                         const Answer<Scalar>& result, const Separation<Scalar>& made);

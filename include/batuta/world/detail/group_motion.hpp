@@ -50,6 +50,10 @@ StraightMotion<Scalar> group_motion(const StraightGroup<Scalar>& group, Scalar d
 template <class Scalar>
 void take_along(Body<Scalar>& body, const Vec3<Scalar>& from_W, const Pose<Scalar>& X_WG);
 
+/// The angular momentum of a body that is taken along stays what it is as seen from the group.
+template <class Scalar>
+void turn_along(Body<Scalar>& body, const Pose<Scalar>& X_WG);
+
 /// How the group moves about its centre, if its angular momentum is L. @pre mass > 0
 template <class Scalar>
 Twist<Scalar> group_twist(const RigidGroup<Scalar>& group, const Vec3<Scalar>& L_W);

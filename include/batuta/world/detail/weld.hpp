@@ -35,6 +35,8 @@ class Welds {
   explicit Welds(BodiesT& bodies) : bodies_(bodies) {}
   /// Bodies::weld().
   void weld(std::size_t a, std::size_t b, Scalar until);
+  /// Bodies::hold().
+  void hold(std::size_t a, std::size_t b, Scalar until);
   /// Bodies::part_group().
   void part_group(std::size_t slot);
   /// Bodies::shorten_group().
@@ -50,6 +52,10 @@ class Welds {
     const Group group = bodies_.states[slot].group;
     return group == BodiesT::kAlone ? static_cast<Group>(slot) : group;
   }
+  /// A wall that is alone.
+  bool is_no_member(std::size_t slot) const {
+    return bodies_.states[slot].group == BodiesT::kAlone && bodies_.is_wall(slot);
+  }
   bool stop(std::size_t slot);
   void take_in(std::size_t slot, Group name);
   GroupSums<SceneT> sums_of(Group name) const;
@@ -59,8 +65,10 @@ class Welds {
   void settle_turning(const BodyState& whole);
   void settle_straight(const BodyState& whole);
   static void start_fall(BodyState& state, const GroupSums<SceneT>& sums, bool is_led);
+  bool is_moved_in(Group group, std::size_t slot) const;
   bool is_pushed_in(Group group, std::size_t slot) const;
   void end_fall(std::size_t slot);
+  void fall_by(std::size_t slot, Scalar time);
 
   BodiesT& bodies_;
 };
@@ -68,6 +76,11 @@ class Welds {
 template <class SceneT>
 [[gnu::cold]] void Bodies<SceneT>::weld(std::size_t a, std::size_t b, Scalar until) {
   Welds<SceneT>(*this).weld(a, b, until);
+}
+
+template <class SceneT>
+[[gnu::cold]] void Bodies<SceneT>::hold(std::size_t a, std::size_t b, Scalar until) {
+  Welds<SceneT>(*this).hold(a, b, until);
 }
 
 template <class SceneT>
@@ -85,12 +98,15 @@ template <class SceneT>
   return Welds<SceneT>(*this).off_flight(slot, time);
 }
 
-/// A wall is no member: what else comes to it is not to stop there.
+/// A wall is no member, nor does a group go by its name: what else comes to it is not to stop
+/// there.
 template <class SceneT>
 [[gnu::cold]] void Welds<SceneT>::weld(std::size_t a, std::size_t b, Scalar until) {
   if (name_of(a) == name_of(b)) return;  // they go together already
   if constexpr (kLasts<SceneT>) end_openings(bodies_, a, b);
-  const Group name = min_of(name_of(a), name_of(b));
+  const Group name = is_no_member(a)   ? name_of(b)
+                     : is_no_member(b) ? name_of(a)
+                                       : min_of(name_of(a), name_of(b));
   // Both groups are settled before anybody goes by another name.
   const bool stands_a = stop(a);
   const bool stands_b = stop(b);
@@ -100,6 +116,23 @@ template <class SceneT>
   sums.stands = sums.stands || stands_a || stands_b || sums.led > 1;
   start_group(sums, name, until);
   bodies_.report.time_held = max_of(bodies_.report.time_held, until - bodies_.now);
+}
+
+/// What it is off its parabola is there when it parts. @pre both have come to now
+template <class SceneT>
+[[gnu::cold]] void Welds<SceneT>::hold(std::size_t a, std::size_t b, Scalar until) {
+  const std::array<std::size_t, 2> slots = {a, b};
+  std::array<Vec3<Scalar>, 2> off_W;
+  for (std::size_t i = 0; i < slots.size(); ++i) {  // Bound: 2
+    if constexpr (SceneT::kGravity) off_W[i] = bodies_.states[slots[i]].off_W;
+  }
+  weld(a, b, until);
+  for (std::size_t i = 0; i < slots.size(); ++i) {  // Bound: 2
+    BodyState& state = bodies_.states[slots[i]];
+    if (state.group == BodiesT::kAlone) continue;
+    state.course = GroupCourse::kHeld;
+    if constexpr (SceneT::kGravity) state.off_W = off_W[i];
+  }
 }
 
 /// A body, and who goes with it already, come to now. @returns whether something in it cannot be
@@ -112,7 +145,7 @@ template <class SceneT>
     bodies_.advance_to_now(slot);
     return false;
   }
-  const bool stands = state.is_led_group && Kinematics::is_still(state.plan.motion);
+  const bool stands = state.is_led_group() && Kinematics::is_still(state.plan.motion);
   if constexpr (SceneT::kMaxBodies > 2) settle(state.group);
   return stands;
 }
@@ -122,7 +155,7 @@ template <class SceneT>
 [[gnu::cold]] void Welds<SceneT>::take_in(std::size_t slot, Group name) {
   const Group group = bodies_.states[slot].group;
   if (group == BodiesT::kAlone) {
-    if (!bodies_.is_wall(slot)) bodies_.states[slot].group = name;
+    if (!is_no_member(slot)) bodies_.states[slot].group = name;
   } else if constexpr (SceneT::kMaxBodies > 2) {
     for (BodyState& other : bodies_.states) {  // Bound: kMaxBodies
       if (other.group == group) other.group = name;
@@ -206,7 +239,7 @@ template <class SceneT>
   for (std::size_t slot = 0; slot < BodiesT::kSlots; ++slot) {  // Bound: kMaxBodies
     BodyState& state = bodies_.states[slot];
     if (state.group != name) continue;
-    state.is_led_group = is_led;
+    state.course = is_led ? GroupCourse::kLed : GroupCourse::kOwn;
     state.held_until = until;
     if constexpr (kLasts<SceneT>) state.was_jammed = true;
     end_course(bodies_, slot, bodies_.dt);
@@ -238,7 +271,7 @@ template <class SceneT>
 template <class SceneT>
 [[gnu::cold]] Scalar_of<SceneT> Welds<SceneT>::off_flight(std::size_t slot, Scalar time) const {
   const BodyState& state = bodies_.states[slot];
-  if (state.is_led_group || !(state.start < time)) return Scalar(0);
+  if (state.is_led_group() || !(state.start < time)) return Scalar(0);
   const auto group = sums_of(state.group).group;
   const auto energy = [&group](const Vec3<Scalar>& L_W) {
     return L_W.dot(group_twist(group, L_W).w_W);
@@ -282,14 +315,19 @@ template <class SceneT>
   const bool moves = whole.start < bodies_.now && !Kinematics::is_still(whole.plan.motion);
   for (std::size_t slot = 0; slot < BodiesT::kSlots; ++slot) {  // Bound: kMaxBodies
     if (!moves || bodies_.states[slot].group != whole.group) continue;
-    take_along(bodies_.actor(slot).body, whole.plan.motion.X_WB.p_W, X_WG);
+    auto& body = bodies_.actor(slot).body;
+    take_along(body, whole.plan.motion.X_WB.p_W, X_WG);
+    if constexpr (kHolds<SceneT> && !BodiesT::kIsFree) {  // nobody leads, nothing turns
+      const bool keeps = whole.course == GroupCourse::kHeld && is_moved_in(whole.group, slot);
+      if (keeps) turn_along(body, X_WG);
+    }
   }
-  if (!whole.is_led_group) twist = group_twist(sums_of(whole.group).group, left.angular_W);
+  if (!whole.is_led_group()) twist = group_twist(sums_of(whole.group).group, left.angular_W);
   for (std::size_t slot = 0; slot < BodiesT::kSlots; ++slot) {  // Bound: kMaxBodies
     if (is_pushed_in(whole.group, slot))
       give_momentum(bodies_.actor(slot).body, X_WG.p_W, twist, left);
   }
-  if (whole.is_led_group) return;
+  if (whole.is_led_group()) return;
   Momentum<Scalar>& heaviest = bodies_.actor(sums.heaviest).body.momentum;
   add_to(heaviest.linear_W, left.linear_W);
   if (sums.group.turns) add_to(heaviest.angular_W, left.angular_W);
@@ -300,7 +338,7 @@ template <class SceneT>
   const GroupSums<SceneT> sums = sums_of(whole.group);
   Vec3<Scalar> left_W = sums.group.momentum_W;
   Vec3<Scalar> v_W = whole.plan.motion.v_W;
-  if (!whole.is_led_group) v_W = left_W / sums.group.mass;
+  if (!whole.is_led_group()) v_W = left_W / sums.group.mass;
   for (std::size_t slot = 0; slot < BodiesT::kSlots; ++slot) {  // Bound: kMaxBodies
     if (bodies_.states[slot].group != whole.group) continue;
     auto& body = bodies_.actor(slot).body;
@@ -309,33 +347,46 @@ template <class SceneT>
     body.momentum_W = v_W / body.inverse_mass;
     left_W -= body.momentum_W;
   }
-  if (!whole.is_led_group) bodies_.actor(sums.heaviest).body.momentum_W += left_W;
+  if (!whole.is_led_group()) bodies_.actor(sums.heaviest).body.momentum_W += left_W;
 }
 
-/// Whether a body is of a group, and its momentum is the group's.
+/// Whether a body is of a group, and a momentum moves it.
 template <class SceneT>
-bool Welds<SceneT>::is_pushed_in(Group group, std::size_t slot) const {
+bool Welds<SceneT>::is_moved_in(Group group, std::size_t slot) const {
   const BodyState& state = bodies_.states[slot];
   if (state.group != group || !(bodies_.actor(slot).body.inverse_mass > Scalar(0))) return false;
-  return BodiesT::kIsFree || !state.is_led_group || state.plan.by_momentum;
+  return BodiesT::kIsFree || !state.is_led_group() || state.plan.by_momentum;
+}
+
+/// Whether its momentum is the group's.
+template <class SceneT>
+bool Welds<SceneT>::is_pushed_in(Group group, std::size_t slot) const {
+  if (kHolds<SceneT> && bodies_.states[slot].course == GroupCourse::kHeld) return false;
+  return is_moved_in(group, slot);
 }
 
 /// Of a body whose group is at its end: how far it is off its parabola; and what a group that was
-/// led carried begins to fall.
+/// led carried begins to fall. For who was held time stood still: gravity gave it nothing.
 template <class SceneT>
 [[gnu::cold]] void Welds<SceneT>::end_fall(std::size_t slot) {
   BodyState& state = bodies_.states[slot];
   const Scalar span = bodies_.dt - state.start;
   const Scalar elapsed = bodies_.now - state.start;
   const Scalar left = span > Scalar(0) ? 1 - elapsed / span : Scalar(0);
-  state.off_W *= left;
+  const bool is_held = kHolds<SceneT> && state.course == GroupCourse::kHeld;
+  if (!is_held) state.off_W *= left;
   if (!state.loaded) state.off_W -= (elapsed * (span - elapsed) / 2) * bodies_.settings.gravity_W;
-  if (state.is_led_group && is_pushed_in(state.group, slot)) {
-    auto& body = bodies_.actor(slot).body;
-    const Scalar left_time = bodies_.dt - bodies_.now;
-    Kinematics::add_momentum(body, (left_time / body.inverse_mass) * bodies_.settings.gravity_W);
+  if (state.is_led_group() && is_moved_in(state.group, slot)) {
+    fall_by(slot, is_held ? -elapsed : bodies_.dt - bodies_.now);
   }
-  state.loaded = state.loaded && !state.is_led_group;
+  state.loaded = state.loaded && !state.is_led_group();
+}
+
+/// Adds what gravity gives a body in that time to its momentum.
+template <class SceneT>
+void Welds<SceneT>::fall_by(std::size_t slot, Scalar time) {
+  auto& body = bodies_.actor(slot).body;
+  Kinematics::add_momentum(body, (time / body.inverse_mass) * bodies_.settings.gravity_W);
 }
 
 }  // namespace batuta::detail
