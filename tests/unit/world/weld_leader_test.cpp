@@ -116,6 +116,32 @@ TYPED_TEST(WeldLeader, DrivenBody_TakesTheOthersAlong) {
   }
 }
 
+// f(D): it is taken along, and its momenta stay; as the driven one sees it the angular one does, so
+// that its turn has the same energy.
+TYPED_TEST(WeldLeader, HeldByADrivenBody_GoesAlongAndKeepsItsMomenta) {
+  using S = TypeParam;
+  const Exact small = 64 * Exact(kRoundOff<S>);
+  for (const bool is_heavy : {false, true}) {
+    WeldRig<HandScene<S, 2>> rig;
+    this->add_free(rig);
+    this->add_driven(rig, is_heavy);
+    rig.begin(kStep);
+    const auto was = rig.all();
+    rig.bodies.hold(0, 1, rig.bodies.dt);
+    const auto target = rig.bodies.actor(1).controller.target_W;
+    rig.finish();
+    const auto is = rig.all();
+    const ExactMat turn = rotation_of(target.q_WB) * rotation_of(was[1].X_WB.q_WB).transpose();
+    const ExactVec r = turn * (exact(was[0].X_WB.p_W) - exact(was[1].X_WB.p_W));
+    EXPECT_LE((exact(is[0].X_WB.p_W) - exact(target.p_W) - r).norm(), small);
+    EXPECT_EQ(is[0].momentum.linear_W, was[0].momentum.linear_W);
+    const ExactVec L = turn * exact(was[0].momentum.angular_W);
+    EXPECT_GT(L.norm(), 0.01L);
+    EXPECT_LE((exact(is[0].momentum.angular_W) - L).norm(), small * L.norm());
+    EXPECT_EQ(is[1].momentum.linear_W, was[1].momentum.linear_W);
+  }
+}
+
 TYPED_TEST(WeldLeader, TwoDrivenBodies_Stand_AndWhoIsWithThem) {
   WeldRig<HandScene<TypeParam, 3>> rig;
   this->add_driven(rig);
@@ -230,6 +256,41 @@ TYPED_TEST(WeldLeader, GroupThatStood_FallsFromWhenItParts) {
   EXPECT_LE((p - fallen * g).norm(), 8 * Exact(kRoundOff<S>));
   const ExactVec way = exact(rig.body(0).X_WB.p_W) - exact(was[0].X_WB.p_W);
   EXPECT_LE((way - fallen * fallen / 2 * g).norm(), 8 * Exact(kRoundOff<S>));
+}
+
+// Held, its time stands still: it goes on its parabola from then on, as fast as before.
+TYPED_TEST(WeldLeader, HeldByAWall_GoesOnAsFastAsBefore) {
+  using S = TypeParam;
+  WeldRig<FallScene<S, 3>> rig;
+  this->add_free(rig);
+  this->add_wall(rig);
+  this->add_free(rig);
+  rig.begin(kStep);
+  const auto was = rig.all();
+  rig.bodies.hold(0, 1, S(0.004));
+  rig.bodies.hold(2, 1, S(0.007));
+  const Exact until[] = {Exact(S(0.004)), 0, Exact(S(0.007))};
+  for (const std::size_t slot : {std::size_t(0), std::size_t(2)}) {
+    EXPECT_EQ(Exact(rig.bodies.goes_until(slot)), until[slot]) << "each has its own";
+    rig.bodies.now = static_cast<S>(until[slot]);
+    rig.bodies.part_group(slot);
+    this->expect_same_place(rig.body(slot), was[slot]);
+    rig.bodies.plan(slot);
+  }
+  rig.finish();
+  const ExactVec g = exact(rig.bodies.settings.gravity_W);
+  for (const std::size_t slot : {std::size_t(0), std::size_t(2)}) {
+    const Exact softness = Exact(was[slot].inverse_mass);
+    const Exact u = Exact(kRoundOff<S>);
+    // The rig's step has given it the fall of the whole step before.
+    const ExactVec p = exact(was[slot].momentum.linear_W) * softness - until[slot] * g;
+    const Exact scale = 1 + p.norm();
+    EXPECT_LE((exact(rig.body(slot).momentum.linear_W) * softness - p).norm(), 8 * u * scale);
+    EXPECT_EQ(rig.body(slot).momentum.angular_W, was[slot].momentum.angular_W);
+    const Exact own = Exact(rig.bodies.dt) - until[slot];
+    const ExactVec way = exact(rig.body(slot).X_WB.p_W) - exact(was[slot].X_WB.p_W);
+    EXPECT_LE((way - own * p + own * own / 2 * g).norm(), 16 * u * scale);
+  }
 }
 
 // A sleeper is as a wall: who sleeps stays asleep and in its place.
