@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // batuta-mass: mass properties of a modelled weapon.
 
+#include <cmath>
 #include <cstdio>
 #include <exception>
 
@@ -23,14 +24,16 @@ MeshMass mass_of(const Mesh& mesh, const Options& options) {
   return options.mass && of_mesh.ok() ? with_mass(of_mesh, *options.mass) : of_mesh;
 }
 
-/// Whether the body that the printed lines make is one: nothing of it is beyond float, or so small
-/// that its inverse is.
+/// Whether the body that the printed lines make is one: nothing of it is beyond float, which
+/// make_body() would take for fixed, or so small that its inverse is.
 bool fits_float(const MassProperties<double>& mass) {
   const PrincipalFrame<double> frame = batuta::detail::settled_frame(mass);
   const Pose<float> X_SB = {frame.center_S.cast<float>(), frame.q_SB.cast<float>()};
   const Mat3<float> inertia = mass.inertia_S.cast<float>();
-  return inertia.allFinite() &&
-         make_body<float>(X_SB, static_cast<float>(mass.mass), frame.moments.cast<float>()).ok();
+  const Vec3<float> moments = frame.moments.cast<float>();
+  const auto kilograms = static_cast<float>(mass.mass);
+  return std::isfinite(kilograms) && moments.allFinite() && inertia.allFinite() &&
+         make_body<float>(X_SB, kilograms, moments).ok();
 }
 
 int run(const Options& options) {

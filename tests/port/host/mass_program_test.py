@@ -141,6 +141,9 @@ def refusals(folder):
     # What the printed lines of C++ could not hold, or a body of floats not be made of.
     for scale in ("1e30", "1e9", "1e-10", "1e-16"):
         refuses([write(folder, "i.obj", obj(FACES)), "--scale", scale], 1, "i.obj", "for a body of floats")
+    # The mass alone, and the moments alone: what is beyond float would make a body that cannot be moved.
+    for words in (("--mass", "1e39"), ("--mass", "1e38", "--scale", "6")):
+        refuses([write(folder, "j.obj", obj(FACES)), *words], 1, "j.obj", "for a body of floats")
 
 
 with tempfile.TemporaryDirectory() as scratch:
