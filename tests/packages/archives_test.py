@@ -168,10 +168,30 @@ def macros_are_told(headers):
     check(not told[1], told[1])
 
 
+def is_of_its_schema(manifest):
+    """What PlatformIO's schema of library.json asks of the members that are there: required ones, types, lengths."""
+    texts = {"$schema": 500, "name": 50, "version": 20, "description": 255, "license": 80, "headers": 255, "frameworks": 255,
+             "platforms": 255}
+    lists = {"keywords": str, "authors": dict, "dependencies": dict}
+    check({"name", "version"} <= set(manifest) <= {*texts, *lists, "build", "export"}, sorted(manifest))
+    for member, longest in texts.items():
+        check(isinstance(manifest[member], str) and 0 < len(manifest[member]) <= longest, member)
+    for member, kind in lists.items():
+        entries = manifest[member]
+        check(isinstance(entries, list) and entries and all(isinstance(entry, kind) for entry in entries), member)
+    check(re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9 _.-]*", manifest["name"]) and re.fullmatch(r"\d+\.\d+\.\d+", manifest["version"]), manifest)
+    check(len(set(manifest["keywords"])) == len(manifest["keywords"]) and max(map(len, manifest["keywords"])) <= 50, manifest["keywords"])
+    check(all("name" in entry for entry in manifest["authors"] + manifest["dependencies"]), "a name")
+    check(set(manifest["export"]) <= {"include", "exclude"}, manifest["export"])
+    check(set(manifest["build"]) <= {"srcDir", "includeDir", "srcFilter", "flags", "unflags", "extraScript", "libArchive", "libLDFMode",
+                                     "libCompatMode"}, sorted(manifest["build"]))
+
+
 def platformio():
     folder = unpacked("-platformio.tar.gz")
     manifest = json.loads((folder / "library.json").read_text(encoding="utf-8"))
     check(manifest["version"] == PROJECT.version and manifest["name"] == PROJECT.name, manifest)
+    is_of_its_schema(manifest)
     building = manifest["build"]
     sources = [f"{building['srcDir']}/{word[2:-1]}" for word in building["srcFilter"] if word.startswith("+")]
     check(sorted(sources) == sorted(PROJECT.sources()), sources)

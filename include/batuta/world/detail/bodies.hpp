@@ -65,7 +65,7 @@ template <class SceneT>
 inline constexpr bool kHolds =
     SceneT::kRotation&& SceneT::kResponse&& SceneT::kResting == RestingContact::kSeparation;
 /// Where a group goes.
-enum class GroupCourse : std::uint8_t {
+enum class GroupPlan : std::uint8_t {
   kOwn,   ///< by the momenta of all in it
   kLed,   ///< where a controller leads, or it stands
   kHeld,  ///< the same; who is not led keeps its momentum, and time stands still for it
@@ -141,9 +141,9 @@ class Bodies : public Proxies<SceneT> {
     bool stands = false;    ///< it was planned to stand still for a whole step, and did
     bool boxed = false;     ///< its boxes are those of its planned motion
     bool asleep = false;    ///< it sleeps (sleep.hpp)
-    GroupCourse course = GroupCourse::kOwn;  ///< of its group
+    GroupPlan group_plan = GroupPlan::kOwn;  ///< of its group
 
-    bool is_led_group() const { return course != GroupCourse::kOwn; }
+    bool is_led_group() const { return group_plan != GroupPlan::kOwn; }
   };
 
   explicit Bodies(std::uint16_t number) : actors(number) {}

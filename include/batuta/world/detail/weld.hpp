@@ -130,7 +130,7 @@ template <class SceneT>
   for (std::size_t i = 0; i < slots.size(); ++i) {  // Bound: 2
     BodyState& state = bodies_.states[slots[i]];
     if (state.group == BodiesT::kAlone) continue;
-    state.course = GroupCourse::kHeld;
+    state.group_plan = GroupPlan::kHeld;
     if constexpr (SceneT::kGravity) state.off_W = off_W[i];
   }
 }
@@ -239,7 +239,7 @@ template <class SceneT>
   for (std::size_t slot = 0; slot < BodiesT::kSlots; ++slot) {  // Bound: kMaxBodies
     BodyState& state = bodies_.states[slot];
     if (state.group != name) continue;
-    state.course = is_led ? GroupCourse::kLed : GroupCourse::kOwn;
+    state.group_plan = is_led ? GroupPlan::kLed : GroupPlan::kOwn;
     state.held_until = until;
     if constexpr (kLasts<SceneT>) state.was_jammed = true;
     end_course(bodies_, slot, bodies_.dt);
@@ -318,7 +318,7 @@ template <class SceneT>
     auto& body = bodies_.actor(slot).body;
     take_along(body, whole.plan.motion.X_WB.p_W, X_WG);
     if constexpr (kHolds<SceneT> && !BodiesT::kIsFree) {  // nobody leads, nothing turns
-      const bool keeps = whole.course == GroupCourse::kHeld && is_moved_in(whole.group, slot);
+      const bool keeps = whole.group_plan == GroupPlan::kHeld && is_moved_in(whole.group, slot);
       if (keeps) turn_along(body, X_WG);
     }
   }
@@ -361,7 +361,7 @@ bool Welds<SceneT>::is_moved_in(Group group, std::size_t slot) const {
 /// Whether its momentum is the group's.
 template <class SceneT>
 bool Welds<SceneT>::is_pushed_in(Group group, std::size_t slot) const {
-  if (kHolds<SceneT> && bodies_.states[slot].course == GroupCourse::kHeld) return false;
+  if (kHolds<SceneT> && bodies_.states[slot].group_plan == GroupPlan::kHeld) return false;
   return is_moved_in(group, slot);
 }
 
@@ -373,7 +373,7 @@ template <class SceneT>
   const Scalar span = bodies_.dt - state.start;
   const Scalar elapsed = bodies_.now - state.start;
   const Scalar left = span > Scalar(0) ? 1 - elapsed / span : Scalar(0);
-  const bool is_held = kHolds<SceneT> && state.course == GroupCourse::kHeld;
+  const bool is_held = kHolds<SceneT> && state.group_plan == GroupPlan::kHeld;
   if (!is_held) state.off_W *= left;
   if (!state.loaded) state.off_W -= (elapsed * (span - elapsed) / 2) * bodies_.settings.gravity_W;
   if (state.is_led_group() && is_moved_in(state.group, slot)) {
