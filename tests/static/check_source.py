@@ -12,7 +12,7 @@ ROOMS = ["core", "port", "geometry", "mechanics", "detection", "response", "worl
          "record", "c"]
 MAX_LINES = 400
 PREPROCESSOR_FILES = {"core/config.hpp", "core/assert.hpp", "core/types.hpp", "geometry/lanes.hpp", "detail/eigen.hpp",
-                      "detail/start_check.hpp"}
+                      "detail/start_check.hpp", "core/lowest_bit.hpp"}
 
 # What, and the words that give it away; matched in code, not in comments or strings.
 FORBIDDEN = [
