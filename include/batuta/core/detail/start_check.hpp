@@ -14,7 +14,7 @@
 #define BATUTA_PART_MAY_FUSE 1
 #endif
 
-#if defined(BATUTA_PART_MAY_FUSE) && BATUTA_ASSERT_LEVEL >= 1
+#if defined(__clang__) && defined(BATUTA_PART_MAY_FUSE) && BATUTA_ASSERT_LEVEL >= 1
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wglobal-constructors"  // it is meant to be one
 namespace batuta::detail {
