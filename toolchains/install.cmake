@@ -22,9 +22,9 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/ DESTINATION ${CMAKE_INSTALL_INC
         FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
 # Headers of port/ are included by their path in it: "shared/link/frame.hpp". Of a USB stick there is as well what is compiled
 # where TinyUSB is: its callbacks, and its configuration (shared/usb_stick/usb_stick.md).
-if(BATUTA_PORT STREQUAL "host" OR BATUTA_PORT STREQUAL "template")
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/port/shared DESTINATION ${BATUTA_PORT_INCLUDEDIR} COMPONENT development
-          FILES_MATCHING PATTERN "*.hpp" PATTERN "tusb_config.h" PATTERN "tinyusb_device.cpp")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/port/shared DESTINATION ${BATUTA_PORT_INCLUDEDIR} COMPONENT development
+        FILES_MATCHING PATTERN "*.hpp" PATTERN "tusb_config.h" PATTERN "tinyusb_device.cpp")
+if(BATUTA_PORT STREQUAL "host")
   install(FILES ${PROJECT_SOURCE_DIR}/port/platforms/host/clock.hpp DESTINATION ${BATUTA_PORT_INCLUDEDIR}/platforms/host
           COMPONENT development)
 endif()

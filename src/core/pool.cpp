@@ -3,15 +3,12 @@
 
 #include <limits>
 
+#include "lowest_bit.hpp"
+
 namespace batuta {
 namespace {
 
 constexpr std::uint32_t kLastGeneration = std::numeric_limits<std::uint32_t>::max();
-
-/// Position of the lowest set bit. @pre word != 0
-std::size_t lowest_bit(std::uint32_t word) {
-  return static_cast<std::size_t>(__builtin_ctz(word));
-}
 
 }  // namespace
 
@@ -77,7 +74,7 @@ std::size_t detail::PoolBase::next_live(std::size_t index) const {
   std::uint32_t bits = live_[word] & ~(bit_of(index) - 1U);
   const std::size_t words = words_for(capacity_);
   while (bits == 0 && ++word < words) bits = live_[word];  // Bound: N / 32
-  return bits == 0 ? capacity_ : word * kBitsPerWord + lowest_bit(bits);
+  return bits == 0 ? capacity_ : word * kBitsPerWord + detail::lowest_bit(bits);
 }
 
 void detail::PoolBase::clear() {

@@ -35,6 +35,8 @@ Scalar enter_ball(const Vec3<Scalar>& x, const Vec3<Scalar>& travel, Scalar rho)
   return outside > Scalar(0) ? outside / (approach + std::sqrt(square)) : kNever<Scalar>;
 }
 
+namespace detail {
+
 /// An edge of the parallelogram, and the travel across it.
 template <class Scalar>
 struct Side {
@@ -50,10 +52,12 @@ struct Side {
   Vec3<Scalar> across(const Vec3<Scalar>& x) const { return x - d * (x.dot(d) * inverse_square); }
 };
 
+}  // namespace detail
+
 /// The same against the tube about the side from 0 to d.
 template <class Scalar>
-Scalar enter_tube(const Vec3<Scalar>& x, const Vec3<Scalar>& travel, const Side<Scalar>& side,
-                  Scalar rho) {
+Scalar enter_tube(const Vec3<Scalar>& x, const Vec3<Scalar>& travel,
+                  const detail::Side<Scalar>& side, Scalar rho) {
   if (!(side.inverse_square > Scalar(0))) return kNever<Scalar>;
   const Scalar t = enter_ball<Scalar>(side.across(x), side.travel, rho);
   if (!(t < kNever<Scalar>)) return kNever<Scalar>;
@@ -92,8 +96,8 @@ Scalar first_entry(const Cast<Scalar>& cast) {
   const bool balls = a == Vec3<Scalar>::Zero() && b == Vec3<Scalar>::Zero();
   Scalar first = enter_ball<Scalar>(cast.B.a - cast.A.a, cast.travel, cast.rho);
   if (balls) return first;
-  const Side<Scalar> along_A(a, cast.travel);
-  const Side<Scalar> along_B(b, -cast.travel);
+  const detail::Side<Scalar> along_A(a, cast.travel);
+  const detail::Side<Scalar> along_B(b, -cast.travel);
   const std::array<Vec3<Scalar>, 2> p = {cast.A.a, cast.A.b};
   const std::array<Vec3<Scalar>, 2> q = {cast.B.a, cast.B.b};
   for (std::size_t i = 0; i < 2; ++i) {  // Bound: two ends of each

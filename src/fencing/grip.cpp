@@ -98,8 +98,8 @@ Pose<Scalar> caught(const Motion<Scalar>& flight, Scalar elapsed, const Pose<Sca
   const Scalar longest =
       speed * elapsed > state.largest_turn ? state.largest_turn / speed : elapsed;
   const Scalar kept = min_of((Scalar(1) - state.turn) * elapsed, longest);
-  const Quat<Scalar> q = detail::composed(exp_map<Scalar>(kept * twist.w_W),
-                                          interpolated(flight.X_WB.q_WB, hand.q_WB, state.turn));
+  const Quat<Scalar> q = batuta::detail::composed(
+      exp_map<Scalar>(kept * twist.w_W), interpolated(flight.X_WB.q_WB, hand.q_WB, state.turn));
   const Quat<Scalar> free_q = exp_map<Scalar>(longest * twist.w_W) * flight.X_WB.q_WB;
   const Vec3<Scalar> free_W = flight.X_WB.p_W + elapsed * twist.v_W + free_q * state.hand_B;
   const Vec3<Scalar> held_W =
@@ -193,7 +193,7 @@ void Grip<Scalar>::on_contact(const Body<Scalar>& body, const Feedback<Scalar>& 
   const HandBlow<Scalar> blow{lever_W.norm(), lever_W.cross(feedback.impulse_W).norm()};
   // Of a weapon whose flight is bent: as it turns now. In so long a time it may turn by half a
   // turn, of which no bent flight is known.
-  start_flight(detail::steady_flight(body, settings_.max_regain), feedback.time);
+  start_flight(batuta::detail::steady_flight(body, settings_.max_regain), feedback.time);
   set_regain(blow, feedback.impulse_W.norm(), body, hand_at(feedback.time));
   lost_ = max_of(lost_, lost_time(settings_, blow));
 }

@@ -77,7 +77,7 @@ float eased(float share) {
 }
 constexpr float kSteepest = 1.5F;
 
-bool is_finite(const FencerSeen& seen) {
+bool is_seen(const FencerSeen& seen) {
   return seen.guard_V.allFinite() && seen.point_V.allFinite() && seen.torso_V.allFinite();
 }
 
@@ -95,7 +95,7 @@ Status Opponent::configure(Skill skill, std::uint32_t seed) {
 const StickPlace& Opponent::step(const Observation& now, std::int32_t step_us) {
   if (now.halted) {
     stand_down();
-  } else if (is_finite(now.own) && is_finite(now.rival)) {
+  } else if (is_seen(now.own) && is_seen(now.rival)) {
     if (eye_.look(now, step_us) && eye_.sees()) decide();
   }
   advance(step_us);

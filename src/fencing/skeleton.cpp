@@ -34,7 +34,7 @@ Vec3<Scalar> direction_or(const Vec3<Scalar>& v, const Vec3<Scalar>& otherwise) 
 template <class Scalar>
 Pose<Scalar> trunk_pose(const Vec3<Scalar>& p_W, const Quat<Scalar>& q_WF, Scalar lean) {
   const Vec3<Scalar> turn(Scalar(0), lean, Scalar(0));
-  return {p_W, detail::composed(q_WF, exp_map(turn))};
+  return {p_W, batuta::detail::composed(q_WF, exp_map(turn))};
 }
 
 /// The body while it is posed: trunk first, then what it carries.
@@ -103,8 +103,8 @@ bool is_good(const Bone<Scalar>& bone) {
 template <class Scalar>
 bool lies_along_x(const Bone<Scalar>& bone) {
   const Segment<Scalar>& axis = bone.capsule_J.axis;
-  return axis.a == detail::zero<Scalar>() && is_positive(axis.b.x()) && axis.b.y() == Scalar(0) &&
-         axis.b.z() == Scalar(0);
+  return axis.a == batuta::detail::zero<Scalar>() && is_positive(axis.b.x()) &&
+         axis.b.y() == Scalar(0) && axis.b.z() == Scalar(0);
 }
 
 /// Whether a limb can be posed: numbers in range, and two bones of some length, `first` and the

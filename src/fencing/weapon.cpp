@@ -53,7 +53,7 @@ template <class Scalar>
 Status validate(const WeaponBody<Scalar>& weapon) {
   const bool good = is_finite(weapon.mass) && is_finite(weapon.moments) &&
                     make_body(weapon.X_HB, weapon.mass, weapon.moments).ok() &&
-                    detail::is_turn(weapon.X_HB.q_WB) && is_valid(weapon.blade_B) &&
+                    batuta::detail::is_turn(weapon.X_HB.q_WB) && is_valid(weapon.blade_B) &&
                     is_valid(weapon.guard_B) && is_valid(weapon.hand_B) &&
                     weapon.restitution >= Scalar(0) && weapon.restitution <= Scalar(1);
   return good ? Status::kOk : Status::kInvalidArgument;
@@ -61,7 +61,7 @@ Status validate(const WeaponBody<Scalar>& weapon) {
 
 template <class Scalar>
 Pose<Scalar> chained(const Pose<Scalar>& X_AB, const Pose<Scalar>& X_BC) {
-  return {to_world(X_AB, X_BC.p_W), detail::composed(X_AB.q_WB, X_BC.q_WB)};
+  return {to_world(X_AB, X_BC.p_W), batuta::detail::composed(X_AB.q_WB, X_BC.q_WB)};
 }
 
 template <class Scalar>

@@ -10,13 +10,25 @@
 
 #include "batuta/core/types.hpp"
 
+// Whether the compiler has vectors of numbers, as g++ and clang have. Without them a lane is a
+// number.
+#ifndef BATUTA_VECTORS
+#if defined(__GNUC__) || defined(__clang__)
+#define BATUTA_VECTORS 1
+#else
+#define BATUTA_VECTORS 0
+#endif
+#endif
+
 // A lane's operation is one instruction: as a call it would cost ten, and pass wide vectors.
 #define BATUTA_LANE [[gnu::always_inline]] inline
 
 namespace batuta::lanes {
 
 /// Bytes that this build's machine works on at once; 0: it has no vectors that are known here.
-#if defined(__AVX512F__)
+#if !BATUTA_VECTORS
+inline constexpr std::size_t kMachineBytes = 0;
+#elif defined(__AVX512F__)
 inline constexpr std::size_t kMachineBytes = 64;
 #elif defined(__AVX__)
 inline constexpr std::size_t kMachineBytes = 32;
@@ -43,6 +55,9 @@ struct BitsOf<double> {
 
 /// A condition for each lane: all bits, or none.
 template <class Scalar, int W>
+struct Mask;
+#if BATUTA_VECTORS
+template <class Scalar, int W>
 struct Mask {
   using Bits = typename BitsOf<Scalar>::Type;
   typedef Bits Vector __attribute__((vector_size(W * sizeof(Bits))));
@@ -53,6 +68,7 @@ struct Mask {
   BATUTA_LANE friend Mask operator|(const Mask& x, const Mask& y) { return {x.v | y.v}; }
   BATUTA_LANE friend Mask operator~(const Mask& x) { return {~x.v}; }
 };
+#endif
 template <class Scalar>
 struct Mask<Scalar, 1> {
   bool v;
@@ -80,6 +96,9 @@ BATUTA_LANE bool any(const Mask<Scalar, W>& mask) {
 
 /// W numbers.
 template <class ScalarT, int W>
+struct Lanes;
+#if BATUTA_VECTORS
+template <class ScalarT, int W>
 struct Lanes {
   using Scalar = ScalarT;
   using Truth = Mask<Scalar, W>;
@@ -106,6 +125,7 @@ struct Lanes {
   BATUTA_LANE friend Truth operator>=(const Lanes& x, const Lanes& y) { return {x.v >= y.v}; }
   BATUTA_LANE friend Truth operator==(const Lanes& x, const Lanes& y) { return {x.v == y.v}; }
 };
+#endif
 template <class ScalarT>
 struct Lanes<ScalarT, 1> {
   using Scalar = ScalarT;
@@ -210,7 +230,7 @@ BATUTA_LANE void swap_where(const Mask<Scalar, W>& mask, Lanes<Scalar, W>& x, La
 template <class Scalar, int W>
 BATUTA_LANE Lanes<Scalar, W> unit_clamp(const Lanes<Scalar, W>& x) {
   using L = Lanes<Scalar, W>;
-#if defined(__SSE2__)
+#if BATUTA_VECTORS && defined(__SSE2__)
   if constexpr (std::is_same_v<Scalar, float> && W == 4) {
     return __builtin_ia32_minps(__builtin_ia32_maxps(x.v, L(0).v), L(1).v);
   }
@@ -218,7 +238,7 @@ BATUTA_LANE Lanes<Scalar, W> unit_clamp(const Lanes<Scalar, W>& x) {
     return __builtin_ia32_minpd(__builtin_ia32_maxpd(x.v, L(0).v), L(1).v);
   }
 #endif
-#if defined(__AVX__)
+#if BATUTA_VECTORS && defined(__AVX__)
   if constexpr (std::is_same_v<Scalar, float> && W == 8) {
     return __builtin_ia32_minps256(__builtin_ia32_maxps256(x.v, L(0).v), L(1).v);
   }

@@ -240,7 +240,7 @@ struct Reduced {
   float response = 0;  ///< square of the force's column
 };
 
-Reduced reduced(const Columns& columns, const Least& least) {
+Reduced reduced_columns(const Columns& columns, const Least& least) {
   Reduced found;
   float left = 0;
   const float bent = -0.5F * least.share * (1 - least.share);
@@ -265,7 +265,7 @@ Reduced reduced(const Columns& columns, const Least& least) {
 MomentumResult MomentumFit::solve(float encoder_step) const {
   MomentumResult result;
   const Least least = least_over_delays(R_);
-  const Reduced found = reduced(R_, least);
+  const Reduced found = reduced_columns(R_, least);
   const Triangle& R = found.R;
   const auto rows = static_cast<float>(rows_);
   if (rows_ <= kAll || !is_seen(R)) return result;

@@ -5,7 +5,7 @@
 #include "batuta/haptics/force_share.hpp"
 
 namespace batuta::haptics {
-using namespace fencing;
+using fencing::Side;
 namespace {
 
 HandForceSettings<float> feel_of(const ForceSettings& settings) {

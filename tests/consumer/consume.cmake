@@ -43,7 +43,8 @@ if(MODE STREQUAL "installed")
   endforeach()
   # What ports share, and the programs where they are built.
   file(GLOB found RELATIVE ${WORK}/prefix ${WORK}/prefix/bin/* ${WORK}/prefix/include/batuta-port/shared/*/*)
-  foreach(name bin/batuta-duel bin/batuta-answer bin/batuta-feel bin/batuta-mass include/batuta-port/shared/link/frame.hpp
+  string(REPLACE "," ";bin/batuta-" programs "bin/batuta-${PROGRAMS}")
+  foreach(name ${programs} include/batuta-port/shared/link/frame.hpp
           include/batuta-port/shared/usb_stick/tusb_config.h include/batuta-port/shared/usb_stick/tinyusb_device.cpp)
     if(NOT name IN_LIST found)
       message(FATAL_ERROR "${name} is not installed, but ${found}")

@@ -106,6 +106,17 @@ class Ways(unittest.TestCase):
         self.assertEqual(way.cache["BATUTA_WITH_DOUBLE"], "ON")
         self.assertEqual(way.cache["BATUTA_PORT"], "host")
 
+    def test_msvc_gets_flags_that_it_has(self):
+        flags = {}
+        for msvc in ("OFF", "ON"):  # the variable alone: there is no such compiler here
+            way = Configured(TARGET + SUBFOLDER, NO_PACKAGE, f"-DMSVC={msvc}")
+            self.assertEqual(way.code, 0, way.told[-3000:])
+            flags[msvc] = {word for file, command, words in way.own_calls() if file == "src/CMakeLists.txt"
+                           and command == "target_compile_options" for word in words if word[0] in "-/"}
+        self.assertIn("-ffp-contract=off", flags["OFF"])
+        self.assertIn("/fp:precise", flags["ON"])
+        self.assertEqual({word for word in flags["OFF"] if word[0] == "/"} | {word for word in flags["ON"] if word[0] == "-"}, set())
+
     def test_a_folder_without_eigen_is_told(self):
         way = Configured(SUBFOLDER, "-DBATUTA_EIGEN_PATH={folder}")
         self.assertNotEqual(way.code, 0)

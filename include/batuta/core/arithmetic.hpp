@@ -8,29 +8,11 @@
 #include <limits>
 
 #include "batuta/core/config.hpp"  // forbids contraction where no flag does
+#include "batuta/core/detail/rounds_products.hpp"
 
 namespace batuta {
 
 namespace detail {
-
-/// Whether x y + z is rounded twice, in the code around the call. Fused, it is rounded once:
-/// (1 + e)^2 = 1 + 2 e + e^2 rounds to 1 + 2 e, and a fused sum keeps the e^2.
-/// Inlined even without optimisation: it tells about the flags of the file that calls it, not about
-/// those of the file whose copy the linker happens to keep. Bound: no loop.
-template <class Scalar>
-[[gnu::always_inline]] inline bool rounds_products() {
-  constexpr Scalar e = std::numeric_limits<Scalar>::epsilon();
-  const volatile Scalar operand = Scalar(1) + e;  // volatile: nothing is computed by the compiler
-  const volatile Scalar rounded = Scalar(1) + 2 * e;
-  const Scalar x = operand;
-  const Scalar y = operand;
-  const Scalar z = rounded;
-  const bool difference_is_rounded = x * y - z == Scalar(0);
-  const Scalar a = operand;
-  const Scalar b = operand;
-  const bool remainder_is_rounded = z - a * b == Scalar(0);
-  return difference_is_rounded && remainder_is_rounded;
-}
 
 /// Whether sums round to the nearest number, and to the even one of two: half a spacing above 1
 /// falls back to 1, half a spacing above its odd neighbour goes up. Any directed mode, and ties

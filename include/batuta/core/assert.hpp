@@ -44,3 +44,9 @@ constexpr std::uint32_t file_id(const char* path) {
 #define BATUTA_INVARIANT(condition) BATUTA_CHECK_AT(2, condition)
 /// A check whose cost is more than a few comparisons.
 #define BATUTA_SLOW_CHECK(condition) BATUTA_CHECK_AT(3, condition)
+
+// clang that is told -ffp-contract=fast disregards what config.hpp says, and has no macro for it:
+// so each file asks at the start of the program, where the part can fuse.
+#if defined(__clang__) && !defined(BATUTA_CONTRACTION_IS_OFF)
+#include "batuta/core/detail/start_check.hpp"
+#endif

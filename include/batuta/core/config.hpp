@@ -25,6 +25,8 @@
 #pragma clang fp contract(off)
 #elif defined(__GNUC__)
 #pragma GCC optimize("fp-contract=off")
+#elif defined(_MSC_VER)  // deviation: names-of-compilers
+#pragma fp_contract(off)
 #endif
 #endif
 

@@ -5,6 +5,8 @@
 
 #include <cstdint>
 
+#include "batuta/core/assert.hpp"
+
 namespace batuta {
 
 /// Bound: two table look-ups a byte. Allocates: never. ISR-safe: yes.

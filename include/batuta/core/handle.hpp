@@ -5,6 +5,8 @@
 
 #include <cstdint>
 
+#include "batuta/core/assert.hpp"
+
 namespace batuta {
 
 /// The name of an object in a Pool. It stays valid where the object is, and is found out where the

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "batuta/core/assert.hpp"
+
 namespace batuta {
 
 /// How a call ended. A call lists those that it returns.

@@ -16,6 +16,10 @@
 #error "batuta: -ffast-math changes results and removes the checks for NaN; compile without it"
 #endif
 
+#ifdef _M_FP_FAST  // deviation: names-of-compilers
+#error "batuta: /fp:fast changes results; compile with /fp:precise"
+#endif
+
 #if FLT_EVAL_METHOD != 0
 #error \
     "batuta: arithmetic must round to the type (FLT_EVAL_METHOD 0); on 32-bit x86 use -msse2 -mfpmath=sse"

@@ -74,8 +74,8 @@ Scalar lost_time(const GripSettings<Scalar>& settings, const HandBlow<Scalar>& b
 /// it.
 template <class Scalar>
 struct Catch {
-  Vec3<Scalar> hand_B = detail::zero<Scalar>();  ///< where the hand holds the weapon, B
-  Scalar turn = 0;                               ///< share of the hand in the orientation, 0 ... 1
+  Vec3<Scalar> hand_B = batuta::detail::zero<Scalar>();  ///< where the hand holds the weapon, B
+  Scalar turn = 0;          ///< share of the hand in the orientation, 0 ... 1
   Scalar place = 0;         ///< share of the hand in the place of hand_B, 0 ... 1
   Scalar largest_turn = 0;  ///< rad: the flight turns no further
 };
@@ -151,7 +151,7 @@ class Grip {
   Scalar share_made(const Pose<Scalar>& X_WB, Scalar dt) const;
 
   GripSettings<Scalar> settings_;
-  Vec3<Scalar> hand_B_ = detail::zero<Scalar>();
+  Vec3<Scalar> hand_B_ = batuta::detail::zero<Scalar>();
   Motion<Scalar> hand_;    ///< of the hand over the current step
   Pose<Scalar> target_;    ///< at its end
   Scalar step_ = 0;        ///< s; 0: nothing commanded

@@ -5,6 +5,8 @@
 
 #include <cstdint>
 
+#include "batuta/core/assert.hpp"
+
 namespace batuta {
 
 /// Takes bytes. Bounds are checked once, here; a port implements do_write() only. From one context

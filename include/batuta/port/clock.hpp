@@ -5,6 +5,8 @@
 
 #include <cstdint>
 
+#include "batuta/core/assert.hpp"
+
 namespace batuta {
 
 /// A time stamp, us, modulo 2^32. Only differences have a meaning.

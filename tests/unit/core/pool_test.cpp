@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "../../../src/core/lowest_bit.hpp"
 #include "heap_trap.hpp"
 
 namespace batuta {
@@ -308,6 +309,17 @@ TEST(Pool, Restored_HoldsTheSameObjectsUnderTheSameHandles) {
   EXPECT_EQ(next.generation, same.generation);
   copy.restore(copy);
   EXPECT_EQ(copy.get(same)->first, 7);
+}
+
+TEST(LowestBit, Counted_IsTheCompilersOwn) {
+  for (std::uint32_t position = 0; position < 32; ++position) {
+    const std::uint32_t bit = 1U << position;
+    for (const std::uint32_t above : {0U, ~0U, 0xA5A5A5A5U, 0x80000000U}) {
+      const std::uint32_t word = bit | (above & ~(bit - 1U));
+      EXPECT_EQ(detail::counted_lowest_bit(word), position);
+      EXPECT_EQ(detail::lowest_bit(word), position);
+    }
+  }
 }
 
 }  // namespace

@@ -31,14 +31,14 @@ TEST(EnterBall, GoneByOrGoingAwayOrWithin_IsNever) {
 
 /// The tube of radius 5 about 8 m along z; the pass of before, at a height.
 TEST(EnterTube, BesideTheEdge_IsEnteredAsABall) {
-  const Side<double> side({0, 0, 8}, {2, 0, 0});
+  const detail::Side<double> side({0, 0, 8}, {2, 0, 0});
   for (const double height : {0.0, 0.5, 4.0, 8.0}) {
     EXPECT_DOUBLE_EQ(enter_tube<double>({-10, 3, height}, {2, 0, 0}, side, 5), 3.0) << height;
   }
 }
 
 TEST(EnterTube, BeyondEitherEnd_IsNever) {
-  const Side<double> side({0, 0, 8}, {2, 0, 0});
+  const detail::Side<double> side({0, 0, 8}, {2, 0, 0});
   for (const double height : {-100.0, -0.01, 8.01, 100.0}) {
     EXPECT_EQ(enter_tube<double>({-10, 3, height}, {2, 0, 0}, side, 5), kNone) << height;
   }
@@ -47,14 +47,14 @@ TEST(EnterTube, BeyondEitherEnd_IsNever) {
 /// What counts is the height at the entry, not at the start.
 TEST(EnterTube, SlantedPass_IsJudgedWhereItEnters) {
   const V travel{2, 0, 3};
-  const Side<double> side({0, 0, 8}, travel);
+  const detail::Side<double> side({0, 0, 8}, travel);
   EXPECT_DOUBLE_EQ(enter_tube<double>({-10, 3, -5}, travel, side, 5), 3.0) << "at 4 m";
   EXPECT_EQ(enter_tube<double>({-10, 3, 1}, travel, side, 5), kNone) << "at 10 m";
   EXPECT_EQ(enter_tube<double>({-10, 3, -10}, travel, side, 5), kNone) << "at -1 m";
 }
 
 TEST(EnterTube, EdgeWithoutLength_IsNever) {
-  const Side<double> side({0, 0, 0}, {2, 0, 0});
+  const detail::Side<double> side({0, 0, 0}, {2, 0, 0});
   EXPECT_EQ(enter_tube<double>({-10, 3, 0}, {2, 0, 0}, side, 5), kNone);
 }
 

@@ -7,11 +7,13 @@
 
 #include "batuta/core/assert.hpp"
 
+// One sentence where Eigen was first: it has set its alignment as well, and its checks, which are
+// taken away so that no compiler speaks of them.
 #if defined(eigen_assert) || defined(EIGEN_WORLD_VERSION)
 #error \
     "batuta: include batuta headers before Eigen's own, so that Eigen's checks reach batuta_trap()"
-#endif
-#ifndef EIGEN_MAX_STATIC_ALIGN_BYTES
+#undef eigen_assert
+#elif !defined(EIGEN_MAX_STATIC_ALIGN_BYTES)
 #define EIGEN_MAX_STATIC_ALIGN_BYTES 0
 #elif EIGEN_MAX_STATIC_ALIGN_BYTES != 0
 #error "batuta: EIGEN_MAX_STATIC_ALIGN_BYTES must be 0: layouts are the same on host and target"
