@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "batuta/haptics/device_measurement.hpp"
 
+#include "batuta/haptics/detail/whole.hpp"
+
 namespace batuta::haptics {
 namespace {
 
@@ -79,7 +81,7 @@ struct WholeDelay {
 };
 
 WholeDelay whole_delay(float delay) {
-  const float whole = std::floor(delay);
+  const float whole = detail::whole_below(delay);
   const float rest = delay - whole;
   if (!(rest <= kNarrow)) return {whole + 1, 1};
   const float age = whole + 0.5F;
