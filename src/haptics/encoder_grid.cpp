@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "batuta/haptics/detail/encoder_grid.hpp"
 
+#include "batuta/haptics/detail/whole.hpp"
+
 namespace batuta::detail {
 namespace {
 
@@ -60,7 +62,7 @@ bool EncoderGrid::is_same(const GridStep& one, const GridStep& other) const {
 bool EncoderGrid::divide(float way) {
   float error = rounding_;
   for (int i = 0; i < kDivisions; ++i) {  // Bound: kDivisions
-    const float whole = std::floor(way / block_.step + 0.5F);
+    const float whole = whole_below(way / block_.step + 0.5F);
     const float rest = std::abs(way - whole * block_.step);
     const float rest_error = error + whole * block_.error;
     if (rest_error > kClear * block_.step) return false;  // too many steps for what is known of one

@@ -236,6 +236,11 @@ def release():
     # It configures by itself as well, and asks for no test library.
     hidden = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{package}=ON" for package in ("GTest", "rapidcheck", "benchmark", "CLI11", "PkgConfig")]
     run("cmake", "-S", folder, "-B", WORK / NAME / "alone", "-G", "Ninja", "-DBATUTA_BUILD_PROGRAMS=OFF", *hidden)
+    # The contract suite of a port is whole: docs/porting.md begins with these files.
+    for file in ("tests/port/template_test.cpp", "tests/port/contract_on_board.hpp", "tests/support/heap_trap.cpp",
+                 "tests/support/heap_trap_of_board.cpp"):
+        run("c++", "-std=c++17", "-fsyntax-only", "-ffp-contract=off", "-DBATUTA_CONTRACTION_IS_OFF", "-isystem", EIGEN,
+            *(f"-I{folder / path}" for path in ("include", "port", "tests/port", "tests/support")), "-x", "c++", folder / file)
 
 
 def arduino():

@@ -100,7 +100,9 @@ def cmsis_tree(project):
 
 def release_tree(project):
     """What a user of the sources may want, in one folder: all but the project's own tests."""
-    tests = ["tests/port/contract.cmake", "tests/port/contract_suite.hpp", "tests/port/template_test.cpp"]
+    suite = ["contract.cmake", "contract_checks.hpp", "contract_on_board.hpp", "contract_suite.hpp", "template_rigs.hpp", "template_test.cpp"]
+    support = ["heap_trap.cpp", "heap_trap.hpp", "heap_trap_of_board.cpp", "plain_force.hpp"]
+    tests = [f"tests/port/{name}" for name in suite] + [f"tests/support/{name}" for name in support]
     top = ["CMakeLists.txt", "CMakePresets.json", "CHANGELOG.md", *manifests.committed(project)]
     folders = [name for folder in ("include", "src", "port", "toolchains", "zephyr", "docs", "examples") for name in below(project, folder)]
     return read(project, dict.fromkeys(LICENCE + top + tests + folders))

@@ -39,7 +39,8 @@ bool Effect::set(const SetEffect& report) {
 
 bool Effect::set(const SetEnvelope& report) {
   if (is_condition(type_)) return false;
-  envelope_ = {report.attack_level, report.fade_level, report.attack_ms, report.fade_ms};
+  envelope_ = {report.attack_level, report.fade_level, time_of(report.attack_ms),
+               time_of(report.fade_ms)};
   return true;
 }
 
@@ -60,7 +61,7 @@ bool Effect::set(const SetPeriodic& report) {
   first_ = static_cast<std::int16_t>(report.magnitude);
   second_ = report.offset;
   phase_ = report.phase;
-  period_ms_ = report.period_ms;
+  period_ms_ = time_of(report.period_ms);
   return true;
 }
 

@@ -65,8 +65,8 @@ void exchange(Fields& fields, SetEnvelope& report) {
   block(fields, report.block);
   level(fields, report.attack_level);
   level(fields, report.fade_level);
-  number(fields, report.attack_ms, kLongestTime);
-  number(fields, report.fade_ms, kLongestTime);
+  fields.u16(report.attack_ms);
+  fields.u16(report.fade_ms);
 }
 
 void exchange(Fields& fields, SetCondition& report) {
@@ -85,7 +85,7 @@ void exchange(Fields& fields, SetPeriodic& report) {
   level(fields, report.magnitude);
   signed_level(fields, report.offset);
   number(fields, report.phase, kFullTurn);
-  number(fields, report.period_ms, kLongestTime);
+  fields.u16(report.period_ms);
 }
 
 void exchange(Fields& fields, SetConstant& report) {

@@ -61,8 +61,8 @@ struct SetEnvelope {
   std::uint8_t block = 1;
   std::uint16_t attack_level = 0;
   std::uint16_t fade_level = 0;
-  std::uint16_t attack_ms = 0;
-  std::uint16_t fade_ms = 0;
+  std::uint16_t attack_ms = 0;  ///< at most kLongestTime counts
+  std::uint16_t fade_ms = 0;    ///< likewise
 };
 
 struct SetCondition {
@@ -85,7 +85,7 @@ struct SetPeriodic {
   std::uint16_t magnitude = 0;
   std::int16_t offset = 0;
   std::uint16_t phase = 0;      ///< 0 ... kFullTurn
-  std::uint16_t period_ms = 0;  ///< 0: stands still at its phase
+  std::uint16_t period_ms = 0;  ///< 0: stands still at its phase; at most kLongestTime counts
 };
 
 struct SetConstant {

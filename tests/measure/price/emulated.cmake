@@ -37,9 +37,11 @@ endfunction()
 
 batuta_price_bench(price_bench bout.cpp PRICE_SEARCH=Advancement)
 
-# The paper's own search from end to end, and an opponent in place of a stick, where bounds are promised.
+# The paper's own search from end to end, an opponent in place of a stick, and what measures a stick, where bounds are
+# promised.
 set(choices "")
 if(BATUTA_CPU STREQUAL "cortex-m4f")
+  batuta_price_scene_image(measurement measurement.cpp)
   batuta_price_scene_image(duel_stepping duel.cpp PRICE_SEARCH=Stepping)
   batuta_price_bench(price_bench_duel_stepping bout.cpp PRICE_SEARCH=Stepping)
   list(APPEND choices "\"duel_stepping\": \"$<TARGET_FILE:price_bench_duel_stepping>\"")

@@ -13,9 +13,11 @@ namespace batuta::pid::test {
 namespace {
 
 /// Fields that take anything. Without a meaning here: games put anything into the trigger, and into
-/// the angle of an axis that there is none of. With one: longer times count as the longest.
-const std::set<UsageCode> kIgnored = {pid_usage(0x53), pid_usage(0x54), pid_usage(0x51), 0x01003B,
-                                      0x0A0002,        pid_usage(0x50), pid_usage(0xA7)};
+/// the angle of an axis that there is none of. With one: longer times count as the longest
+/// (times_test.cpp).
+const std::set<UsageCode> kIgnored = {
+    pid_usage(0x53), pid_usage(0x54), pid_usage(0x51), 0x01003B,        0x0A0002,
+    pid_usage(0x50), pid_usage(0xA7), pid_usage(0x5C), pid_usage(0x5E), pid_usage(0x72)};
 
 /// A type of effect that the report is for.
 EffectType type_for(ReportId id) {
