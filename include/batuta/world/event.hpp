@@ -74,7 +74,7 @@ struct StepReport {
   std::uint32_t events_dropped = 0;  ///< beyond SceneOptions::max_events: not told, but resolved
   /// Beyond the pairs that can be followed: no persist and end events
   std::uint32_t contacts_untracked = 0;
-  Scalar time_held = 0;  ///< longest time for which bodies went on together in the step, s
+  Scalar time_held = 0;  ///< longest time for which a body went on together with others, s
 
   /// Whether nothing was left out: all counts of what did not fit are zero, and every body made its
   /// motion but for the law of a contact.

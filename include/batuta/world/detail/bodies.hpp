@@ -38,19 +38,19 @@ struct FallState {
   Vec3<Scalar> off_W = Vec3<Scalar>::Zero();
   bool loaded = false;  ///< something carries it: it goes with the velocity of the step's end
 };
-/// What carrying a body takes of who turns about an axle.
+/// What carrying a body takes of who turns about an axle, or is carried itself.
 template <class Scalar>
 struct Reaction {
   static constexpr std::uint16_t kNobody = 0xFFFF;
 
-  Vec3<Scalar> torque_W = Vec3<Scalar>::Zero();  ///< on it, N m
-  std::uint16_t carrier = kNobody;               ///< slot
+  Momentum<Scalar> load;            ///< on it, per second, N and N m
+  std::uint16_t carrier = kNobody;  ///< slot
 };
 /// Of a body that falls, where contacts do not last.
 template <class Scalar>
 struct CarriedState {
   Momentum<Scalar> support;  ///< by what carries it, per second, N and N m; 0: nothing does
-  std::array<Reaction<Scalar>, 2> reactions;  ///< the last two axles on which it lies
+  std::array<Reaction<Scalar>, 2> reactions;  ///< of the last two such carriers
 };
 /// Where the turn of a body may be the chord of a bent one, and contacts are answered.
 template <class SceneT>
@@ -64,6 +64,11 @@ inline constexpr bool kPartsGroups = SceneT::kRotation&& SceneT::kResponse&& Sce
 template <class SceneT>
 inline constexpr bool kHolds =
     SceneT::kRotation&& SceneT::kResponse&& SceneT::kResting == RestingContact::kSeparation;
+/// Of a body that the paper's separation may stop more than once in a step.
+template <class Scalar>
+struct HeldState {
+  Scalar held_for = 0;  ///< it went on together with others for so long in this step, s
+};
 /// Where a group goes.
 enum class GroupPlan : std::uint8_t {
   kOwn,   ///< by the momenta of all in it
@@ -129,7 +134,8 @@ class Bodies : public Proxies<SceneT> {
   struct BodyState : FeatureIf<SceneT::kGravity, FallState<Scalar>, 2>,
                      FeatureIf<kLasts<SceneT>, OpeningState<Scalar>, 3>,
                      FeatureIf<kBends<SceneT>, BentState<Scalar>, 4>,
-                     FeatureIf<kCarries<SceneT>, CarriedState<Scalar>, 5> {
+                     FeatureIf<kCarries<SceneT>, CarriedState<Scalar>, 5>,
+                     FeatureIf<kHolds<SceneT>, HeldState<Scalar>, 6> {
     [[gnu::noinline]] BodyState() {}  // kept apart: some calls, and no copies
     typename Kinematics::PlanType plan;
     Scalar start = 0;       ///< in the step, s: the body's own pose is the one of this time
@@ -253,6 +259,7 @@ bool Bodies<SceneT>::begin(std::size_t slot) {
     state.loaded = false;
   }
   if constexpr (kCarries<SceneT>) static_cast<CarriedState<Scalar>&>(state) = {};
+  if constexpr (kHolds<SceneT>) state.held_for = 0;
   if constexpr (kLasts<SceneT>) {
     state.opening = {};
     state.moment_W.setZero();

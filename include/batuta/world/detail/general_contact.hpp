@@ -54,10 +54,7 @@ template <class SceneT>
   } else {
     ++bodies_.report.searches_invalid;
   }
-  if constexpr (SceneT::kResponse) {
-    bodies_.weld(BodiesT::body_of(candidate.pair.first), BodiesT::body_of(candidate.pair.second),
-                 bodies_.dt);
-  }
+  if constexpr (SceneT::kResponse) stop_both(candidate.pair);
 }
 
 /// A body of a candidate, to now: by the time that its search found where that is the same, to the
@@ -153,24 +150,20 @@ bool GeneralWorld<SceneT>::strike_turning(ProxyPair pair, const Sides& sides,
                                           const Contact<Scalar>& contact, bool is_loads,
                                           Answer<Scalar>& result) {
   const bool collides = result.kind == ContactKind::kColliding;
-  if (collides || kSolves) {
+  // Who rests on what does not give way comes no nearer to it (general_separation.hpp).
+  const bool is_stopped = result.kind == ContactKind::kResting && holds_one(pair);
+  if (collides || kSolves || is_stopped) {
     // A pair that comes again and again in a step is between others, and settles.
     const bool bounces =
         collides && !is_loads && answers_of_pair_ <= max_of(SceneT::kMaxSeparations / 2, 1);
     const auto hit = strike(pair, sides, contact, bounces ? restitution_of(pair) : Scalar(0));
     if (!hit.ok()) return false;
-    result.impulse = hit.value.magnitude;
-    result.impulse_A_W = hit.value.on_A.linear_W;
+    if (!is_stopped) result.impulse = hit.value.magnitude;
+    if (!is_stopped) result.impulse_A_W = hit.value.on_A.linear_W;
     if (is_loads) note_supports(pair, hit.value.on_A, hit.value.on_B);
   }
   const int carried = takes_load(pair, contact);
-  if (carried != kNobody) {
-    const auto press = strike(pair, sides_of_load(pair, carried), contact, Scalar(0));
-    if (!press.ok()) ++bodies_.report.resolutions_invalid;
-    result.impulse += press.value.magnitude;  // nothing where it is not valid
-    result.impulse_A_W += press.value.on_A.linear_W;
-    note_load(pair, carried, press.value.on_A, press.value.on_B);
-  }
+  if (carried != kNobody) press(pair, contact, carried, result);
   return true;
 }
 

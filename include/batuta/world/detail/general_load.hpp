@@ -7,14 +7,16 @@
 
 namespace batuta::detail {
 
-/// Adds to a body's momentum. @param times  s
+/// Adds to a body's momentum. An axle takes what does not turn it. @param times  s
 template <class SceneT, class BodyT>
 void add_support(BodyT& body, const Momentum<Scalar_of<SceneT>>& support, Scalar_of<SceneT> times) {
+  using Scalar = Scalar_of<SceneT>;
+  const Scalar moves = body.inverse_mass > Scalar(0) ? times : Scalar(0);
   if constexpr (SceneT::kRotation) {
-    body.momentum.linear_W += times * support.linear_W;
+    body.momentum.linear_W += moves * support.linear_W;
     body.momentum.angular_W += times * support.angular_W;
   } else {
-    body.momentum_W += times * support.linear_W;
+    body.momentum_W += moves * support.linear_W;
   }
 }
 
@@ -52,25 +54,30 @@ void GeneralWorld<SceneT>::note_support(ProxyPair carried_by, const Momentum<Sca
       state.support.linear_W[i] += impulse.linear_W[i] / rest;
       state.support.angular_W[i] += impulse.angular_W[i] / rest;
     }
-    note_reaction(slot, BodiesT::body_of(carried_by.second), on_carrier.angular_W / rest);
+    note_reaction(slot, BodiesT::body_of(carried_by.second), on_carrier, rest);
   }
 }
 
-/// Who turns about an axle gives way to what it carries, and gets that back where the other is
-/// struck off it. Other carriers do not: they are fixed, led or carried themselves.
+/// Who turns about an axle, or is carried itself, gives way to what it carries, and gets that back
+/// where the other is struck off it. Other carriers do not.
+/// @param rest  s, in which it has that
 template <class SceneT>
 void GeneralWorld<SceneT>::note_reaction([[maybe_unused]] std::size_t slot,
                                          [[maybe_unused]] std::size_t carrier,
-                                         [[maybe_unused]] const Vec3<Scalar>& torque_W) {
-  if constexpr (kCarries<SceneT> && SceneT::kRotation) {
-    if (bodies_.is_led(carrier) || bodies_.actor(carrier).body.inverse_mass > Scalar(0)) return;
+                                         [[maybe_unused]] const Momentum<Scalar>& on_carrier,
+                                         [[maybe_unused]] Scalar rest) {
+  if constexpr (kCarries<SceneT>) {
+    if (bodies_.is_led(carrier)) return;
     auto& reactions = bodies_.states[slot].reactions;
     const bool is_first =
         reactions[0].carrier == carrier || reactions[0].carrier == Reaction<Scalar>::kNobody;
     auto& reaction = reactions[is_first ? 0 : 1];
     if (reaction.carrier != carrier) reaction = {};
     reaction.carrier = static_cast<std::uint16_t>(carrier);
-    reaction.torque_W += torque_W;
+    for (int i = 0; i < 3; ++i) {  // Bound: 3; by component: expressions double the code
+      reaction.load.linear_W[i] += on_carrier.linear_W[i] / rest;
+      reaction.load.angular_W[i] += on_carrier.angular_W[i] / rest;
+    }
   }
 }
 
@@ -78,40 +85,82 @@ void GeneralWorld<SceneT>::note_reaction([[maybe_unused]] std::size_t slot,
 template <class SceneT>
 void GeneralWorld<SceneT>::give_reactions([[maybe_unused]] std::size_t slot,
                                           [[maybe_unused]] Scalar times) {
-  if constexpr (kCarries<SceneT> && SceneT::kRotation) {
+  if constexpr (kCarries<SceneT>) {
     for (const auto& reaction : bodies_.states[slot].reactions) {  // Bound: 2
       if (reaction.carrier == Reaction<Scalar>::kNobody) continue;
-      bodies_.actor(reaction.carrier).body.momentum.angular_W += times * reaction.torque_W;
+      add_support<SceneT>(bodies_.actor(reaction.carrier).body, reaction.load, times);
     }
   }
 }
 
-/// Who has been struck off what carried it: that is planned anew.
+/// Who has been struck off what carried it: that is planned anew. In a group, it stands.
 template <class SceneT>
 void GeneralWorld<SceneT>::drop_reactions([[maybe_unused]] std::size_t slot) {
-  if constexpr (kCarries<SceneT> && SceneT::kRotation) {
+  if constexpr (kCarries<SceneT>) {
     for (auto& reaction : bodies_.states[slot].reactions) {  // Bound: 2
       if (reaction.carrier == Reaction<Scalar>::kNobody) continue;
-      bodies_.advance_to_now(reaction.carrier);
-      bodies_.states[reaction.carrier].changed = bodies_.is_changed = true;
+      auto& carrier = bodies_.states[reaction.carrier];
+      if (carrier.group == BodiesT::kAlone) {
+        bodies_.advance_to_now(reaction.carrier);
+        carrier.changed = bodies_.is_changed = true;
+      }
       reaction = {};
     }
   }
 }
 
-/// The impulse of a load that is taken. @param carried  proxy of who is carried
+/// Who is carried himself gives way across his support, so that the load is less: with a of the
+/// impulse J n across the support, softness w and the speed v that J stops, J is reduced to
+/// v / (v + w (a . n)) of it. Corrects both impulses; that on who is carried was given already.
+/// @param towards_W  the contact's normal, towards who is carried
 template <class SceneT>
-void GeneralWorld<SceneT>::note_load(ProxyPair pair, int carried, const Momentum<Scalar>& on_A,
-                                     const Momentum<Scalar>& on_B) {
-  if (carried == pair.first) return note_support(pair, on_A, on_B);
-  note_support({pair.second, pair.first}, on_B, on_A);
+void GeneralWorld<SceneT>::give_way(std::size_t carried, std::size_t carrier,
+                                    const Vec3<Scalar>& towards_W, Scalar speed,
+                                    Momentum<Scalar>& on_carried, Momentum<Scalar>& on_carrier) {
+  if constexpr (kCarries<SceneT>) {
+    auto& body = bodies_.actor(carrier).body;
+    if (!bodies_.states[carrier].loaded || !(body.inverse_mass > Scalar(0))) return;
+    const Vec3<Scalar> across_W =
+        across_support(on_carried.linear_W, bodies_.states[carrier].support.linear_W);
+    const Scalar gives = body.inverse_mass * across_W.dot(towards_W);
+    on_carrier = {};
+    if (!(speed > Scalar(0)) || !(gives > Scalar(0))) return;
+    const Scalar kept = speed / (speed + gives);
+    add_support<SceneT>(bodies_.actor(carried).body, on_carried, kept - 1);
+    on_carried.linear_W *= kept;
+    on_carried.angular_W *= kept;
+    on_carrier.linear_W = -kept * across_W;
+    add_support<SceneT>(body, on_carrier, Scalar(1));
+  }
 }
 
+/// What falls is carried from now on. @param carried  its proxy
+template <class SceneT>
+void GeneralWorld<SceneT>::press(ProxyPair pair, const Contact<Scalar>& contact, int carried,
+                                 Answer<Scalar>& result) {
+  const auto hit = strike(pair, sides_of_load(pair, carried), contact, Scalar(0));
+  if (!hit.ok()) ++bodies_.report.resolutions_invalid;
+  const Impulse<Scalar>& press = hit.value;  // nothing where it is not valid
+  const bool is_A = carried == pair.first;
+  Momentum<Scalar> on_carried = is_A ? press.on_A : press.on_B;
+  Momentum<Scalar> on_carrier = is_A ? press.on_B : press.on_A;
+  const ProxyPair by = is_A ? pair : ProxyPair{pair.second, pair.first};
+  const Vec3<Scalar> towards_W = is_A ? contact.normal_BA_W : Vec3<Scalar>(-contact.normal_BA_W);
+  give_way(BodiesT::body_of(by.first), BodiesT::body_of(by.second), towards_W, -press.v_rel,
+           on_carried, on_carrier);
+  result.impulse += std::abs(on_carried.linear_W.dot(towards_W));
+  result.impulse_A_W += is_A ? on_carried.linear_W : Vec3<Scalar>(-on_carried.linear_W);
+  note_support(by, on_carried, on_carrier);
+}
+
+/// Where loads alone press. What two free bodies give each other stays theirs: were it given back,
+/// it would be by one of them.
 template <class SceneT>
 void GeneralWorld<SceneT>::note_supports(ProxyPair pair, const Momentum<Scalar>& on_A,
                                          const Momentum<Scalar>& on_B) {
-  note_support(pair, on_A, on_B);
-  note_support({pair.second, pair.first}, on_B, on_A);
+  const ProxyPair other = {pair.second, pair.first};
+  if (bodies_.holds(BodiesT::body_of(pair.second))) note_support(pair, on_A, on_B);
+  if (bodies_.holds(BodiesT::body_of(pair.first))) note_support(other, on_B, on_A);
 }
 
 /// The two as the load of one presses on the other: what is carried itself passes it on to what it
@@ -147,12 +196,13 @@ typename GeneralWorld<SceneT>::Scalar GeneralWorld<SceneT>::load_straight(
   auto& body = bodies_.actor(is_A ? a : b).body;
   const Scalar v_rel =
       normal_BA_W.dot(velocity_of(bodies_.actor(a).body) - velocity_of(bodies_.actor(b).body));
-  const Scalar impulse = -v_rel / body.inverse_mass;
-  const Vec3<Scalar> impulse_W = (is_A ? impulse : -impulse) * normal_BA_W;
-  body.momentum_W += impulse_W;
-  const Momentum<Scalar> push = {impulse_W, zero<Scalar>()};  // of who is carried alone
-  note_load(pair, carried, push, push);
-  return impulse;
+  const Vec3<Scalar> towards_W = is_A ? normal_BA_W : Vec3<Scalar>(-normal_BA_W);
+  Momentum<Scalar> on_carried = {(-v_rel / body.inverse_mass) * towards_W, zero<Scalar>()};
+  Momentum<Scalar> on_carrier;
+  body.momentum_W += on_carried.linear_W;
+  give_way(is_A ? a : b, is_A ? b : a, towards_W, -v_rel, on_carried, on_carrier);
+  note_support(is_A ? pair : ProxyPair{pair.second, pair.first}, on_carried, on_carrier);
+  return on_carried.linear_W.dot(towards_W);
 }
 
 /// What the velocity of a body's point is summed of, m/s.
@@ -206,6 +256,9 @@ bool GeneralWorld<SceneT>::is_blow([[maybe_unused]] ProxyPair pair,
       drop_reactions(b);
       return true;
     }
+    // First what each gave the other: each is then put back as it was.
+    if (!is_zero(of_A.linear_W)) give_reactions(a, bodies_.dt - bodies_.now);
+    if (!is_zero(of_B.linear_W)) give_reactions(b, bodies_.dt - bodies_.now);
     restore(a, body_A, of_A);
     restore(b, body_B, of_B);
     return false;
@@ -219,7 +272,6 @@ void GeneralWorld<SceneT>::restore(std::size_t slot, const BodyType& body,
                                    const Momentum<Scalar>& support) {
   if (is_zero(support.linear_W)) return;
   bodies_.actor(slot).body = body;
-  give_reactions(slot, bodies_.dt - bodies_.now);
   bodies_.states[slot].support = support;
   bodies_.states[slot].loaded = true;
 }

@@ -26,15 +26,20 @@ void GeneralWorld<SceneT>::leave_share([[maybe_unused]] std::size_t a,
   }
 }
 
+/// The gap of a contact whose bodies were moved apart, m.
+template <class Scalar>
+Scalar gap_after(const Contact<Scalar>& contact, const Separation<Scalar>& made) {
+  const Vec3<Scalar>& n_W = contact.normal_BA_W;
+  return contact.gap + (n_W.dot(made.shift_A_W) - n_W.dot(made.shift_B_W));
+}
+
 template <class SceneT>
 bool GeneralWorld<SceneT>::stays_deep([[maybe_unused]] const Contact<Scalar>& contact,
                                       [[maybe_unused]] const Separation<Scalar>& made,
                                       [[maybe_unused]] Scalar margin) const {
   if constexpr (SceneT::kMaxBodies > 2 || SceneT::kCapsulesPerBody > 1) {
     const bool is_first = !(bodies_.now > Scalar(0)) && answers_of_pair_ <= 1;
-    const Vec3<Scalar>& n_W = contact.normal_BA_W;
-    const Scalar parted = n_W.dot(made.shift_A_W) - n_W.dot(made.shift_B_W);
-    return !is_first && contact.gap + parted < -margin;
+    return !is_first && gap_after(contact, made) < -margin;
   } else {
     return false;
   }
@@ -67,7 +72,6 @@ template <class SceneT>
   const Scalar margin = search_margin(bodies_, query, pair);
   const bool is_deep = kSeparates && contact.gap < -margin;
   const bool is_charged = is_resting || is_deep;
-  const bool is_held = is_charged && stop(pair, contact);
   SeparationOptions<Scalar> options = separation_options(margin, is_charged);
   const Scalar shift = options.distance - min_of(contact.gap, Scalar(0));
   if constexpr (SceneT::kMaxBodies > 2 || SceneT::kCapsulesPerBody > 1) {
@@ -102,26 +106,46 @@ template <class SceneT>
   ++bodies_.report.separations;
   if (!is_charged) return;
   const Scalar until = min_of(bodies_.dt, bodies_.now + made.value.duration);
-  if (is_held) return bodies_.hold(a, b, until);
-  bodies_.weld(a, b, until);
+  if (!holds_one(pair)) return bodies_.weld(a, b, until);
+  // Who is pressed where there is no room to move it away is carried, as under kNone: between two
+  // that are fixed its time would stand still for ever.
+  const bool is_narrow = gap_after(contact, made.value) < options.distance / 2;
+  if (!(kCarries<SceneT> && is_narrow)) hold(pair, until);
 }
 
-/// Before f(D) of a pair of which one is moved by nothing that the other does: the other falls,
-/// with what its support has not given yet, and comes no nearer. @returns whether it is such a
-/// pair, and is to be held
+/// Whether one of the two is moved by nothing that the other does, and the other by momentum.
 template <class SceneT>
-bool GeneralWorld<SceneT>::stop(ProxyPair pair, const Contact<Scalar>& contact) {
+bool GeneralWorld<SceneT>::holds_one(ProxyPair pair) const {
+  if constexpr (!kHolds<SceneT>) return false;
+  return bodies_.holds(BodiesT::body_of(pair.first)) !=
+         bodies_.holds(BodiesT::body_of(pair.second));
+}
+
+/// f(D) of such a pair: the other one is carried no more, so that it falls from then on.
+/// @pre both are alone
+template <class SceneT>
+void GeneralWorld<SceneT>::hold(ProxyPair pair, Scalar until) {
   if constexpr (kHolds<SceneT>) {
     const std::size_t a = BodiesT::body_of(pair.first);
     const std::size_t b = BodiesT::body_of(pair.second);
-    if (bodies_.holds(a) == bodies_.holds(b)) return false;
     for (const std::size_t slot : {a, b}) {  // Bound: 2
+      if (!bodies_.is_wall(slot)) bodies_.advance_to_now(slot);
       if constexpr (kCarries<SceneT>) release(slot);
       drop_reactions(slot);
     }
-    return strike(pair, sides_of(pair), contact, Scalar(0)).ok();
+    bodies_.hold(a, b, until);
   }
-  return false;
+}
+
+/// For the rest of the step: there is no answer for the two.
+template <class SceneT>
+void GeneralWorld<SceneT>::stop_both(ProxyPair pair) {
+  const std::size_t a = BodiesT::body_of(pair.first);
+  const std::size_t b = BodiesT::body_of(pair.second);
+  const bool are_alone =
+      bodies_.states[a].group == BodiesT::kAlone && bodies_.states[b].group == BodiesT::kAlone;
+  if (are_alone && holds_one(pair)) return hold(pair, bodies_.dt);
+  bodies_.weld(a, b, bodies_.dt);
 }
 
 /// How far a body of a pair may be shifted: half the way to its nearest neighbour, because both may

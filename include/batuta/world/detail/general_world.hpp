@@ -190,9 +190,11 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   void note_supports(ProxyPair pair, const Momentum<Scalar>& on_A, const Momentum<Scalar>& on_B);
   void note_support(ProxyPair carried_by, const Momentum<Scalar>& impulse,
                     const Momentum<Scalar>& on_carrier);
-  void note_load(ProxyPair pair, int carried, const Momentum<Scalar>& on_A,
-                 const Momentum<Scalar>& on_B);
-  void note_reaction(std::size_t slot, std::size_t carrier, const Vec3<Scalar>& torque_W);
+  void note_reaction(std::size_t slot, std::size_t carrier, const Momentum<Scalar>& on_carrier,
+                     Scalar rest);
+  void give_way(std::size_t carried, std::size_t carrier, const Vec3<Scalar>& towards_W,
+                Scalar speed, Momentum<Scalar>& on_carried, Momentum<Scalar>& on_carrier);
+  void press(ProxyPair pair, const Contact<Scalar>& contact, int carried, Answer<Scalar>& result);
   void give_reactions(std::size_t slot, Scalar times);
   void drop_reactions(std::size_t slot);
   Momentum<Scalar> release(std::size_t slot);
@@ -217,7 +219,9 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   SeparationOptions<Scalar> separation_options(Scalar margin, bool is_charged) const;
   void separate_pair(ProxyPair pair, const PairQuery& query, const Contact<Scalar>& contact,
                      const Answer<Scalar>& result, bool is_resting);
-  bool stop(ProxyPair pair, const Contact<Scalar>& contact);
+  bool holds_one(ProxyPair pair) const;
+  void hold(ProxyPair pair, Scalar until);
+  void stop_both(ProxyPair pair);
   Scalar room_of(std::size_t slot, ProxyPair pair, const Vec3<Scalar>& away_W, Scalar shift) const;
   void tell_controllers(ProxyPair pair, const Contact<Scalar>& contact,
                         const Answer<Scalar>& result, const Separation<Scalar>& made);

@@ -79,9 +79,9 @@ void SmallWorld<SceneT>::hit(std::size_t a, std::size_t b) {
   if constexpr (SceneT::kGravity) is_loads = !is_blow(a, b, normal_W);
   auto hit = strike(a, b, normal_W, is_loads ? Scalar(0) : restitution);
   if constexpr (SceneT::kGravity) {
-    if (is_loads) {
-      note_support(a, hit.impulse, normal_W);
-      note_support(b, -hit.impulse, normal_W);
+    if (is_loads) {  // what two give each other that can both be moved stays theirs
+      if (!(inverse_mass_[b] > Scalar(0))) note_support(a, hit.impulse * normal_W);
+      if (!(inverse_mass_[a] > Scalar(0))) note_support(b, -hit.impulse * normal_W);
     }
     hit.impulse += take_load(a, b, normal_W);
   }
@@ -125,19 +125,45 @@ typename SmallWorld<SceneT>::Scalar SmallWorld<SceneT>::take_load(std::size_t a,
   const std::size_t slot = falls_a ? a : b;
   falls_.loaded[slot] = true;
   StraightBody<Scalar>& body = falls_a ? A : B;
-  const Scalar impulse = -at_end / body.inverse_mass;
-  const Scalar along = falls_a ? impulse : -impulse;
-  body.momentum_W += along * normal_W;
-  note_support(slot, along, normal_W);
-  return impulse;
+  const Vec3<Scalar> towards_W = falls_a ? normal_W : Vec3<Scalar>(-normal_W);
+  Vec3<Scalar> on_carried_W = (-at_end / body.inverse_mass) * towards_W;
+  body.momentum_W += on_carried_W;
+  give_way(slot, falls_a ? b : a, towards_W, -at_end, on_carried_W);
+  note_support(slot, on_carried_W);
+  return on_carried_W.dot(towards_W);
 }
 
-/// As GeneralWorld. @param impulse  along the normal
+/// As GeneralWorld: who is carried himself gives way across his support, and the load is less.
 template <class SceneT>
-void SmallWorld<SceneT>::note_support(std::size_t slot, Scalar impulse,
-                                      const Vec3<Scalar>& normal_W) {
+void SmallWorld<SceneT>::give_way(std::size_t carried, std::size_t carrier,
+                                  const Vec3<Scalar>& towards_W, Scalar speed,
+                                  Vec3<Scalar>& on_carried_W) {
+  if (!falls_.loaded[carrier] || !(inverse_mass_[carrier] > Scalar(0))) return;
+  const Vec3<Scalar> across_W = across_support(on_carried_W, falls_.support_W[carrier]);
+  const Scalar gives = inverse_mass_[carrier] * across_W.dot(towards_W);
+  if (!(gives > Scalar(0))) return;
+  const Scalar kept = speed / (speed + gives);
+  actors_.at(carried).body.momentum_W += (kept - 1) * on_carried_W;
+  on_carried_W *= kept;
+  actors_.at(carrier).body.momentum_W -= kept * across_W;
+  if (!(left_ > Scalar(0))) return;
+  if (falls_.carrier[carried] != carrier) falls_.reaction_W[carried].setZero();
+  falls_.carrier[carried] = static_cast<std::uint8_t>(carrier);
+  falls_.reaction_W[carried] -= (kept / left_) * across_W;
+}
+
+/// As GeneralWorld. @param times  s: < 0: what the rest of the step would have taken comes back
+template <class SceneT>
+void SmallWorld<SceneT>::give_reaction(std::size_t slot, Scalar times) {
+  if (is_zero(falls_.reaction_W[slot])) return;
+  actors_.at(falls_.carrier[slot]).body.momentum_W += times * falls_.reaction_W[slot];
+}
+
+/// As GeneralWorld.
+template <class SceneT>
+void SmallWorld<SceneT>::note_support(std::size_t slot, const Vec3<Scalar>& impulse_W) {
   if (!falls_.loaded[slot] || !(left_ > Scalar(0))) return;
-  falls_.support_W[slot] += (impulse / left_) * normal_W;
+  falls_.support_W[slot] += impulse_W / left_;
 }
 
 template <class SceneT>
@@ -152,6 +178,7 @@ Vec3<typename SmallWorld<SceneT>::Scalar> SmallWorld<SceneT>::release(std::size_
   const Vec3<Scalar> support_W = falls_.support_W[slot];
   if (is_zero(support_W)) return support_W;
   actors_.at(slot).body.momentum_W -= left_ * support_W;
+  give_reaction(slot, -left_);
   falls_.loaded[slot] = false;
   falls_.support_W[slot].setZero();
   return support_W;
@@ -169,7 +196,14 @@ bool SmallWorld<SceneT>::is_blow(std::size_t a, std::size_t b, const Vec3<Scalar
   const Vec3<Scalar> v_B_W = velocity_now(b);
   const Scalar scale = length(v_A_W) + length(v_B_W) + left_ * length(settings_.gravity_W);
   const Scalar rounding = kLoadRoundings * kRoundOff<Scalar> * scale;
-  if (normal_W.dot(v_A_W - v_B_W) < -rounding) return true;
+  if (normal_W.dot(v_A_W - v_B_W) < -rounding) {
+    falls_.reaction_W[a].setZero();
+    falls_.reaction_W[b].setZero();
+    return true;
+  }
+  // First what each gave the other: each is then put back as it was.
+  if (!is_zero(of_A_W)) give_reaction(a, left_);
+  if (!is_zero(of_B_W)) give_reaction(b, left_);
   restore(a, momentum_A_W, of_A_W);
   restore(b, momentum_B_W, of_B_W);
   return false;

@@ -93,6 +93,9 @@ class SmallWorld {
     std::array<Scalar, kSlots> lag{};
     std::array<bool, kSlots> loaded{};
     std::array<Vec3<Scalar>, kSlots> support_W;  ///< as CarriedState
+    /// What that takes of who is carried itself, by the last such carrier, N; and this one's slot.
+    std::array<Vec3<Scalar>, kSlots> reaction_W;
+    std::array<std::uint8_t, kSlots> carrier{};
   };
 
   /// Of a group that falls: lag times mass.
@@ -141,7 +144,10 @@ class SmallWorld {
   Vec3<Scalar> velocity_now(std::size_t slot) const;
   bool is_blow(std::size_t a, std::size_t b, const Vec3<Scalar>& normal_W);
   Scalar take_load(std::size_t a, std::size_t b, const Vec3<Scalar>& normal_W);
-  void note_support(std::size_t slot, Scalar impulse, const Vec3<Scalar>& normal_W);
+  void note_support(std::size_t slot, const Vec3<Scalar>& impulse_W);
+  void give_way(std::size_t carried, std::size_t carrier, const Vec3<Scalar>& towards_W,
+                Scalar speed, Vec3<Scalar>& on_carried_W);
+  void give_reaction(std::size_t slot, Scalar times);
   Vec3<Scalar> release(std::size_t slot);
   void restore(std::size_t slot, const Vec3<Scalar>& momentum_W, const Vec3<Scalar>& support_W);
 
@@ -199,6 +205,7 @@ void SmallWorld<SceneT>::begin_body(std::size_t slot) {
     falls_.lag[slot] = 0;
     falls_.loaded[slot] = false;
     falls_.support_W[slot].setZero();
+    falls_.reaction_W[slot].setZero();
   }
   ActorType* const actor = actors_.at_index(slot);
   if (actor == nullptr) return;

@@ -12,6 +12,16 @@ namespace batuta::detail {
 /// Roundings in the velocity of a pair of which one or both are carried.
 inline constexpr int kLoadRoundings = 16;
 
+/// The part of an impulse that presses on who is carried which its support does not take: what lies
+/// across that, or all where it presses off the support; none where nothing is known of that.
+template <class Scalar>
+Vec3<Scalar> across_support(const Vec3<Scalar>& impulse_W, const Vec3<Scalar>& support_W) {
+  const Scalar square = support_W.dot(support_W);
+  const Scalar along = impulse_W.dot(support_W);
+  if (!(square > Scalar(0))) return zero<Scalar>();
+  return along > Scalar(0) ? Vec3<Scalar>(impulse_W - (along / square) * support_W) : impulse_W;
+}
+
 template <class SceneT>
 struct StraightKinematics {
   using Scalar = typename SceneT::Scalar;

@@ -69,6 +69,7 @@ class Welds {
   bool is_pushed_in(Group group, std::size_t slot) const;
   void end_fall(std::size_t slot);
   void fall_by(std::size_t slot, Scalar time);
+  void note_held(Scalar time) { bodies_.report.time_held = max_of(bodies_.report.time_held, time); }
 
   BodiesT& bodies_;
 };
@@ -115,7 +116,8 @@ template <class SceneT>
   GroupSums<SceneT> sums = sums_of(name);
   sums.stands = sums.stands || stands_a || stands_b || sums.led > 1;
   start_group(sums, name, until);
-  bodies_.report.time_held = max_of(bodies_.report.time_held, until - bodies_.now);
+  // Under kHolds a group may part earlier.
+  if constexpr (!kHolds<SceneT>) note_held(until - bodies_.now);
 }
 
 /// What it is off its parabola is there when it parts. @pre both have come to now
@@ -150,7 +152,7 @@ template <class SceneT>
   return stands;
 }
 
-/// They go by another name. A wall that is alone goes by none.
+/// They go by another name.
 template <class SceneT>
 [[gnu::cold]] void Welds<SceneT>::take_in(std::size_t slot, Group name) {
   const Group group = bodies_.states[slot].group;
@@ -297,6 +299,10 @@ template <class SceneT>
     BodyState& state = bodies_.states[slot];
     if (state.group != group) continue;
     if constexpr (SceneT::kGravity) end_fall(slot);
+    if constexpr (kHolds<SceneT>) {
+      state.held_for += bodies_.now - state.start;
+      note_held(state.held_for);
+    }
     state.held_until = 0;
     state.start = bodies_.now;
     state.changed = true;

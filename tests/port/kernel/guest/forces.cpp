@@ -28,17 +28,19 @@ void directions(Checks& checks) {
 
 void ramp(Checks& checks) {
   checks.begin("ramp");
-  ff_effect e = effect(FF_RAMP, kLeft, 1000);
-  e.u.ramp.start_level = -0x4000;
-  e.u.ramp.end_level = 0x6000;
   const double from = level(-0x4000);
   const double way = level(0x6000) - from;
-  checks.start(e);
-  checks.later("after 1 ms", 1, pointing(from + 0.001 * way, kLeft));
-  checks.later("after 250 ms", 249, pointing(from + 0.25 * way, kLeft));
-  checks.later("after 900 ms", 650, pointing(from + 0.9 * way, kLeft));
-  checks.later("after 1000 ms", 100, {});
-  checks.end(e);
+  for (const unsigned direction : {kLeft, kUp}) {
+    ff_effect e = effect(FF_RAMP, direction, 1000);
+    e.u.ramp.start_level = -0x4000;
+    e.u.ramp.end_level = 0x6000;
+    checks.start(e);
+    checks.later("after 1 ms", 1, pointing(from + 0.001 * way, direction));
+    checks.later("after 250 ms", 249, pointing(from + 0.25 * way, direction));
+    checks.later("after 900 ms", 650, pointing(from + 0.9 * way, direction));
+    checks.later("after 1000 ms", 100, {});
+    checks.end(e);
+  }
 }
 
 void waves(Checks& checks) {
@@ -70,16 +72,18 @@ void waves(Checks& checks) {
 
 void envelope(Checks& checks) {
   checks.begin("envelope");
-  for (const int size : {0x6000, -0x6000}) {
-    ff_effect e = constant(size, kRight, 1000);
-    e.u.constant.envelope = {200, 0x2000, 400, 0x1000};
-    const double sign = size > 0 ? 1 : -1;
-    checks.start(e);
-    checks.later("half of the attack", 100, pointing(sign * level(0x4000), kRight));
-    checks.later("between", 300, pointing(sign * level(0x6000), kRight));
-    checks.later("half of the fade", 400, pointing(sign * level(0x3800), kRight));
-    checks.later("over", 200, {});
-    checks.end(e);
+  for (const unsigned direction : {kRight, kDown}) {
+    for (const int size : {0x6000, -0x6000}) {
+      ff_effect e = constant(size, direction, 1000);
+      e.u.constant.envelope = {200, 0x2000, 400, 0x1000};
+      const double sign = size > 0 ? 1 : -1;
+      checks.start(e);
+      checks.later("half of the attack", 100, pointing(sign * level(0x4000), direction));
+      checks.later("between", 300, pointing(sign * level(0x6000), direction));
+      checks.later("half of the fade", 400, pointing(sign * level(0x3800), direction));
+      checks.later("over", 200, {});
+      checks.end(e);
+    }
   }
 }
 

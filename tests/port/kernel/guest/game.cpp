@@ -79,14 +79,16 @@ void changes(Checks& checks) {
 
 void gain(Checks& checks) {
   checks.begin("gain");
-  ff_effect e = constant(0x6000, kRight);
-  checks.start(e);
-  for (const auto& [name, value] :
-       {std::pair("two fifths", 0x6666U), std::pair("none", 0U), std::pair("all", 0xFFFFU)}) {
-    checks.stick.gain(value);
-    checks.later(name, 1, pointing(level(0x6000) * value / 65535.0, kRight));
+  for (const unsigned direction : {kRight, kUp}) {
+    ff_effect e = constant(0x6000, direction);
+    checks.start(e);
+    for (const auto& [name, value] :
+         {std::pair("two fifths", 0x6666U), std::pair("none", 0U), std::pair("all", 0xFFFFU)}) {
+      checks.stick.gain(value);
+      checks.later(name, 1, pointing(level(0x6000) * value / 65535.0, direction));
+    }
+    checks.end(e);
   }
-  checks.end(e);
 }
 
 /// The kernel makes a sine of it: drivers/input/ff-core.c; a third of the strong motor and a sixth

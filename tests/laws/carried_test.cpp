@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// Law 2 where contacts do not last: who is carried, and carries another one, gives way across what
+// carries it. A ball that lies on another pushes it out from under itself.
+#include <gtest/gtest.h>
+
+#include "law_worlds.hpp"
+
+namespace batuta {
+namespace {
+
+using test::Vector;
+
+constexpr double kG = 9.81;
+constexpr double kFloor = 0.05;  // radius of the rod that is the floor, m
+
+template <class S, RestingContact kRests>
+using Turning = test::LawScene<S, kRests, test::kFalling>;
+constexpr SceneOptions straight_options() {
+  SceneOptions scene;
+  scene.max_bodies = 4;
+  scene.max_pairs = 6;
+  scene.max_contacts = scene.max_events = 64;
+  scene.rotation = false;
+  scene.gravity = true;
+  scene.resting = RestingContact::kNone;
+  return scene;
+}
+template <class S>
+using Straight = Scene<straight_options, Translation<S>>;
+constexpr SceneOptions small_options() {
+  SceneOptions scene = straight_spheres();
+  scene.max_bodies = 4;
+  scene.max_contacts = 64;
+  scene.gravity = true;
+  return scene;
+}
+template <class S>
+using Small = Scene<small_options, Spheres<S>>;
+
+template <class S>
+class Carried : public ::testing::Test {
+ public:
+  static constexpr double kRounding = std::is_same_v<S, float> ? 1e-5 : 1e-13;
+};
+using Scalars = ::testing::Types<float, double>;
+TYPED_TEST_SUITE(Carried, Scalars);
+
+/// A ball of 1,000 kg/m^3.
+template <class SceneT>
+Actor<SceneT> ball(double radius, const Vector& place, bool is_fixed = false) {
+  using S = typename SceneT::Scalar;
+  const double mass = 4.0 / 3 * std::acos(-1.0) * radius * radius * radius * 1000;
+  if constexpr (SceneT::kRotation) {
+    return test::solid_ball<SceneT>(radius, place);
+  } else {
+    Actor<SceneT> made;
+    made.body = make_straight_body<S>(place.template cast<S>(), static_cast<S>(mass)).value;
+    if (is_fixed) made.body.inverse_mass = 0;
+    if constexpr (SceneT::Search::kForSpheres) {
+      made.radius = static_cast<S>(radius);
+    } else {
+      made.capsule_B = Capsule<S>::sphere(Vec3<S>::Zero(), static_cast<S>(radius));
+    }
+    return made;
+  }
+}
+/// Level at x = 0 and y = 0; of balls alone a very large one.
+template <class SceneT>
+Actor<SceneT> ground() {
+  using S = typename SceneT::Scalar;
+  if constexpr (SceneT::kRotation) {
+    return test::fixed_rod<SceneT>(4, kFloor, {0, 0, -kFloor}, test::along_x());
+  } else if constexpr (SceneT::Search::kForSpheres) {
+    return ball<SceneT>(5, {0, 0, -5}, true);
+  } else {
+    auto floor = ball<SceneT>(kFloor, {0, 0, -kFloor}, true);
+    floor.capsule_B = {{{S(-2), 0, 0}, {S(2), 0, 0}}, static_cast<S>(kFloor)};
+    return floor;
+  }
+}
+template <class SceneT>
+std::pair<Vector, Vector> place_and_velocity(const Actor<SceneT>& actor) {
+  if constexpr (SceneT::kRotation) {
+    return {actor.body.X_WB.p_W.template cast<double>(),
+            twist_of(actor.body).v_W.template cast<double>()};
+  } else {
+    return {actor.body.p_W.template cast<double>(),
+            (actor.body.inverse_mass * actor.body.momentum_W).template cast<double>()};
+  }
+}
+
+/// One ball on the floor, another one on it, that leans by an angle.
+template <class SceneT>
+struct Leaning {
+  using S = typename SceneT::Scalar;
+  static constexpr double kLower = 0.1, kUpper = 0.06;  // radii, m
+  static constexpr double kApart = kLower + kUpper;
+  static constexpr double kFrom = 0.5;  // off the vertical, rad
+
+  Leaning() {
+    auto settings = world->settings();
+    settings.gravity_W = Vec3<S>(0, 0, static_cast<S>(-kG));
+    EXPECT_EQ(world->configure(settings), Status::kOk);
+    EXPECT_TRUE(world->add(ground<SceneT>()).ok());
+    lower = world->add(ball<SceneT>(kLower, {0, 0, kLower + 1e-6})).value;
+    const Vector way(std::sin(kFrom), 0, std::cos(kFrom));
+    upper =
+        world->add(ball<SceneT>(kUpper, Vector(0, 0, kLower + 1e-6) + (kApart + 1e-6) * way)).value;
+  }
+  /// Along the floor, of both, and what both are summed of, kg m/s.
+  std::pair<double, double> momentum() const {
+    double sum = 0, size = 0;
+    for (const auto id : {lower, upper}) {
+      const auto* actor = std::as_const(*world).get(id);
+      const double p = place_and_velocity<SceneT>(*actor).second.x() /
+                       static_cast<double>(actor->body.inverse_mass);
+      sum += p;
+      size += std::abs(p);
+    }
+    return {sum, size};
+  }
+
+  std::unique_ptr<World<SceneT>> world = std::make_unique<World<SceneT>>();
+  typename World<SceneT>::BodyId lower, upper;
+};
+
+/// How fast the lower one is when the other leans by an angle, from energy and momentum: with
+/// c = m / (M + m), v = -c R cos(a) a', and T = m/2 R^2 a'^2 (1 - c cos^2 a).
+double speed_of_lower(double angle, double m, double M, double R, double from) {
+  const double c = m / (M + m);
+  const double cosine = std::cos(angle);
+  const double square = 2 * kG * (std::cos(from) - cosine) / (R * (1 - c * cosine * cosine));
+  return -c * R * cosine * std::sqrt(square);
+}
+
+/// @param rounding  of momenta, of what they are summed of; @param share  of the speed, of its
+/// truth
+template <class SceneT>
+void push_out(double dt, double rounding, double share) {
+  using Setup = Leaning<SceneT>;
+  Setup scene;
+  double time = 0, angle = Setup::kFrom;
+  bool is_complete = true;
+  for (; time < 0.2 && angle < 0.8; time += dt) {
+    ASSERT_EQ(scene.world->step(static_cast<typename SceneT::Scalar>(dt)), Status::kOk);
+    is_complete = is_complete && std::as_const(*scene.world).report().complete();
+    const auto [sum, size] = scene.momentum();
+    ASSERT_LE(std::abs(sum), rounding * (size + 1e-3)) << dt << " at " << time;
+    const Vector way = place_and_velocity<SceneT>(*scene.world->get(scene.upper)).first -
+                       place_and_velocity<SceneT>(*scene.world->get(scene.lower)).first;
+    angle = std::atan2(way.x(), way.z());
+  }
+  EXPECT_TRUE(is_complete) << dt;
+  if (!(share < 1)) return;
+  const auto& lower = *std::as_const(*scene.world).get(scene.lower);
+  const auto& upper = *std::as_const(*scene.world).get(scene.upper);
+  const double want =
+      speed_of_lower(angle, 1 / static_cast<double>(upper.body.inverse_mass),
+                     1 / static_cast<double>(lower.body.inverse_mass), Setup::kApart, Setup::kFrom);
+  EXPECT_NEAR(place_and_velocity<SceneT>(lower).second.x(), want, share * std::abs(want)) << dt;
+}
+
+TYPED_TEST(Carried, BallUnderABall_IsPushedOut) {
+  const double rounding = TestFixture::kRounding;
+  for (const double dt : {1e-3, 1e-2}) {
+    const double share = 2 * dt / 0.05;  // first order in the step: it falls by 0.3 rad in 0.1 s
+    push_out<Turning<TypeParam, RestingContact::kNone>>(dt, rounding, share);
+    push_out<Straight<TypeParam>>(dt, rounding, share);
+    push_out<Small<TypeParam>>(dt, 2e-2, share);  // the floor's normal: 0.1 m on 5 m
+    push_out<Turning<TypeParam, RestingContact::kSeparation>>(dt, rounding, 1);
+  }
+}
+
+}  // namespace
+}  // namespace batuta
