@@ -22,7 +22,7 @@ TEST(Whole, AnyNumber_IsThatOfTheStandardLibrary) {
   std::mt19937 random(3);
   int with_fraction = 0;
   for (int i = 0; i < 1000000; ++i) {
-    const float x = of_bits(random());
+    const float x = of_bits(static_cast<std::uint32_t>(random()));
     if (std::isnan(x)) continue;
     ASSERT_EQ(whole_below(x), std::floor(x)) << x;
     with_fraction += std::abs(x) > 1.0F && std::floor(x) != x ? 1 : 0;
