@@ -64,6 +64,9 @@ inline constexpr bool kPartsGroups = SceneT::kRotation&& SceneT::kResponse&& Sce
 template <class SceneT>
 inline constexpr bool kHolds =
     SceneT::kRotation&& SceneT::kResponse&& SceneT::kResting == RestingContact::kSeparation;
+/// Of more than two bodies each has its own time for which it was held. Two are held together.
+template <class SceneT>
+inline constexpr bool kCountsHeld = kHolds<SceneT> && (SceneT::kMaxBodies > 2);
 /// Of a body that the paper's separation may stop more than once in a step.
 template <class Scalar>
 struct HeldState {
@@ -135,7 +138,7 @@ class Bodies : public Proxies<SceneT> {
                      FeatureIf<kLasts<SceneT>, OpeningState<Scalar>, 3>,
                      FeatureIf<kBends<SceneT>, BentState<Scalar>, 4>,
                      FeatureIf<kCarries<SceneT>, CarriedState<Scalar>, 5>,
-                     FeatureIf<kHolds<SceneT>, HeldState<Scalar>, 6> {
+                     FeatureIf<kCountsHeld<SceneT>, HeldState<Scalar>, 6> {
     [[gnu::noinline]] BodyState() {}  // kept apart: some calls, and no copies
     typename Kinematics::PlanType plan;
     Scalar start = 0;       ///< in the step, s: the body's own pose is the one of this time
@@ -259,7 +262,7 @@ bool Bodies<SceneT>::begin(std::size_t slot) {
     state.loaded = false;
   }
   if constexpr (kCarries<SceneT>) static_cast<CarriedState<Scalar>&>(state) = {};
-  if constexpr (kHolds<SceneT>) state.held_for = 0;
+  if constexpr (kCountsHeld<SceneT>) state.held_for = 0;
   if constexpr (kLasts<SceneT>) {
     state.opening = {};
     state.moment_W.setZero();

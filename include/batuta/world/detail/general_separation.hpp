@@ -115,7 +115,7 @@ template <class SceneT>
 
 /// Whether one of the two is moved by nothing that the other does, and the other by momentum.
 template <class SceneT>
-bool GeneralWorld<SceneT>::holds_one(ProxyPair pair) const {
+[[gnu::noinline]] bool GeneralWorld<SceneT>::holds_one(ProxyPair pair) const {
   if constexpr (!kHolds<SceneT>) return false;
   return bodies_.holds(BodiesT::body_of(pair.first)) !=
          bodies_.holds(BodiesT::body_of(pair.second));
@@ -124,7 +124,7 @@ bool GeneralWorld<SceneT>::holds_one(ProxyPair pair) const {
 /// f(D) of such a pair: the other one is carried no more, so that it falls from then on.
 /// @pre both are alone
 template <class SceneT>
-void GeneralWorld<SceneT>::hold(ProxyPair pair, Scalar until) {
+[[gnu::cold, gnu::noinline]] void GeneralWorld<SceneT>::hold(ProxyPair pair, Scalar until) {
   if constexpr (kHolds<SceneT>) {
     const std::size_t a = BodiesT::body_of(pair.first);
     const std::size_t b = BodiesT::body_of(pair.second);
@@ -139,7 +139,7 @@ void GeneralWorld<SceneT>::hold(ProxyPair pair, Scalar until) {
 
 /// For the rest of the step: there is no answer for the two.
 template <class SceneT>
-void GeneralWorld<SceneT>::stop_both(ProxyPair pair) {
+[[gnu::cold]] void GeneralWorld<SceneT>::stop_both(ProxyPair pair) {
   const std::size_t a = BodiesT::body_of(pair.first);
   const std::size_t b = BodiesT::body_of(pair.second);
   const bool are_alone =

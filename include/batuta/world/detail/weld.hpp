@@ -295,14 +295,13 @@ template <class SceneT>
   } else {
     settle_straight(whole);
   }
+  [[maybe_unused]] const Scalar held = bodies_.now - whole.start;
+  if constexpr (kHolds<SceneT> && !kCountsHeld<SceneT>) bodies_.report.time_held += held;
   for (std::size_t slot = first; slot < BodiesT::kSlots; ++slot) {  // Bound: kMaxBodies
     BodyState& state = bodies_.states[slot];
     if (state.group != group) continue;
     if constexpr (SceneT::kGravity) end_fall(slot);
-    if constexpr (kHolds<SceneT>) {
-      state.held_for += bodies_.now - state.start;
-      note_held(state.held_for);
-    }
+    if constexpr (kCountsHeld<SceneT>) note_held(state.held_for += held);
     state.held_until = 0;
     state.start = bodies_.now;
     state.changed = true;
