@@ -158,8 +158,10 @@ bool GeneralWorld<SceneT>::strike_turning(ProxyPair pair, const Sides& sides,
         collides && !is_loads && answers_of_pair_ <= max_of(SceneT::kMaxSeparations / 2, 1);
     const auto hit = strike(pair, sides, contact, bounces ? restitution_of(pair) : Scalar(0));
     if (!hit.ok()) return false;
-    if (!is_stopped) result.impulse = hit.value.magnitude;
-    if (!is_stopped) result.impulse_A_W = hit.value.on_A.linear_W;
+    if (!is_stopped) {
+      result.impulse = hit.value.magnitude;
+      result.impulse_A_W = hit.value.on_A.linear_W;
+    }
     if (is_loads) note_supports(pair, hit.value.on_A, hit.value.on_B);
   }
   const int carried = takes_load(pair, contact);
