@@ -104,12 +104,20 @@ template <class SceneT>
     return bodies_.weld(a, b, bodies_.dt);
   }
   ++bodies_.report.separations;
-  if (!is_charged) return;
-  const Scalar until = min_of(bodies_.dt, bodies_.now + made.value.duration);
-  if (!holds_one(pair)) return bodies_.weld(a, b, until);
+  if (is_charged) charge(pair, contact, made.value, options.distance);
+}
+
+/// f(D). @param distance  D, m
+template <class SceneT>
+void GeneralWorld<SceneT>::charge(ProxyPair pair, const Contact<Scalar>& contact,
+                                  const Separation<Scalar>& made, Scalar distance) {
+  const Scalar until = min_of(bodies_.dt, bodies_.now + made.duration);
+  if (!holds_one(pair)) {
+    return bodies_.weld(BodiesT::body_of(pair.first), BodiesT::body_of(pair.second), until);
+  }
   // Who is pressed where there is no room to move it away is carried, as under kNone: between two
   // that are fixed its time would stand still for ever.
-  const bool is_narrow = gap_after(contact, made.value) < options.distance / 2;
+  const bool is_narrow = gap_after(contact, made) < distance / 2;
   if (!(kCarries<SceneT> && is_narrow)) hold(pair, until);
 }
 

@@ -63,6 +63,7 @@ class Welds {
   void start_group(const GroupSums<SceneT>& sums, Group name, Scalar until);
   void settle(Group group);
   void settle_turning(const BodyState& whole);
+  void go_along(const BodyState& whole, const Pose<Scalar>& X_WG);
   void settle_straight(const BodyState& whole);
   static void start_fall(BodyState& state, const GroupSums<SceneT>& sums, bool is_led);
   bool is_moved_in(Group group, std::size_t slot) const;
@@ -99,8 +100,7 @@ template <class SceneT>
   return Welds<SceneT>(*this).off_flight(slot, time);
 }
 
-/// A wall is no member, nor does a group go by its name: what else comes to it is not to stop
-/// there.
+/// A wall is no member, nor gives a name: what else comes to it is not to stop there.
 template <class SceneT>
 [[gnu::cold]] void Welds<SceneT>::weld(std::size_t a, std::size_t b, Scalar until) {
   if (name_of(a) == name_of(b)) return;  // they go together already
@@ -120,14 +120,12 @@ template <class SceneT>
   if constexpr (!kHolds<SceneT>) note_held(until - bodies_.now);
 }
 
-/// What it is off its parabola is there when it parts. @pre both have come to now
+/// How far it is off its parabola is kept. @pre both have come to now
 template <class SceneT>
 [[gnu::cold]] void Welds<SceneT>::hold(std::size_t a, std::size_t b, Scalar until) {
   const std::array<std::size_t, 2> slots = {a, b};
   std::array<Vec3<Scalar>, 2> off_W;
-  for (std::size_t i = 0; i < slots.size(); ++i) {  // Bound: 2
-    if constexpr (SceneT::kGravity) off_W[i] = bodies_.states[slots[i]].off_W;
-  }
+  if constexpr (SceneT::kGravity) off_W = {bodies_.states[a].off_W, bodies_.states[b].off_W};
   weld(a, b, until);
   for (std::size_t i = 0; i < slots.size(); ++i) {  // Bound: 2
     BodyState& state = bodies_.states[slots[i]];
@@ -137,8 +135,7 @@ template <class SceneT>
   }
 }
 
-/// A body, and who goes with it already, come to now. @returns whether something in it cannot be
-/// moved
+/// A body, and who goes with it, come to now. @returns whether something in it cannot be moved
 template <class SceneT>
 [[gnu::cold]] bool Welds<SceneT>::stop(std::size_t slot) {
   const BodyState& state = bodies_.states[slot];
@@ -310,6 +307,20 @@ template <class SceneT>
   bodies_.is_changed = true;
 }
 
+/// All of a group go from their places to those at the end.
+template <class SceneT>
+void Welds<SceneT>::go_along(const BodyState& whole, const Pose<Scalar>& X_WG) {
+  for (std::size_t slot = 0; slot < BodiesT::kSlots; ++slot) {  // Bound: kMaxBodies
+    if (bodies_.states[slot].group != whole.group) continue;
+    auto& body = bodies_.actor(slot).body;
+    take_along(body, whole.plan.motion.X_WB.p_W, X_WG);
+    if constexpr (kHolds<SceneT> && !BodiesT::kIsFree) {  // nobody leads, nothing turns
+      const bool is_held = whole.group_plan == GroupPlan::kHeld;
+      if (is_held && is_moved_in(whole.group, slot)) turn_along(body, X_WG);
+    }
+  }
+}
+
 /// What rounding leaves of the sums goes to the heaviest.
 template <class SceneT>
 [[gnu::cold]] void Welds<SceneT>::settle_turning(const BodyState& whole) {
@@ -317,16 +328,7 @@ template <class SceneT>
   const Pose<Scalar> X_WG = pose_at(whole.plan.motion, bodies_.now - whole.start);
   Momentum<Scalar> left = sums.group.momentum;
   Twist<Scalar> twist = whole.plan.motion.twist;
-  const bool moves = whole.start < bodies_.now && !Kinematics::is_still(whole.plan.motion);
-  for (std::size_t slot = 0; slot < BodiesT::kSlots; ++slot) {  // Bound: kMaxBodies
-    if (!moves || bodies_.states[slot].group != whole.group) continue;
-    auto& body = bodies_.actor(slot).body;
-    take_along(body, whole.plan.motion.X_WB.p_W, X_WG);
-    if constexpr (kHolds<SceneT> && !BodiesT::kIsFree) {  // nobody leads, nothing turns
-      const bool keeps = whole.group_plan == GroupPlan::kHeld && is_moved_in(whole.group, slot);
-      if (keeps) turn_along(body, X_WG);
-    }
-  }
+  if (whole.start < bodies_.now && !Kinematics::is_still(whole.plan.motion)) go_along(whole, X_WG);
   if (!whole.is_led_group()) twist = group_twist(sums_of(whole.group).group, left.angular_W);
   for (std::size_t slot = 0; slot < BodiesT::kSlots; ++slot) {  // Bound: kMaxBodies
     if (is_pushed_in(whole.group, slot))
@@ -370,8 +372,8 @@ bool Welds<SceneT>::is_pushed_in(Group group, std::size_t slot) const {
   return is_moved_in(group, slot);
 }
 
-/// Of a body whose group is at its end: how far it is off its parabola; and what a group that was
-/// led carried begins to fall. For who was held time stood still: gravity gave it nothing.
+/// At the end of its group a body is off its parabola; what was carried by one that was led begins
+/// to fall. For who was held time stood still: gravity gave it nothing.
 template <class SceneT>
 [[gnu::cold]] void Welds<SceneT>::end_fall(std::size_t slot) {
   BodyState& state = bodies_.states[slot];
