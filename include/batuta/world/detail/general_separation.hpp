@@ -104,13 +104,13 @@ template <class SceneT>
     return bodies_.weld(a, b, bodies_.dt);
   }
   ++bodies_.report.separations;
-  if (is_charged) charge(pair, contact, made.value, options.distance);
+  if (is_charged) apply_separation_time(pair, contact, made.value, options.distance);
 }
 
 /// f(D). @param distance  D, m
 template <class SceneT>
-void GeneralWorld<SceneT>::charge(ProxyPair pair, const Contact<Scalar>& contact,
-                                  const Separation<Scalar>& made, Scalar distance) {
+void GeneralWorld<SceneT>::apply_separation_time(ProxyPair pair, const Contact<Scalar>& contact,
+                                                 const Separation<Scalar>& made, Scalar distance) {
   const Scalar until = min_of(bodies_.dt, bodies_.now + made.duration);
   if (!holds_one(pair)) {
     return bodies_.weld(BodiesT::body_of(pair.first), BodiesT::body_of(pair.second), until);

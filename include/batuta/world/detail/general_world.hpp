@@ -219,8 +219,8 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   SeparationOptions<Scalar> separation_options(Scalar margin, bool is_charged) const;
   void separate_pair(ProxyPair pair, const PairQuery& query, const Contact<Scalar>& contact,
                      const Answer<Scalar>& result, bool is_resting);
-  void charge(ProxyPair pair, const Contact<Scalar>& contact, const Separation<Scalar>& made,
-              Scalar distance);
+  void apply_separation_time(ProxyPair pair, const Contact<Scalar>& contact,
+                             const Separation<Scalar>& made, Scalar distance);
   bool holds_one(ProxyPair pair) const;
   void hold(ProxyPair pair, Scalar until);
   void stop_both(ProxyPair pair);
