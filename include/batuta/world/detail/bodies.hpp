@@ -228,8 +228,8 @@ class Bodies : public Proxies<SceneT> {
 
   /// The two, and whoever goes with one of them already, go on together (weld.hpp).
   void weld(std::size_t a, std::size_t b, Scalar until);
-  /// The same of two of which one is moved by nothing that the other does: for that time stands
-  /// still. @pre nothing carries it; both are alone, and have come to now
+  /// The same of two of which one is moved by nothing that the other does: for the other, time
+  /// stands still. @pre nothing carries that; both are alone, and have come to now
   void hold(std::size_t a, std::size_t b, Scalar until);
   /// Those of the body's group go on alone, from now.
   void part_group(std::size_t slot);

@@ -155,8 +155,9 @@ void SmallWorld<SceneT>::give_way(std::size_t carried, std::size_t carrier,
 /// As GeneralWorld. @param times  s: < 0: what the rest of the step would have taken comes back
 template <class SceneT>
 void SmallWorld<SceneT>::give_reaction(std::size_t slot, Scalar times) {
-  if (is_zero(falls_.reaction_W[slot])) return;
-  actors_.at(falls_.carrier[slot]).body.momentum_W += times * falls_.reaction_W[slot];
+  const std::size_t carrier = falls_.carrier[slot];
+  if (is_zero(falls_.reaction_W[slot]) || !(inverse_mass_[carrier] > Scalar(0))) return;
+  actors_.at(carrier).body.momentum_W += times * falls_.reaction_W[slot];
 }
 
 /// As GeneralWorld.
