@@ -180,8 +180,7 @@ struct OverRails {
   Vector places[2];
   double speeds[2];  ///< along the rails, m/s
 };
-// Found from outside: the upper one is put back as it was after a look whether it is struck, and
-// has pushed the lower one.
+// Close to one that was found from outside.
 const OverRails kFound = {0.0650033,
                           {0.0312469, 0.0489596},
                           {{0, -0.0132141, 0.205464}, {-0.0660955, 0.0338731, 0.234935}},
