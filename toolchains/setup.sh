@@ -21,7 +21,7 @@ WEB_PACKAGES="g++ cmake ninja-build libeigen3-dev python3 emscripten nodejs chro
 WEB_MODULES="port/platforms/web"  # holds package.json and its lock; the modules go to build/node
 # What Linux's own driver is booted with, and the stick plugged into it.
 KERNEL_PACKAGES="g++ cmake ninja-build pkg-config libeigen3-dev libgtest-dev libgmock-dev librapidcheck-dev python3 \
-qemu-system-x86 busybox-static cpio libusbredirparser-dev"
+qemu-system-x86 busybox-static cpio libusbredirparser-dev libsdl2-2.0-0"
 
 say() { printf '%s\n' "setup: $*"; }
 fail() { printf '%s\n' "setup: $*" >&2; exit 1; }
@@ -35,7 +35,7 @@ usage: sh toolchains/setup.sh [duel|host|target|packages|all|web|kernel]
   packages  what makes and tests archives for registries: lintian, Arduino's builder, Kconfig, Python, a compiler for Windows
   all     host and target
   web     emscripten, Chromium, and the modules of port/platforms/web/package-lock.json from npm into build/node
-  kernel  an emulator of a PC, and Debian's kernel with its modules for USB into build/kernel; it is not installed
+  kernel  an emulator of a PC; Debian's kernel with its modules for USB, and SDL's haptic test, into build/kernel: neither is installed
 USAGE
 }
 
@@ -101,6 +101,15 @@ unpack_kernel() {
   ls linux-image-*.deb >package && rm -f linux-image-*.deb
 }
 
+# A program of SDL's that plays effects. The package asks for a window's libraries, which this program has no use for.
+unpack_haptic_test() {
+  cd "$root/build/kernel" || fail "build/kernel is missing"
+  [ ! -d usr ] || return 0
+  apt-get download -q libsdl2-tests || fail "could not fetch SDL's haptic test (is there a network?)"
+  dpkg-deb --fsys-tarfile libsdl2-tests_*.deb | tar -x --wildcards '*/testhaptic' || fail "could not unpack SDL's haptic test"
+  rm -f libsdl2-tests_*.deb
+}
+
 [ $# -le 1 ] || { usage >&2; exit 2; }
 case "${1-host}" in
   duel) packages=$DUEL_PACKAGES ;;
@@ -135,5 +144,8 @@ else
   done
 fi
 [ "${1-host}" != web ] || install_modules
-[ "${1-host}" != kernel ] || unpack_kernel
+if [ "${1-host}" = kernel ]; then
+  unpack_kernel
+  unpack_haptic_test
+fi
 say "done"

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Linux's own driver plays effects on the stick: an emulator boots a kernel with batuta_kernel_guest as its program and
 batuta_kernel_device as what is plugged in. Prints each check; exit status 0 where every check that there is was made and
-held. Usage: boot.py KERNEL DEVICE GUEST; KERNEL is what `toolchains/setup.sh kernel` unpacks."""
+held. Usage: boot.py KERNEL DEVICE GUEST [PROGRAM]; KERNEL is what `toolchains/setup.sh kernel` unpacks, PROGRAM is SDL's
+haptic test, which GUEST starts."""
 
 import collections
 import lzma
@@ -19,9 +20,13 @@ import time
 CHECKS = {"capabilities": 18, "position": 5, "constant": 29, "ramp": 12, "sine": 10, "square": 10, "triangle": 10, "saw up": 10,
           "saw down": 10, "envelope": 24, "times": 11, "change": 16, "spring": 43, "damper": 8, "friction": 8, "inertia": 8,
           "gain": 10, "rumble": 3, "together": 10, "pool": 18, "end of a program": 5, "plug": 11, "reports": 1}
+# The same where SDL plays: nine effects, each looked at twice.
+CHECKS_OF_SDL = {"SDL": 1 + 2 * 9 + 4}
 MODULES = ["xhci_pci", "usbhid", "hid_generic", "evdev"]
 WORDS = ["Force feedback for USB HID PID devices"]
 TROUBLE = re.compile(r"\bBUG:|\bOops|Call Trace|Kernel panic|WARNING: CPU|UBSAN|KASAN")
+# What SDL opens when it runs, beside what it is linked with.
+OPENED = ["libudev.so.1"]
 # Of the emulator's own processor time: it ends no run because the machine is busy.
 PROCESSOR_SECONDS = 600
 # For the emulator to notice that its device has gone, and the other way round: no more than a failing test waits for.
@@ -61,8 +66,24 @@ def modules_of(kernel, names):
     return found.items()
 
 
-def pack(kernel, guest, folder):
-    """The first file system: busybox, the modules, the program."""
+def libraries_of(program):
+    """Files that a program and OPENED are linked with, the loader among them."""
+    known = subprocess.run(["ldconfig", "-p"], stdout=subprocess.PIPE, text=True, check=True).stdout
+    opened = [path for name in OPENED for path in re.findall(rf"^\t{re.escape(name)} \(.*x86-64.*\) => (\S+)$", known, re.M)[:1]]
+    said = [subprocess.run(["ldd", file], stdout=subprocess.PIPE, text=True, check=True).stdout for file in (program, *opened)]
+    return {pathlib.Path(path) for path in [*opened, *re.findall(r"(/\S+) \(0x", "".join(said))]}
+
+
+def pack_program(program, root):
+    shutil.copy(program, root / "program")
+    for path in libraries_of(program):
+        place = root / path.relative_to("/")
+        place.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(path, place)
+
+
+def pack(kernel, guest, program, folder):
+    """The first file system: busybox, the modules, the program, and what it starts."""
     root = folder / "root"
     for name in ("bin", "dev", "modules"):
         (root / name).mkdir(parents=True)
@@ -70,6 +91,8 @@ def pack(kernel, guest, folder):
     shutil.copy(pathlib.Path(__file__).with_name("init"), root / "init")
     (root / "init").chmod(0o755)
     shutil.copy(guest, root / "guest")
+    if program:
+        pack_program(program, root)
     order = []
     for name, content in modules_of(kernel, MODULES):
         (root / "modules" / name).write_bytes(content)
@@ -112,12 +135,12 @@ def boot(kernel, device, folder):
     return said.read_text(errors="replace").replace("\r", ""), wrong
 
 
-def judge(text):
+def judge(text, wanted):
     """What is wrong with what the machine said: [sentence]."""
     checks = re.findall(r"^(ok|WRONG) ([^:]+): ", text, re.M)
     made = collections.Counter(group for _, group in checks)
-    wrong = [f"{group}: {made[group]} checks were made, not {count}" for group, count in CHECKS.items() if made[group] != count]
-    wrong += [f"{group}: not in the list of checks" for group in made if group not in CHECKS]
+    wrong = [f"{group}: {made[group]} checks were made, not {count}" for group, count in wanted.items() if made[group] != count]
+    wrong += [f"{group}: not in the list of checks" for group in made if group not in wanted]
     wrong += re.findall(r"^(?:WRONG|gave up).*", text, re.M)
     wrong += [f"not said: {words}" for words in ["the end\n", "the guest ended with 0\n", "the kernel has said it\n", *WORDS]
               if words not in text]
@@ -125,14 +148,14 @@ def judge(text):
 
 
 def main():
-    kernel, device, guest = (pathlib.Path(word).resolve() for word in sys.argv[1:4])
+    kernel, device, guest, *program = (pathlib.Path(word).resolve() for word in sys.argv[1:])
     began = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="batuta-kernel-") as name:
         folder = pathlib.Path(name)
-        pack(kernel, guest, folder)
+        pack(kernel, guest, next(iter(program), None), folder)
         text, wrong = boot(kernel, device, folder)
     print(text)
-    wrong += judge(text)
+    wrong += judge(text, CHECKS_OF_SDL if program else CHECKS)
     for sentence in wrong:
         print(f"FAILED: {sentence}")
     print(f"{len(re.findall('^ok ', text, re.M))} checks held, {time.monotonic() - began:.0f} s")

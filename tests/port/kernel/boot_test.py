@@ -12,12 +12,12 @@ GOOD += "the end\nthe guest ended with 0\nthe kernel says\n" + "\n".join(boot.WO
 
 class Judge(unittest.TestCase):
     def wrong(self, text):
-        sentences = boot.judge(text)
+        sentences = boot.judge(text, boot.CHECKS)
         self.assertEqual(len(sentences), 1, sentences)
         return sentences[0]
 
     def test_nothing_is_wrong(self):
-        self.assertEqual(boot.judge(GOOD), [])
+        self.assertEqual(boot.judge(GOOD, boot.CHECKS), [])
 
     def test_a_check_is_wrong(self):
         self.assertIn("look", self.wrong(GOOD.replace("ok spring", "WRONG spring", 1)))
@@ -35,6 +35,11 @@ class Judge(unittest.TestCase):
         self.assertIn("gave up", self.wrong("gave up: a gain does not come\n" + GOOD))
         self.assertIn("the end", self.wrong(GOOD.replace("the end\n", "")))
         self.assertIn("ended with 0", self.wrong(GOOD.replace("ended with 0", "ended with 139")))
+
+    def test_an_effect_of_sdl_is_not_played(self):
+        good = "ok SDL: look: 1: 1\n" * 23 + GOOD[GOOD.index("the end"):]
+        self.assertEqual(boot.judge(good, boot.CHECKS_OF_SDL), [])
+        self.assertIn("22 checks", boot.judge(good[good.index("\n") + 1:], boot.CHECKS_OF_SDL)[0])
 
     def test_the_kernel_is_in_trouble(self):
         self.assertIn("Oops", self.wrong(GOOD + "[ 5.1] Oops: 0002 [#1] PREEMPT SMP\n"))
