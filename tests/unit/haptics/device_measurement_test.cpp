@@ -227,6 +227,54 @@ TEST(DeviceMeasurement, JitterAndLostSamples_AreCoveredByWhatIsTold) {
   EXPECT_GE(measured, 36);
 }
 
+// What is not seen is left out, and not taken for a stick that stands: no number gets much worse.
+TEST(DeviceMeasurement, LostSamples_AreLeftOut) {
+  MeasuredDevice device;
+  device.encoder_step = 1e-5;
+  Measuring whole(device);
+  ASSERT_EQ(whole.run(), State::kMeasured);
+  device.lost = 0.005;
+  Measuring holed(device);
+  ASSERT_EQ(holed.run(), State::kMeasured);
+  const DeviceEstimates& fine = whole.measurement.estimates();
+  const DeviceEstimates& told = holed.measurement.estimates();
+  EXPECT_LT(sigma(told.damping), 2 * sigma(fine.damping));
+  EXPECT_LT(sigma(told.friction), 2 * sigma(fine.friction));
+  EXPECT_LT(sigma(told.mass), 2 * sigma(fine.mass));
+}
+
+/// How far the stick went to either side of where it began, the mean of all its turns, u.
+std::array<double, 2> mean_turns(Measuring& measuring) {
+  constexpr double kStroke = 0.05;  // u; smaller ones are no strokes
+  std::array<double, 2> sums{};
+  std::array<int, 2> counts{};
+  double last = 0, way = 0;
+  while (measuring.measurement.state() == State::kRunning) {
+    measuring.step(0);
+    const double moved = measuring.position() - last;
+    if (way * moved < 0 && std::abs(last) > kStroke) {
+      const std::size_t side = last > 0 ? 1 : 0;
+      sums[side] += std::abs(last);
+      ++counts[side];
+    }
+    last = measuring.position();
+    way = moved;
+  }
+  return {sums[0] / counts[0], sums[1] / counts[1]};
+}
+
+// A force that pulls to one side all the time: where to brake is learnt for each side by itself.
+TEST(DeviceMeasurement, StrokesAgainstAWeight_GoAsFarAsThoseWithIt) {
+  for (const double weight : {-0.15, 0.15}) {
+    MeasuredDevice device;
+    device.weight = weight;
+    Measuring measuring(device);
+    const auto [left, right] = mean_turns(measuring);
+    EXPECT_EQ(measuring.measurement.state(), State::kMeasured);
+    EXPECT_NEAR(left, right, 0.15 * left) << weight;
+  }
+}
+
 /// How a device that differs from the plain one ends.
 State end_of(void (*change)(MeasuredDevice&)) {
   MeasuredDevice device;

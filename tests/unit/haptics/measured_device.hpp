@@ -124,6 +124,9 @@ class Measuring {
     time_ += device_.period;
   }
 
+  /// Where the stick is in truth, u.
+  double position() const { return axis_.position(); }
+
   haptics::MeasurementSettings settings;
   haptics::DeviceMeasurement measurement;
   Microseconds first_time = 0;  ///< to be set before the first step

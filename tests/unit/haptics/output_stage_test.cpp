@@ -234,6 +234,15 @@ TEST(OutputStage, ADeviceThatIsGone_IsCounted_AndFadesInWhenItIsBack) {
   EXPECT_EQ(rig.run(10, alive({1, 0})).x(), 0.25F);
 }
 
+TEST(OutputStage, UnlessAskedOtherwise_FadesInForHalfASecond) {
+  StageSettings settings = open_settings();
+  settings.fade = StageSettings{}.fade;
+  StageRig rig(settings);
+  EXPECT_EQ(rig.run(250, alive({1, 0})).x(), 0.5F);
+  EXPECT_LT(rig.run(249, alive({1, 0})).x(), 1.0F);
+  EXPECT_EQ(rig.run(1, alive({1, 0})).x(), 1.0F) << "500 steps of 1 ms";
+}
+
 TEST(OutputStage, OfAllRamps_TheOneThatLeavesLeastDecides) {
   StageRig rig;
   StageInput input = alive({1, -1});
