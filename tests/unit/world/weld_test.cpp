@@ -111,6 +111,29 @@ TYPED_TEST(Weld, OfGroups_IsAGroup) {
   for (const auto& state : rig.bodies.states) EXPECT_EQ(state.group, rig.bodies.kAlone);
 }
 
+/// A momentum is that of the step's end: who falls is half of what gravity gives in the step behind
+/// it. A group of which something carries one does not fall.
+TYPED_TEST(Weld, OfWhoIsCarried_DoesNotFall) {
+  using S = TypeParam;
+  constexpr double kStep = 0.01;
+  const Vec3<S> gravity_W(0, 0, S(-10));
+  for (const bool is_carried : {false, true}) {
+    std::mt19937_64 random(5);
+    WeldRig<FreeScene<S, 2, true>> rig;
+    rig.bodies.settings.gravity_W = gravity_W;
+    for (int i = 0; i < 2; ++i) rig.add(random_body<S>(random, 1, 2, 10));
+    rig.begin(kStep);
+    rig.bodies.states[1].loaded = is_carried;
+    const Whole was = whole_of(rig.all());
+    rig.bodies.weld(0, 1, rig.bodies.dt);
+    rig.finish();
+    const ExactVec behind = exact(Vec3<S>(S(kStep * kStep / 2) * gravity_W));
+    const ExactVec way =
+        Exact(kStep) * was.momentum / was.mass - (is_carried ? ExactVec(ExactVec::Zero()) : behind);
+    EXPECT_LE((whole_of(rig.all()).center - was.center - way).norm(), 32 * u<S>) << is_carried;
+  }
+}
+
 /// How far the turn of a group of three is off that of a rigid body, rad.
 template <class S>
 Exact turn_error(double time) {
