@@ -173,6 +173,95 @@ TYPED_TEST(Carried, BallUnderABall_IsPushedOut) {
   }
 }
 
+/// Balls one on another, each leaning by an angle, on the floor: nothing pushes along it.
+struct Chain {
+  std::array<double, 2> leans;   ///< of the second and of the third one, rad
+  std::array<double, 3> masses;  ///< kg
+};
+
+struct Tally {
+  int complete = 0;
+  int steps = 0;
+};
+
+/// A step that is complete keeps the sum of their momenta along the floor.
+template <class SceneT>
+void let_fall(const Chain& chain, double dt, int steps, double rounding, Tally& tally) {
+  using S = typename SceneT::Scalar;
+  constexpr double kRadius = 0.1, kApart = 2 * kRadius + 1e-6;
+  auto world = std::make_unique<World<SceneT>>();
+  auto settings = world->settings();
+  settings.gravity_W = Vec3<S>(0, 0, static_cast<S>(-kG));
+  ASSERT_EQ(world->configure(settings), Status::kOk);
+  ASSERT_TRUE(world->add(ground<SceneT>()).ok());
+  Vector place(0, 0, kRadius + 1e-6);
+  std::array<typename World<SceneT>::BodyId, 3> balls;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double lean = i == 0 ? 0 : chain.leans[i - 1];
+    if (i > 0) place += kApart * Vector(std::sin(lean), 0, std::cos(lean));
+    auto actor = ball<SceneT>(kRadius, place);
+    const double heavier = chain.masses[i] * static_cast<double>(actor.body.inverse_mass);
+    actor.body.inverse_mass = static_cast<S>(1 / chain.masses[i]);
+    if constexpr (SceneT::kRotation) actor.body.inverse_moments /= static_cast<S>(heavier);
+    balls[i] = world->add(actor).value;
+  }
+  const auto sums = [&world, &balls, &chain, dt] {
+    double sum = 0, size = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& actor = *std::as_const(*world).get(balls[i]);
+      const double p = chain.masses[i] * place_and_velocity<SceneT>(actor).second.x();
+      sum += p;
+      size += std::abs(p) + chain.masses[i] * kG * dt;
+    }
+    return std::pair(sum, size);
+  };
+  for (int n = 0; n < steps; ++n) {
+    const double before = sums().first;
+    ASSERT_EQ(world->step(static_cast<S>(dt)), Status::kOk);
+    ++tally.steps;
+    if (!std::as_const(*world).report().complete()) continue;
+    ++tally.complete;
+    EXPECT_NEAR(sums().first, before, rounding * sums().second)
+        << "leans " << chain.leans[0] << ' ' << chain.leans[1] << ", step " << n << " of " << dt;
+  }
+}
+
+// Found from outside: what the third one presses along the support of the second one goes on to the
+// first one, and is given to nobody. Told (world.md, "Known faults"); and no step is told wrong.
+TYPED_TEST(Carried, ThreeThatLeanOnEachOther_KeepTheirMomentumOrSayThatTheyDoNot) {
+  const double rounding = std::is_same_v<TypeParam, float> ? 1e-4 : 1e-8;
+  Tally none, separation, straight;
+  for (const double low : {0.0, 0.01, 0.3, -0.6}) {
+    for (const double high : {0.0, 0.3, 0.8}) {
+      for (const auto& masses :
+           {std::array{1.0, 1.0, 1.0}, {1.0, 1.0, 100.0}, {100.0, 1.0, 0.01}}) {
+        const Chain chain = {{low, high}, masses};
+        for (const double dt : {1e-4, 1e-3, 1e-2}) {
+          let_fall<Turning<TypeParam, RestingContact::kNone>>(chain, dt, 20, rounding, none);
+          let_fall<Turning<TypeParam, RestingContact::kSeparation>>(chain, dt, 20, rounding,
+                                                                    separation);
+          let_fall<Straight<TypeParam>>(chain, dt, 20, rounding, straight);
+        }
+      }
+    }
+  }
+  EXPECT_GT(none.complete, none.steps / 5);
+  EXPECT_GT(separation.complete, separation.steps / 5);
+  EXPECT_GT(straight.complete, straight.steps / 5);
+}
+
+// One right above the other, nothing goes aside: no step is told for nothing.
+TYPED_TEST(Carried, ThreeUpright_AreComplete) {
+  const double rounding = std::is_same_v<TypeParam, float> ? 1e-4 : 1e-8;
+  Tally tally;
+  for (const double dt : {1e-4, 1e-3, 1e-2}) {
+    const Chain upright = {{0, 0}, {1, 2, 3}};
+    let_fall<Turning<TypeParam, RestingContact::kNone>>(upright, dt, 20, rounding, tally);
+    let_fall<Straight<TypeParam>>(upright, dt, 20, rounding, tally);
+  }
+  EXPECT_GE(tally.complete, tally.steps - 6) << "the first step of each brings them together";
+}
+
 /// Two balls above two rails.
 struct OverRails {
   double apart;  ///< half of the way between the rails, m

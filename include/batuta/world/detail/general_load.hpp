@@ -109,6 +109,27 @@ void GeneralWorld<SceneT>::drop_reactions([[maybe_unused]] std::size_t slot) {
   }
 }
 
+/// Whether a load presses on somebody whose own carrier gives way to him: what goes on to that one
+/// along the support is given to nobody (world.md, "The fall").
+template <class SceneT>
+bool GeneralWorld<SceneT>::is_lost_below([[maybe_unused]] std::size_t carrier,
+                                         [[maybe_unused]] const Vec3<Scalar>& load_W) const {
+  bool is_lost = false;
+  if constexpr (kCarries<SceneT> && SceneT::kMaxBodies > 3) {  // three, and what is below them
+    const auto& state = bodies_.states[carrier];
+    // Of a group that is carried nobody knows by whom.
+    is_lost = is_zero(state.support.linear_W) && !bodies_.is_led(carrier);
+    const Scalar share = along_support(load_W, state.support.linear_W);
+    for (const auto& reaction : state.reactions) {  // Bound: 2
+      if (reaction.carrier == Reaction<Scalar>::kNobody || bodies_.holds(reaction.carrier))
+        continue;
+      is_lost = is_lost || share * length(reaction.load.linear_W) >
+                               kLoadRoundings * kRoundOff<Scalar> * length(load_W);
+    }
+  }
+  return is_lost;
+}
+
 /// Who is carried himself gives way across his support, so that the load is less: with a of the
 /// impulse J n across the support, softness w and the speed v that J stops, J is reduced to
 /// v / (v + w (a . n)) of it. Corrects both impulses; that on who is carried was given already.
@@ -120,6 +141,7 @@ void GeneralWorld<SceneT>::give_way(std::size_t carried, std::size_t carrier,
   if constexpr (kCarries<SceneT>) {
     auto& body = bodies_.actor(carrier).body;
     if (!bodies_.states[carrier].loaded || !(body.inverse_mass > Scalar(0))) return;
+    if (is_lost_below(carrier, on_carried.linear_W)) ++bodies_.report.resolutions_invalid;
     const Vec3<Scalar> across_W =
         across_support(on_carried.linear_W, bodies_.states[carrier].support.linear_W);
     const Scalar gives = body.inverse_mass * across_W.dot(towards_W);

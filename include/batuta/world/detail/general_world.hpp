@@ -192,6 +192,7 @@ class GeneralWorld : private RepeatsOf<SceneT> {
                     const Momentum<Scalar>& on_carrier);
   void note_reaction(std::size_t slot, std::size_t carrier, const Momentum<Scalar>& on_carrier,
                      Scalar rest);
+  bool is_lost_below(std::size_t carrier, const Vec3<Scalar>& load_W) const;
   void give_way(std::size_t carried, std::size_t carrier, const Vec3<Scalar>& towards_W,
                 Scalar speed, Momentum<Scalar>& on_carried, Momentum<Scalar>& on_carrier);
   void press(ProxyPair pair, const Contact<Scalar>& contact, int carried, Answer<Scalar>& result);

@@ -133,12 +133,22 @@ typename SmallWorld<SceneT>::Scalar SmallWorld<SceneT>::take_load(std::size_t a,
   return on_carried_W.dot(towards_W);
 }
 
+/// As GeneralWorld: whether a load goes on to somebody who is not given it.
+template <class SceneT>
+bool SmallWorld<SceneT>::is_lost_below(std::size_t carrier, const Vec3<Scalar>& load_W) const {
+  if constexpr (SceneT::kMaxBodies <= 3) return false;  // three, and what is below them
+  const Scalar share = along_support(load_W, falls_.support_W[carrier]);
+  return share * length(falls_.reaction_W[carrier]) >
+         kLoadRoundings * kRoundOff<Scalar> * length(load_W);
+}
+
 /// As GeneralWorld: who is carried himself gives way across his support, and the load is less.
 template <class SceneT>
 void SmallWorld<SceneT>::give_way(std::size_t carried, std::size_t carrier,
                                   const Vec3<Scalar>& towards_W, Scalar speed,
                                   Vec3<Scalar>& on_carried_W) {
   if (!falls_.loaded[carrier] || !(inverse_mass_[carrier] > Scalar(0))) return;
+  if (is_lost_below(carrier, on_carried_W)) ++report_.resolutions_invalid;
   const Vec3<Scalar> across_W = across_support(on_carried_W, falls_.support_W[carrier]);
   const Scalar gives = inverse_mass_[carrier] * across_W.dot(towards_W);
   if (!(gives > Scalar(0))) return;

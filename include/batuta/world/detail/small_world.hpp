@@ -145,6 +145,7 @@ class SmallWorld {
   bool is_blow(std::size_t a, std::size_t b, const Vec3<Scalar>& normal_W);
   Scalar take_load(std::size_t a, std::size_t b, const Vec3<Scalar>& normal_W);
   void note_support(std::size_t slot, const Vec3<Scalar>& impulse_W);
+  bool is_lost_below(std::size_t carrier, const Vec3<Scalar>& load_W) const;
   void give_way(std::size_t carried, std::size_t carrier, const Vec3<Scalar>& towards_W,
                 Scalar speed, Vec3<Scalar>& on_carried_W);
   void give_reaction(std::size_t slot, Scalar times);

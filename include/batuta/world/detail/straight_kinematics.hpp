@@ -12,6 +12,14 @@ namespace batuta::detail {
 /// Roundings in the velocity of a pair of which one or both are carried.
 inline constexpr int kLoadRoundings = 16;
 
+/// What an impulse that presses on who is carried takes of his support, as a share of that; 0 where
+/// it presses off the support, or nothing is known of it.
+template <class Scalar>
+Scalar along_support(const Vec3<Scalar>& impulse_W, const Vec3<Scalar>& support_W) {
+  const Scalar square = support_W.dot(support_W);
+  const Scalar along = impulse_W.dot(support_W);
+  return square > Scalar(0) && along > Scalar(0) ? along / square : Scalar(0);
+}
 /// The part of an impulse that presses on who is carried which its support does not take: what lies
 /// across that, or all where it presses off the support; none where nothing is known of that.
 template <class Scalar>
