@@ -7,10 +7,12 @@ import csv
 import math
 import os
 import shutil
+import signal
 import struct
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 PROGRAM = sys.argv.pop()
@@ -262,6 +264,33 @@ class Answer(unittest.TestCase):
         with open(queries, encoding="ascii") as asked:
             done = self.run_program("distance", "--in", "-", "--out", copy, stdin=asked)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_a_signal_leaves_nothing_beside_the_answers(self):
+        out = self.path("out.csv")
+        with open(out, "w", encoding="ascii") as file:
+            file.write("older answers")
+        for number in signal.SIGHUP, signal.SIGINT, signal.SIGTERM:
+            with subprocess.Popen([PROGRAM, "distance", "--in", "-", "--out", out], stdin=subprocess.PIPE, text=True) as asking:
+                asking.stdin.write(",".join(distance_file()[0]) + "\n")
+                asking.stdin.flush()
+                while len(os.listdir(self.folder.name)) < 2:  # until it is begun; ends with the test's own time
+                    self.assertIsNone(asking.poll())
+                    time.sleep(0.01)
+                asking.send_signal(number)
+                self.assertEqual(asking.wait(timeout=60), -number)
+            self.assertEqual(os.listdir(self.folder.name), ["out.csv"])
+        with open(out, encoding="ascii") as file:
+            self.assertEqual(file.read(), "older answers")
+
+    def test_messages_are_not_replaced_by_answers(self):
+        text = "".join(",".join(row) + "\n" for row in distance_file())
+        out = self.path("out.csv")
+        with open(out, "a", encoding="ascii") as messages:
+            done = subprocess.run([PROGRAM, "distance", "--in", "-", "--out", out], input=text, stdout=subprocess.PIPE,
+                                  stderr=messages, text=True, timeout=60, check=False)
+        self.assertEqual(done.returncode, 2)
+        with open(out, encoding="ascii") as file:
+            self.assertIn("is what is printed to", file.read())
 
     def test_a_full_device_is_told(self):
         if not os.path.exists("/dev/full"):

@@ -5,6 +5,8 @@
 #include <atomic>
 #include <csignal>
 
+#include "programs/files/unfinished_files.hpp"
+
 namespace batuta::host {
 namespace {
 
@@ -14,7 +16,7 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler must not
 
 extern "C" void note_interrupt(int signal) {
   interrupted = true;
-  (void)std::signal(signal, SIG_DFL);
+  (void)std::signal(signal, batuta_remove_and_end);
 }
 
 /// What a shell has had ignored, for a job in the background, stays so.
@@ -25,6 +27,7 @@ void watch(int signal) {
 }  // namespace
 
 void watch_interrupts() {
+  watch(SIGHUP);
   watch(SIGINT);
   watch(SIGTERM);
 }

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include "programs/files/unfinished_files.hpp"
+
 #ifdef _WIN32
 #include <process.h>
 #else
@@ -32,12 +34,35 @@ std::string process_number() {
 #endif
 }
 
-/// Links followed as far as there is something.
+constexpr int kMostLinks = 40;  // as Linux follows
+
+bool is_link(const path& place) {
+  std::error_code error;
+  return std::filesystem::is_symlink(std::filesystem::symlink_status(place, error));
+}
+
+/// Links followed, also one to what is not there yet; a link remains of those that go round.
 path resolved(const std::string& text) {
   std::error_code error;
-  path found = std::filesystem::weakly_canonical(text, error);
-  if (error) return {text};
+  path place = text;
+  for (int i = 0; i < kMostLinks && is_link(place); ++i) {  // Bound: kMostLinks
+    place = place.parent_path() / std::filesystem::read_symlink(place, error);
+  }
+  path found = std::filesystem::weakly_canonical(place, error);
+  if (error) return place;
   return found.is_absolute() ? found : std::filesystem::absolute(found, error);
+}
+
+/// Who may read and write what is there may do so with what takes its place.
+/// @returns an empty text | why not, in the system's words
+std::string keep_permissions([[maybe_unused]] const path& from, [[maybe_unused]] const path& to) {
+  std::error_code error;
+#ifndef _WIN32
+  const auto there = std::filesystem::status(from, error);
+  if (!std::filesystem::exists(there)) return {};
+  std::filesystem::permissions(to, there.permissions(), error);
+#endif
+  return error ? error.message() : "";
 }
 
 /// Something that is there and is no plain file: a pipe, a terminal, /dev/full, a folder.
@@ -52,11 +77,17 @@ bool is_special(const path& place) {
 std::string OutputFile::open(const std::string& path) {
   discard();
   const std::filesystem::path place = resolved(path);
+  if (is_link(place))
+    return std::make_error_code(std::errc::too_many_symbolic_link_levels).message();
   place_ = place.string();
   beside_ = is_special(place) ? "" : place_ + "." + process_number() + ".part";
+  if (!beside_.empty()) remove_when_ended(beside_);
   errno = 0;
   file_ = std::ofstream(beside_.empty() ? place_ : beside_, std::ios::binary | std::ios::trunc);
-  return file_ ? "" : system_words();
+  std::string problem = file_ ? "" : system_words();
+  if (problem.empty() && !beside_.empty()) problem = keep_permissions(place, beside_);
+  if (!problem.empty()) discard();
+  return problem;
 }
 
 std::string OutputFile::commit() {
@@ -69,16 +100,21 @@ std::string OutputFile::commit() {
     std::filesystem::rename(beside_, place_, error);  // on Windows, too, over what is there
     if (error) problem = error.message();
   }
-  if (problem.empty()) beside_.clear();
+  if (problem.empty()) forget_beside();
   discard();
   return problem;
+}
+
+void OutputFile::forget_beside() {
+  if (!beside_.empty()) keep_when_ended(beside_);
+  beside_.clear();
 }
 
 void OutputFile::discard() {
   if (file_.is_open()) file_.close();
   file_.clear();
   if (!beside_.empty()) (void)std::remove(beside_.c_str());
-  beside_.clear();
+  forget_beside();
 }
 
 bool are_same_file(const std::string& one, const std::string& other) {
@@ -104,6 +140,7 @@ bool is_stream([[maybe_unused]] int stream, [[maybe_unused]] const std::string& 
 
 constexpr int kStandardInput = 0;
 constexpr int kStandardOutput = 1;
+constexpr int kStandardError = 2;
 
 }  // namespace
 
@@ -120,6 +157,8 @@ std::string clash_of(const std::vector<NamedFile>& inputs, const std::vector<Nam
   for (std::size_t i = 0; i < outputs.size(); ++i) {  // Bound: outputs
     const NamedFile& out = outputs[i];
     if (is_special(out.path)) continue;
+    if (is_stream(kStandardOutput, out.path) || is_stream(kStandardError, out.path))
+      return out.option + ": " + out.path + " is what is printed to: one would replace the other";
     for (const NamedFile& in : inputs) {  // Bound: inputs
       if (are_same_file(out.path, in.path))
         return out.option + ": " + out.path + " is read by " + in.option + ": it would be lost";

@@ -9,7 +9,9 @@
 namespace batuta::host {
 
 /// A file that is written beside its place, and takes the place when it is whole: until then, and
-/// where that never happens, what was there before stays. A pipe or a device is written in place.
+/// where that never happens, what was there before stays. Who may read that may read the new one. A
+/// pipe or a device is written in place. A signal that ends the program leaves nothing beside
+/// (unfinished_files.hpp).
 class OutputFile {
  public:
   OutputFile() = default;
@@ -31,6 +33,7 @@ class OutputFile {
 
  private:
   void discard();
+  void forget_beside();
 
   std::string place_;   ///< links followed
   std::string beside_;  ///< what is written; empty: the place itself
@@ -51,7 +54,8 @@ bool are_same_file(const std::string& one, const std::string& other);
 bool is_standard_input(const std::string& path);
 
 /// @returns an empty text | which output is also read, or written by another option, in one line;
-///   standard output, too, where the shell has opened a file that is read for it.
+///   standard output, too, where the shell has opened a file that is read for it; and an output to
+///   which the shell sends what is printed.
 ///   A pipe, a terminal or /dev/null may be so often as one likes.
 std::string clash_of(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
 

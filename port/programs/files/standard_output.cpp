@@ -30,6 +30,7 @@ void hold_closed_streams() {
 void begin_output() {
 #ifndef _WIN32
   (void)std::signal(SIGPIPE, SIG_IGN);
+  (void)std::signal(SIGXFSZ, SIG_IGN);
 #endif
   hold_closed_streams();
 }

@@ -8,9 +8,9 @@ namespace batuta::host {
 /// Exit code of a program whose output is lost.
 inline constexpr int kExitOutputLost = 1;
 
-/// To be called first: makes a pipe that nobody reads a failed write, as a full device is, in place
-/// of a silent end of the program; and no file gets what is printed, where the caller has closed
-/// standard output.
+/// To be called first: makes a pipe that nobody reads, and a file beyond the size that the user may
+/// write, a failed write, as a full device is, in place of a silent end of the program; and no file
+/// gets what is printed, where the caller has closed standard output.
 void begin_output();
 
 /// Whether something that was printed is known to be lost: what goes on only in order to be printed

@@ -55,8 +55,8 @@ def at_rest(errors):
 
 
 def interrupt(folder):
-    """Ctrl-C and SIGTERM: the summary is told, the exit code is 0, the recording is whole, no force is left."""
-    for number in signal.SIGINT, signal.SIGTERM:
+    """Ctrl-C, SIGTERM, a hang-up: the summary is told, the exit code is 0, the recording is whole, no force is left."""
+    for number in signal.SIGINT, signal.SIGTERM, signal.SIGHUP:
         path = os.path.join(folder, "bout.batuta")
         words = ["--left", "script:guard", "--right", "script:guard", "--seconds", "1000", "--realtime", "--json"]
         code, out, errors = interrupted(PROGRAM, [*words, "--record", path], number, 1)
@@ -79,7 +79,7 @@ def interrupt(folder):
 def forces(_):
     """With a stick in a hand: the force is at zero, and taken back, before the program ends."""
     words = ["--left", STICK, "--right", "script:parry", "--spring", "0.5", "--seconds", "1000"]
-    for number in signal.SIGINT, signal.SIGTERM:
+    for number in signal.SIGINT, signal.SIGTERM, signal.SIGHUP:
         for later in 0, 1, 4, 16:  # s; on a busy machine the beat is told long before its force is sent
             code, out, errors = interrupted(WITH_STICK, words, number, UP_TO_THE_SECOND_BEAT, later=later)
             check(code == 0, (number, code, errors))

@@ -5,6 +5,7 @@
 import json
 import math
 import os
+import signal
 import subprocess
 import sys
 import tempfile
@@ -308,6 +309,70 @@ def files(folder):
     check(not any(name.endswith(".part") for name in os.listdir(folder)), os.listdir(folder))
 
 
+def refused_with(stream, mode, path, option, name):
+    """Where the shell has opened an output for what is printed."""
+    with open(path, mode) as opened:
+        result = subprocess.run([PROGRAM, "--seconds", "0.1", option, name], timeout=600, check=False,
+                                **{"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, stream: opened})
+    check(result.returncode == 2, (stream, mode, option, name, result))
+    return result.stderr or b""
+
+
+def printed(folder):
+    """No output takes the place of what is printed, and what was in its file stays."""
+    both = write(folder, "both", "older lines\n")
+    for option in "--record", "--svg", "--figure", "--strip":
+        for name in both, "/dev/stdout", "/proc/self/fd/1":
+            said = refused_with("stdout", "a", both, option, name)
+            check(b"is what is printed to" in said, said)
+        refused_with("stderr", "a", both, option, both)
+    check(contents(both).startswith(b"older lines\nbatuta-duel: --record"), contents(both))
+    refused_with("stdout", "w", both, "--svg", both)
+    check(contents(both) == b"" and os.listdir(folder) == ["both"], os.listdir(folder))
+
+
+def permissions_and_links(folder):
+    """Who may not read an output may not read the next one; a link to what is not there yet is followed."""
+    private = write(folder, "private.svg", "an older picture")
+    for mode in 0o600, 0o640, 0o400:
+        os.chmod(private, mode)
+        check(run("--seconds", "0.1", "--svg", private).returncode == 0, oct(mode))
+        check(os.stat(private).st_mode & 0o777 == mode and contents(private).startswith(b"<"), oct(mode))
+    os.makedirs(os.path.join(folder, "deep"))
+    new, first, second = (os.path.join(folder, name) for name in ("new.svg", "first", "deep/second"))
+    os.symlink("new.svg", first)
+    os.symlink("../first", second)
+    refuses(["--svg", first, "--figure", second], 2, "is what --", " writes")
+    check(run("--seconds", "0.1", "--svg", second).returncode == 0, "links to what is not there")
+    check(os.path.islink(first) and os.path.islink(second) and contents(new).startswith(b"<"), os.listdir(folder))
+    round_ = os.path.join(folder, "round")
+    os.symlink("round", round_)
+    refuses(["--seconds", "0.1", "--svg", round_], 1, "round", "symbolic link")
+    check(os.path.islink(round_), "it is what it was")
+
+
+def second_signal(folder):
+    """The first signal ends the bout; the second one the program, and then nothing is left beside an output."""
+    out = os.path.join(folder, "out.svg")
+    for numbers in (signal.SIGHUP, signal.SIGINT), (signal.SIGTERM, signal.SIGTERM):
+        running = subprocess.Popen([PROGRAM, "--realtime", "--svg", out], stdout=subprocess.PIPE)
+        running.stdout.readline()
+        check(any(name.endswith(".part") for name in os.listdir(folder)), "it is begun")
+        running.send_signal(signal.SIGSTOP)  # so that it cannot end by the first one
+        for number in numbers:
+            running.send_signal(number)
+        running.send_signal(signal.SIGCONT)
+        running.communicate(timeout=600)
+        check(not any(name.endswith(".part") for name in os.listdir(folder)), os.listdir(folder))
+
+
+def outputs(folder):
+    for index, part in enumerate((printed, permissions_and_links, second_signal)):
+        own = os.path.join(folder, str(index))
+        os.makedirs(own)
+        part(own)
+
+
 def real(_):
     folder = os.path.join(SHARED, "recordings")
     if not os.path.isdir(folder):
@@ -325,6 +390,7 @@ def real(_):
 
 
 GROUPS = {"Usage": usage, "Recordings": recordings, "Json": json_lines, "Picture": picture, "Replay": replay, "Files": files,
+          "Outputs": outputs,
           "RealDevices": real}
 with tempfile.TemporaryDirectory() as scratch:
     GROUPS[GROUP](scratch)
