@@ -177,6 +177,21 @@ TYPED_TEST(StickOf, BeyondTheRim_IsClampedAndCounted) {
   EXPECT_EQ(this->stick.report().clamped, 1U);
 }
 
+// A new goal every 10 ms: at 3/s it is as fast as its samples, at 100/s it may not.
+TYPED_TEST(StickOf, FasterThanItMay_IsCountedForThatSampleOnly) {
+  std::uint32_t number = 0;
+  const auto go_to = [this, &number](float x) {
+    ++number;
+    (void)this->stick.accept(sample(number * 10000U, x, 0, number));
+    this->run(10);
+    return this->stick.report().slowed;
+  };
+  float x = 0;
+  const std::uint32_t first = go_to(x);
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(go_to(x += 0.03F), first) << i;
+  EXPECT_EQ(go_to(x -= 1), first + 1);
+}
+
 // Whatever the stamps and positions are, the stick stays in its square and below its speed.
 TYPED_TEST(StickOf, AnyStream_StaysInTheSquareAndBelowTheSpeed) {
   std::mt19937 random(7);
