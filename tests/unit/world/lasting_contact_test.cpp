@@ -134,6 +134,48 @@ Vec3<double> turn_of_ground(const Group& group) {
   }
   return sum;
 }
+/// From now on a body turns about an axle only. @returns its inertia about that, kg m^2
+double put_on_axle(SolvedBody<double>& body, const Vec3<double>& axis_W) {
+  const double inverse = axis_W.dot(body.inverse_inertia_W * axis_W);
+  body.inverse_mass = 0;
+  body.inverse_inertia_W = inverse * axis_W * axis_W.transpose();
+  body.v_W.setZero();
+  body.w_W = axis_W.dot(body.w_W) * axis_W;
+  return 1 / inverse;
+}
+
+// What a visit says that it adds to the energy is no less than what it adds, also where the contact
+// slips on somebody who turns about an axle.
+TEST(LastingContact, VisitsOfWheels_TellTheirEnergy) {
+  int slipped = 0;
+  for (unsigned seed = 1; seed <= 300; ++seed) {
+    RandomGroup draws(seed);
+    const double friction = draws.draw(0.05, 0.6);
+    Group group = draws.make(3, 1, friction, 0);  // the third one may take part, and is still
+    const double inertia = put_on_axle(group.bodies[0], draws.vector(1).normalized());
+    auto& [a, b] = group.sides[0];
+    auto& contact = group.contacts[0];
+    prepare(contact, group.bodies[a], group.bodies[b], 1e-3);
+    const auto total = [&group, inertia] {
+      const SolvedBody<double>& other = group.bodies[1];
+      const Vec3<double> spin = other.inverse_inertia_W.inverse() * other.w_W;
+      return (inertia * group.bodies[0].w_W.squaredNorm() +
+              other.v_W.squaredNorm() / other.inverse_mass + spin.dot(other.w_W)) /
+             2;
+    };
+    const double before = total();
+    double energy = 0;
+    for (int visit = 0; visit < 20; ++visit) {
+      relax(contact, group.bodies[a], group.bodies[b], energy);
+      const auto& point = contact.points[0];
+      const double pull = std::hypot(point.along, point.across);
+      slipped += point.normal > 0 && pull > 0.999 * friction * point.normal ? 1 : 0;
+      ASSERT_LE(total(), before + energy + 1e-12) << "seed " << seed << ", visit " << visit;
+    }
+  }
+  EXPECT_GT(slipped, 300);
+}
+
 /// Summed impulse on all that can be pushed, by the one that cannot.
 Vec3<double> push_of_ground(const Group& group) {
   Vec3<double> sum = Vec3<double>::Zero();
