@@ -65,8 +65,8 @@ struct StepReport {
   std::uint32_t contacts_dropped = 0;  ///< beyond SceneOptions::max_contacts
   std::uint32_t searches_cut = 0;      ///< the search ran out of its budget
   std::uint32_t searches_invalid = 0;  ///< the search could not be asked (see Outcome::kInvalid)
-  /// The contact could not be resolved: its numbers overflow; or, where contacts do not last, a load
-  /// presses on a chain of bodies that give way (src/world/world.md, "The fall")
+  /// The contact could not be resolved: its numbers overflow; or a load presses on a chain of
+  /// bodies that give way, where contacts do not last (src/world/world.md, "The fall")
   std::uint32_t resolutions_invalid = 0;
   /// A body or its controller's plan was not finite, turned too far (it went on without a turn), or
   /// is so far from the origin
