@@ -104,6 +104,25 @@ void follow(Fixture add_bodies, bool is_heavy) {
   EXPECT_EQ(is[1].momentum.linear_W, was[1].momentum.linear_W) << "the hand's matter is the hand's";
 }
 
+// Its controller is asked once a step, whatever it answers later; again where it has gone together
+// with others, and is off its way.
+TYPED_TEST(WeldLeader, DrivenAlone_KeepsItsCourse) {
+  using S = TypeParam;
+  for (const bool was_held : {false, true}) {
+    WeldRig<HandScene<S, 2>> rig;
+    const std::size_t driven = this->add_driven(rig, true);
+    rig.begin(kStep);
+    const Vec3<S> v_W = rig.bodies.states[driven].plan.motion.twist.v_W;
+    rig.bodies.now = S(kStep / 2);
+    rig.bodies.advance_to_now(driven);
+    rig.bodies.actor(driven).controller.target_W.p_W += Vec3<S>(0, 0, S(0.1));
+    if (was_held) rig.bodies.states[driven].held_until = rig.bodies.now;
+    rig.bodies.plan(driven);
+    const Vec3<S>& planned_W = rig.bodies.states[driven].plan.motion.twist.v_W;
+    EXPECT_EQ(planned_W == v_W, !was_held);
+  }
+}
+
 TYPED_TEST(WeldLeader, DrivenBody_TakesTheOthersAlong) {
   for (const bool is_heavy : {false, true}) {
     const auto add = [this](auto& rig, bool heavy) {
