@@ -142,6 +142,23 @@ constexpr int kStandardInput = 0;
 constexpr int kStandardOutput = 1;
 constexpr int kStandardError = 2;
 
+/// @param before  how many of the outputs were looked at before this one
+std::string clash_of(const NamedFile& out, const std::vector<NamedFile>& inputs,
+                     const std::vector<NamedFile>& outputs, std::size_t before) {
+  if (is_special(out.path)) return {};
+  if (is_stream(kStandardOutput, out.path) || is_stream(kStandardError, out.path))
+    return out.option + ": " + out.path + " is what is printed to: one would replace the other";
+  for (const NamedFile& in : inputs) {  // Bound: inputs
+    if (are_same_file(out.path, in.path))
+      return out.option + ": " + out.path + " is read by " + in.option + ": it would be lost";
+  }
+  for (std::size_t j = 0; j < before; ++j) {  // Bound: outputs
+    if (are_same_file(out.path, outputs[j].path))
+      return out.option + ": " + out.path + " is what " + outputs[j].option + " writes";
+  }
+  return {};
+}
+
 }  // namespace
 
 bool is_standard_input(const std::string& path) {
@@ -155,18 +172,8 @@ std::string clash_of(const std::vector<NamedFile>& inputs, const std::vector<Nam
   if (read != inputs.end())
     return "standard output is what " + read->option + " reads: it would be lost, or have no end";
   for (std::size_t i = 0; i < outputs.size(); ++i) {  // Bound: outputs
-    const NamedFile& out = outputs[i];
-    if (is_special(out.path)) continue;
-    if (is_stream(kStandardOutput, out.path) || is_stream(kStandardError, out.path))
-      return out.option + ": " + out.path + " is what is printed to: one would replace the other";
-    for (const NamedFile& in : inputs) {  // Bound: inputs
-      if (are_same_file(out.path, in.path))
-        return out.option + ": " + out.path + " is read by " + in.option + ": it would be lost";
-    }
-    for (std::size_t j = 0; j < i; ++j) {  // Bound: outputs
-      if (are_same_file(out.path, outputs[j].path))
-        return out.option + ": " + out.path + " is what " + outputs[j].option + " writes";
-    }
+    std::string clash = clash_of(outputs[i], inputs, outputs, i);
+    if (!clash.empty()) return clash;
   }
   return {};
 }
