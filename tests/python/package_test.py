@@ -316,6 +316,16 @@ class BadInput(unittest.TestCase):
         self.refuses(r"query \(1,\)", batuta.time_of_contact, A, spoilt, 1)
         self.refuses("duration", batuta.twist_between, pose(), pose(), 0)
 
+    def test_no_queries(self):
+        """What is out of range is told also where there is nothing to ask for."""
+        none = np.zeros((0, 20))
+        self.assertEqual(batuta.time_of_contact(none, none, 1).t_hit.shape, (0,))
+        for duration, tolerance in (-1, 1e-6), (np.nan, 1e-6), (1, -1e-6), (1, 5), (1, np.inf):
+            self.refuses("batuta: (duration|tolerance) is", batuta.time_of_contact, none, none, duration, tolerance)
+        for duration in 0, -1, np.nan:
+            self.refuses("duration", batuta.twist_between, np.zeros((0, 7)), np.zeros((0, 7)), duration)
+            self.refuses("duration", batuta.Chain(Chains.capsules).all_pairs, np.zeros((0, 3, 7)), np.zeros((0, 3, 7)), duration)
+
     def test_chains(self):
         for pairs in ([(0, 3)], [(0, 0)], [(-1, 1)], [(0.0, 1.0)], [(0, 1, 2)], [], [0, 1]):
             self.refuses("pair", batuta.Chain, Chains.capsules, pairs)

@@ -66,9 +66,7 @@ class Chain:
         for name, poses in (("start", start), ("end", end)):
             if poses.ndim < 2 or poses.shape[-2] != links:
                 raise ValueError(f"batuta: {name} has shape {poses.shape}, not (..., {links}, 7)")
-        margin = one_number("margin", margin)
-        if margin < 0:
-            raise ValueError(f"batuta: margin is {margin}, below 0")
+        margin = one_number("margin", margin, lambda m: m >= 0, "0 or more")
         capsules = self.capsules.copy() if np.issubdtype(self.capsules.dtype, np.floating) else self.capsules.astype(np.float64)
         capsules[:, 6] += margin / 2
         bodies = moving(capsules, start, twist_between(start, end, duration))

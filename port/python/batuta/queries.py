@@ -66,10 +66,11 @@ def where(index, shape):
     return f"query {tuple(int(i) for i in np.unravel_index(index, shape))}" if shape else "the query"
 
 
-def one_number(name, value):
+def one_number(name, value, is_good, good):
+    """A finite number that is_good() takes, also where there is no query that it is for. good: which those are, in words."""
     value = float(value)
-    if not np.isfinite(value):
-        raise ValueError(f"batuta: {name} is {value}")
+    if not (np.isfinite(value) and is_good(value)):
+        raise ValueError(f"batuta: {name} is {value}, not {good}")
     return value
 
 
@@ -128,7 +129,8 @@ def time_of_contact(A, B, duration, tolerance=1e-6, budget=30):
     budget = operator.index(budget)
     if not 1 <= budget <= 4096:
         raise ValueError(f"batuta: budget is {budget}, not 1 ... 4096")
-    search = calls.search(one_number("duration", duration), one_number("tolerance", tolerance), budget)
+    search = calls.search(one_number("duration", duration, lambda s: s >= 0, "0 or more"),
+                          one_number("tolerance", tolerance, lambda share: 0 <= share <= 1, "0 ... 1"), budget)
     out = np.zeros(shape, calls.contact)
     check_all(calls.time_of_contact(A.ctypes.data, B.ctypes.data, out.size, ctypes.byref(search), out.ctypes.data), out.size, shape,
               "a duration or radius below 0, a tolerance outside 0 ... 1, a quaternion of length 0, a turn beyond 2526 rad, or numbers "
@@ -146,6 +148,6 @@ def twist_between(start, end, duration):
     start, end, shape = pairs_of(calls, start, end)
     out = np.zeros(shape + (6,), calls.scalar)
     count = start.size // 7
-    check_all(calls.twist_between(start.ctypes.data, end.ctypes.data, count, calls.number(one_number("duration", duration)),
-                                  out.ctypes.data), count, shape, "a duration not above 0, or a quaternion of length 0")
+    duration = calls.number(one_number("duration", duration, lambda s: s > 0, "above 0"))
+    check_all(calls.twist_between(start.ctypes.data, end.ctypes.data, count, duration, out.ctypes.data), count, shape, "a duration not above 0, or a quaternion of length 0")
     return out
