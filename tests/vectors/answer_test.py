@@ -6,6 +6,7 @@ usage: answer_test.py PROGRAM
 import csv
 import math
 import os
+import resource
 import shutil
 import signal
 import struct
@@ -291,6 +292,19 @@ class Answer(unittest.TestCase):
         self.assertEqual(done.returncode, 2)
         with open(out, encoding="ascii") as file:
             self.assertIn("is what is printed to", file.read())
+
+    def test_a_file_beyond_what_the_user_may_write_is_told(self):
+        out = self.path("out.csv")
+        with open(out, "w", encoding="ascii") as file:
+            file.write("old")
+        text = "".join(",".join(row) + "\n" for row in distance_file())
+        done = subprocess.run([PROGRAM, "distance", "--in", "-", "--out", out], input=text, capture_output=True, text=True,
+                              timeout=60, check=False, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (10, 10)))
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("cannot write", done.stderr)
+        self.assertEqual(os.listdir(self.folder.name), ["out.csv"])
+        with open(out, encoding="ascii") as file:
+            self.assertEqual(file.read(), "old")
 
     def test_a_full_device_is_told(self):
         if not os.path.exists("/dev/full"):
