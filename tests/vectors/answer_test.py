@@ -293,6 +293,13 @@ class Answer(unittest.TestCase):
         with open(out, encoding="ascii") as file:
             self.assertIn("is what is printed to", file.read())
 
+    def test_a_pipe_may_have_the_name_of_a_device(self):
+        text = "".join(",".join(row) + "\n" for row in distance_file())
+        plain = self.run_program("distance", "--in", "-", "--out", "-", text=text)
+        for name in "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1":
+            done = self.run_program("distance", "--in", "-", "--out", name, text=text)
+            self.assertEqual((done.returncode, done.stdout, done.stderr), (0, plain.stdout, ""), name)
+
     def test_a_file_beyond_what_the_user_may_write_is_told(self):
         out = self.path("out.csv")
         with open(out, "w", encoding="ascii") as file:

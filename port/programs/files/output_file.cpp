@@ -36,16 +36,19 @@ std::string process_number() {
 
 constexpr int kMostLinks = 40;  // as Linux follows
 
-bool is_link(const path& place) {
+/// A link to what is not there yet, or round and round.
+bool is_dangling(const path& place) {
   std::error_code error;
-  return std::filesystem::is_symlink(std::filesystem::symlink_status(place, error));
+  return std::filesystem::is_symlink(std::filesystem::symlink_status(place, error)) &&
+         !std::filesystem::exists(place, error);
 }
 
-/// Links followed, also one to what is not there yet; a link remains of those that go round.
+/// Links followed, also one to what is not there yet; a link remains of those that go round. What
+/// /dev/stdout leads to may have no name: a link to something that is there is left to the system.
 path resolved(const std::string& text) {
   std::error_code error;
   path place = text;
-  for (int i = 0; i < kMostLinks && is_link(place); ++i) {  // Bound: kMostLinks
+  for (int i = 0; i < kMostLinks && is_dangling(place); ++i) {  // Bound: kMostLinks
     place = place.parent_path() / std::filesystem::read_symlink(place, error);
   }
   path found = std::filesystem::weakly_canonical(place, error);
@@ -60,7 +63,7 @@ std::string keep_permissions([[maybe_unused]] const path& from, [[maybe_unused]]
 #ifndef _WIN32
   const auto there = std::filesystem::status(from, error);
   if (!std::filesystem::exists(there)) return {};
-  std::filesystem::permissions(to, there.permissions(), error);
+  std::filesystem::permissions(to, there.permissions() & std::filesystem::perms::all, error);
 #endif
   return error ? error.message() : "";
 }
@@ -77,7 +80,7 @@ bool is_special(const path& place) {
 std::string OutputFile::open(const std::string& path) {
   discard();
   const std::filesystem::path place = resolved(path);
-  if (is_link(place))
+  if (is_dangling(place))
     return std::make_error_code(std::errc::too_many_symbolic_link_levels).message();
   place_ = place.string();
   beside_ = is_special(place) ? "" : place_ + "." + process_number() + ".part";

@@ -149,5 +149,6 @@ def twist_between(start, end, duration):
     out = np.zeros(shape + (6,), calls.scalar)
     count = start.size // 7
     duration = calls.number(one_number("duration", duration, lambda s: s > 0, "above 0"))
-    check_all(calls.twist_between(start.ctypes.data, end.ctypes.data, count, duration, out.ctypes.data), count, shape, "a duration not above 0, or a quaternion of length 0")
+    check_all(calls.twist_between(start.ctypes.data, end.ctypes.data, count, duration, out.ctypes.data), count, shape,
+              "a duration not above 0, or a quaternion of length 0")
     return out
