@@ -45,6 +45,18 @@ static_assert(!std::is_move_constructible_v<Pool<int, 4>> &&
               !std::is_move_assignable_v<Pool<int, 4>>);
 static_assert(std::is_trivially_destructible_v<Pool<int, 4>>);
 
+/// What a pool of N takes beside its book-keeping, before the end is padded: the objects, a
+/// generation each, and a bit each in whole words.
+constexpr std::size_t kBookOfPool = sizeof(detail::PoolBase);
+constexpr std::size_t bytes_of(std::size_t slots) {
+  return slots * 8 + (slots + 31) / 32 * 4;
+}
+template <int N>
+constexpr bool kTakesWhatItSays = sizeof(Pool<int, N>) - kBookOfPool - bytes_of(N) <
+                                  alignof(Pool<int, N>);
+static_assert(kTakesWhatItSays<1> && kTakesWhatItSays<31> && kTakesWhatItSays<32>);
+static_assert(kTakesWhatItSays<33> && kTakesWhatItSays<64> && kTakesWhatItSays<65>);
+
 template <class PoolType>
 auto make_in(PoolType& pool, int value) {
   const auto made = pool.make(value);

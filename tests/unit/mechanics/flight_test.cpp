@@ -142,6 +142,20 @@ TYPED_TEST(FlightOf, EnergyOnTheChord_IsOffAsTheSecondOrderSays) {
   }
 }
 
+/// Who stopped on its way is off its flight, and its next chord begins as far off: what counts is
+/// the energy that it had when the flight began, not that of where it is.
+TYPED_TEST(FlightOf, EnergyOfWhoStoppedOnTheChord_IsStillThatOfTheFlight) {
+  Source<TypeParam> source(35);
+  for (int i = 0; i < 500; ++i) {
+    Body<TypeParam> body = unlike_body(source, TypeParam(1.2));
+    const Real begun_with = energy(body);
+    move_along(body, free_flight(body, TypeParam(1)), TypeParam(0.5));
+    const Real off = energy(body) / begun_with - 1;
+    const Motion<TypeParam> next = free_flight(body, TypeParam(1));
+    ASSERT_NEAR(detail::off_flight_energy(body, next, TypeParam(0)), off, 32 * u<TypeParam>) << i;
+  }
+}
+
 /// However it lies beside the axis, and with which end: its turn about the axis is seen.
 TYPED_TEST(FlightOf, CapsuleBesideTheAxis_ShowsTheSpin) {
   using S = TypeParam;

@@ -329,6 +329,20 @@ TYPED_TEST(Mass, PrincipalFrameOfNothing_IsTheIdentity) {
   }
 }
 
+TYPED_TEST(Mass, PrincipalFrameOfOneInfiniteElement_IsTheIdentity) {
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      MassProperties<TypeParam> endless;
+      endless.inertia_S.setIdentity();
+      endless.inertia_S(i, j) = endless.inertia_S(j, i) =
+          -std::numeric_limits<TypeParam>::infinity();
+      const PrincipalFrame<TypeParam> frame = principal_frame(endless);
+      EXPECT_EQ(frame.q_SB.coeffs(), Quat<TypeParam>::Identity().coeffs()) << i << ' ' << j;
+      EXPECT_EQ(frame.moments, Vec3<TypeParam>(Vec3<TypeParam>::Zero())) << i << ' ' << j;
+    }
+  }
+}
+
 TYPED_TEST(Mass, Sword_BalancesWhereItsPartsSay) {
   // A blade of 0.9 m along x, a guard across, a pommel of 0.25 kg behind the grip.
   const Capsule<TypeParam> blade = {{{0, 0, 0}, {TypeParam(0.9), 0, 0}}, TypeParam(0.004)};

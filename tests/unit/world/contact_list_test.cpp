@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <random>
 #include <vector>
 
+#include "batuta/record/world.hpp"
 #include "batuta/world/detail/contact_list.hpp"
 #include "batuta/world/scene.hpp"
 
@@ -94,6 +96,37 @@ TEST(ContactList, ComesAndGoes_AsAPlainListDoes) {
   }
   EXPECT_GT(known, 100);
   EXPECT_GT(removed, 100);
+}
+
+/// Contacts kept from a reading of one, beside bodies of which the first three of eight are there.
+int kept_of(detail::ProxyPair pair, std::uint8_t points, Status wanted) {
+  detail::Bodies<Chained> bodies{1};
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(bodies.actors.make(Actor<Chained>{}).ok());
+  FixedList<Contact, kRoom> written;
+  Contact contact;
+  contact.pair = pair;
+  contact.count = points;
+  EXPECT_TRUE(written.push(contact));
+  std::array<std::uint8_t, sizeof(List)> bytes{};
+  ArchiveWriter writer(bytes.data(), static_cast<int>(bytes.size()));
+  writer(written);
+  List list;
+  ArchiveReader reader(bytes.data(), static_cast<int>(bytes.size()));
+  list.archive(reader, bodies);
+  EXPECT_EQ(reader.status(), wanted) << pair.first << ' ' << pair.second << ' ' << int{points};
+  return list.size();
+}
+
+TEST(ContactList, ReadFromBytes_HoldsTwoBodiesThatAreThere) {
+  for (const detail::ProxyPair good : {detail::ProxyPair{0, 2}, {1, 5}, {2, 4}}) {
+    EXPECT_EQ(kept_of(good, Contact::kPoints, Status::kOk), 1);
+    EXPECT_EQ(kept_of(good, Contact::kPoints + 1, Status::kInvalidArgument), 0);
+  }
+  // Of one body; in the other order; of bodies that are not there, in the scene or beyond it.
+  for (const detail::ProxyPair bad :
+       {detail::ProxyPair{0, 1}, {2, 2}, {3, 2}, {4, 0}, {0, 6}, {5, 15}, {0, 16}, {0, 65535}}) {
+    EXPECT_EQ(kept_of(bad, 1, Status::kInvalidArgument), 0);
+  }
 }
 
 /// Whether widest_rest_gap() and is_held_up() are those of a search from end to end.

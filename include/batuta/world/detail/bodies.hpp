@@ -221,6 +221,12 @@ class Bodies : public Proxies<SceneT> {
             Kinematics::is_immovable(actor(slot).body));
   }
 
+  /// Whether a pair that was read names two bodies that are there, in their order. Their capsules
+  /// may have been taken off since the step.
+  bool has_bodies(ProxyPair pair) const {
+    const std::size_t a = body_of(pair.first), b = body_of(pair.second);
+    return a < b && actors.at_index(a) != nullptr && actors.at_index(b) != nullptr;
+  }
   /// From now on.
   typename Kinematics::Mover mover(int proxy, Scalar until) const;
   /// A capsule where it is now.

@@ -153,14 +153,8 @@ template <class Archive>
 void ContactList<SceneT>::archive(Archive& ar, const BodiesT& bodies) {
   ar(contacts_);
   if (!ar.reading()) return;
-  const auto is_there = [&bodies](int proxy) {
-    return bodies.actors.at_index(BodiesT::body_of(proxy)) != nullptr;
-  };
   remove_if([&](const Contact& contact) {
-    const ProxyPair pair = contact.pair;
-    const bool good = pair.first < pair.second && pair.second < BodiesT::kProxies &&
-                      contact.count <= Contact::kPoints && is_there(pair.first) &&
-                      is_there(pair.second);
+    const bool good = contact.count <= Contact::kPoints && bodies.has_bodies(contact.pair);
     ar.require(good);
     return !good;
   });

@@ -191,9 +191,7 @@ void Touches<SceneT>::archive(Archive& ar, const BodiesT& bodies) {
   if constexpr (SceneT::kMaxEvents > 0) {
     if (!ar.reading()) return;
     for (int i = this->touches() - 1; i >= 0; --i) {  // Bound: kMaxPairs
-      const ProxyPair pair = this->touch(i);
-      const bool named = pair.first < BodiesT::kProxies && pair.second < BodiesT::kProxies;
-      const bool good = named && has_part(bodies, pair.first) && has_part(bodies, pair.second);
+      const bool good = bodies.has_bodies(this->touch(i));
       ar.require(good);
       if (!good) this->end_touch(i);
     }
