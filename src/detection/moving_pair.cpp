@@ -28,27 +28,17 @@ Vec3<Scalar> axis_velocity(const detail::CapsulePath<Scalar>& path, Scalar s, Sc
   return path.v + path.turn_rate * (turn.cos * side - turn.sin * arm);
 }
 
-/// Zero for a finite x, and no number for any other: a sum of these tells whether all are finite.
-template <class Scalar>
-Scalar lost(Scalar x) {
-  return x - x;
-}
-template <class Scalar>
-Scalar lost(const Vec3<Scalar>& v) {
-  return lost(v.x()) + lost(v.y()) + lost(v.z());
-}
-
-/// All that the size of the pair does not tell (make_moving_pair).
+/// All that the size of the pair does not tell (make_moving_pair): an orientation is no part of it,
+/// and of two ends of an axis it may leave out one.
 template <class Scalar>
 bool is_usable(const MovingCapsule<Scalar>& moving) {
+  using detail::nan_unless_finite;
   const Capsule<Scalar>& capsule = moving.capsule_B;
   const Motion<Scalar>& motion = moving.motion;
-  const Quat<Scalar>& q = motion.X_WB.q_WB;
-  const Scalar all_lost = lost(capsule.axis.a) + lost(capsule.axis.b) + lost(capsule.radius) +
-                          lost(motion.X_WB.p_W) + lost(q.w()) + lost<Scalar>(q.vec()) +
-                          lost(motion.twist.v_W) + lost(motion.twist.w_W) + lost(motion.duration);
+  const Scalar lost = nan_unless_finite(capsule.axis.a) + nan_unless_finite(capsule.axis.b) +
+                      nan_unless_finite(motion.X_WB.q_WB);
   const Vec3<Scalar> turn = motion.duration * motion.twist.w_W;
-  return all_lost == Scalar(0) && capsule.radius >= Scalar(0) && motion.duration >= Scalar(0) &&
+  return lost == Scalar(0) && capsule.radius >= Scalar(0) && motion.duration >= Scalar(0) &&
          turn.squaredNorm() <= detail::kMaxAngle<Scalar> * detail::kMaxAngle<Scalar>;
 }
 
@@ -61,7 +51,14 @@ Scalar set_arm(detail::EndPath<Scalar>& end, const Vec3<Scalar>& lever, const Ve
   return length(arm);
 }
 
-/// capsule_path() in place. @pre `path` is as it was made
+/// How far the ends of an axis are from the body's centre of mass.
+template <class Scalar>
+Scalar reach_of(const MovingCapsule<Scalar>& moving) {
+  const Segment<Scalar>& axis_B = moving.capsule_B.axis;
+  return max_of(length(axis_B.a), length(axis_B.b));
+}
+
+/// capsule_path() in place. @pre `path` is as it was made, but for its bounding radius
 template <class Scalar>
 void set_path(detail::CapsulePath<Scalar>& path, const MovingCapsule<Scalar>& moving,
               const Vec3<Scalar>& origin_W, const Vec3<Scalar>& origin_v_W) {
@@ -72,7 +69,6 @@ void set_path(detail::CapsulePath<Scalar>& path, const MovingCapsule<Scalar>& mo
   path.v = moving.motion.twist.v_W - origin_v_W;
   path.turn_rate = turn_rate;
   path.radius = moving.capsule_B.radius;
-  path.bounding_radius = max_of(length(axis_B.a), length(axis_B.b));
   const Vec3<Scalar> lever_a = X_WB.q_WB * axis_B.a;
   const Vec3<Scalar> lever_b = X_WB.q_WB * axis_B.b;
   path.ends[0].start = center + lever_a;
@@ -90,6 +86,7 @@ detail::CapsulePath<Scalar> detail::capsule_path(const MovingCapsule<Scalar>& mo
                                                  const Vec3<Scalar>& origin_W,
                                                  const Vec3<Scalar>& origin_v_W) {
   detail::CapsulePath<Scalar> path;
+  path.bounding_radius = reach_of(moving);
   set_path(path, moving, origin_W, origin_v_W);
   return path;
 }
@@ -106,22 +103,23 @@ Result<MovingPair<Scalar>> make_moving_pair(const MovingCapsule<Scalar>& A,
                                             const MovingCapsule<Scalar>& B) {
   Result<MovingPair<Scalar>> made;
   if (!is_usable(A) || !is_usable(B) || A.motion.duration != B.motion.duration) return made;
+  const Scalar reach_A = reach_of(A);
+  const Scalar reach_B = reach_of(B);
+  const Scalar apart = length<Scalar>(B.motion.X_WB.p_W - A.motion.X_WB.p_W);
+  const Scalar speed = length<Scalar>(B.motion.twist.v_W - A.motion.twist.v_W);
+  const Scalar sizes = (reach_A + reach_B) + (A.capsule_B.radius + B.capsule_B.radius);
+  const Scalar scale = kRoundUp<Scalar> * (apart + speed * A.motion.duration + sizes);
+  if (!(scale <= kLargestCoordinate<Scalar>)) return made;
+  made.status = Status::kOk;
   MovingPair<Scalar>& pair = made.value;
+  pair.scale = scale;
   pair.origin_W = A.motion.X_WB.p_W;
   pair.origin_v_W = A.motion.twist.v_W;
   pair.duration = A.motion.duration;
+  pair.A.bounding_radius = reach_A;
+  pair.B.bounding_radius = reach_B;
   set_path(pair.A, A, pair.origin_W, pair.origin_v_W);
   set_path(pair.B, B, pair.origin_W, pair.origin_v_W);
-  const Scalar apart = length<Scalar>(B.motion.X_WB.p_W - pair.origin_W);
-  const Scalar travel = length(pair.B.v) * pair.duration;
-  const Scalar sizes =
-      (pair.A.bounding_radius + pair.B.bounding_radius) + (pair.A.radius + pair.B.radius);
-  pair.scale = kRoundUp<Scalar> * (apart + travel + sizes);
-  if (pair.scale <= kLargestCoordinate<Scalar>) {
-    made.status = Status::kOk;
-  } else {
-    pair = {};
-  }
   return made;
 }
 

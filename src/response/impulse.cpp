@@ -22,40 +22,37 @@ template <class Scalar>
 Yield<Scalar> yield_of(const Collider<Scalar>& body, const Contact<Scalar>& contact) {
   const Vec3<Scalar>& n = contact.normal_BA_W;
   const Mat3<Scalar> R_WB = detail::to_matrix(body.X_WB.q_WB);
-  const Vec3<Scalar> lever_W = contact.point_W - body.X_WB.p_W;
-  const Vec3<Scalar> moment_B = R_WB.transpose() * lever_W.cross(n);
+  Yield<Scalar> yield;
+  yield.lever_W = contact.point_W - body.X_WB.p_W;
+  const Vec3<Scalar> moment_B = R_WB.transpose() * yield.lever_W.cross(n);
   const Vec3<Scalar> turn_B = body.inverse_moments.cwiseProduct(moment_B);
-  return {lever_W, body.inverse_mass * n, R_WB * turn_B, body.inverse_mass + turn_B.dot(moment_B)};
+  yield.v_W = body.inverse_mass * n;
+  yield.w_W = R_WB * turn_B;
+  yield.along_n = body.inverse_mass + turn_B.dot(moment_B);
+  return yield;
 }
 
+/// The twist after. In place: a copy costs as much as the product.
 template <class Scalar>
-Twist<Scalar> pushed(const Twist<Scalar>& twist, const Yield<Scalar>& yield, Scalar j) {
-  return {twist.v_W + j * yield.v_W, twist.w_W + j * yield.w_W};
+void push(Twist<Scalar>& after, const Twist<Scalar>& twist, const Yield<Scalar>& yield, Scalar j) {
+  after.v_W = twist.v_W + j * yield.v_W;
+  after.w_W = twist.w_W + j * yield.w_W;
 }
 
+/// Of what is not finite v_rel or the softness tells: each number of both bodies and of the contact
+/// is a factor or a term of one of them, and no zero makes an infinity finite.
 template <class Scalar>
-bool is_valid(const Collider<Scalar>& body) {
-  using detail::nan_unless_finite;
-  const Scalar pose = nan_unless_finite(body.X_WB.p_W) + nan_unless_finite(body.X_WB.q_WB);
-  const Scalar twist = nan_unless_finite(body.twist.v_W) + nan_unless_finite(body.twist.w_W);
-  const Scalar moments = nan_unless_finite(body.inverse_moments);
-  return is_finite(body.inverse_mass) && pose + twist + moments == Scalar(0) &&
-         body.inverse_mass >= Scalar(0) && body.inverse_moments.minCoeff() >= Scalar(0);
-}
-
-template <class Scalar>
-bool is_valid(const Contact<Scalar>& contact, Scalar restitution) {
-  return is_finite(contact.point_W) && is_finite(contact.normal_BA_W) && restitution >= Scalar(0) &&
-         restitution <= Scalar(1);
+bool may_give_way(const Collider<Scalar>& body) {
+  return body.inverse_mass >= Scalar(0) && body.inverse_moments.minCoeff() >= Scalar(0);
 }
 
 }  // namespace
 
 template <class Scalar>
 bool is_sound(const Impulse<Scalar>& hit) {
-  Scalar lost = 0;  // x - x of each: a sum of the numbers could overflow where none of them did
+  Scalar lost = 0;  // times zero: a sum of the numbers could overflow where none of them did
   const auto look_at = [&lost](const Vec3<Scalar>& v) {
-    for (int i = 0; i < 3; ++i) lost += v[i] - v[i];  // Bound: 3; expressions double the code
+    for (int i = 0; i < 3; ++i) lost += Scalar(0) * v[i];  // Bound: 3; expressions double the code
   };
   look_at(hit.twist_A.v_W);
   look_at(hit.twist_A.w_W);
@@ -76,27 +73,30 @@ template <class Scalar>
 Result<Impulse<Scalar>> collision_impulse(const Collider<Scalar>& A, const Collider<Scalar>& B,
                                           const Contact<Scalar>& contact, Scalar restitution) {
   Result<Impulse<Scalar>> result;
-  if (!is_valid(A) || !is_valid(B) || !is_valid(contact, restitution)) return result;
+  const bool is_restitution = restitution >= Scalar(0) && restitution <= Scalar(1);
+  if (!may_give_way(A) || !may_give_way(B) || !is_restitution) return result;
   const Scalar v_rel = relative_velocity(contact, A.X_WB, A.twist, B.X_WB, B.twist);
   const Yield<Scalar> yield_A = yield_of(A, contact);
   const Yield<Scalar> yield_B = yield_of(B, contact);
   const Scalar give = yield_A.along_n + yield_B.along_n;
-  const bool collides = v_rel < Scalar(0) && give > Scalar(0);
-  const Scalar j = collides ? -(Scalar(1) + restitution) * v_rel / give : Scalar(0);
-  if (!is_finite(v_rel) || !is_finite(give) || !is_finite(j)) return result;
+  if (!is_finite(v_rel) || !is_finite(give)) return result;
 
+  result.status = Status::kOk;
   Impulse<Scalar>& impulse = result.value;
-  impulse.magnitude = j;
   impulse.v_rel = v_rel;
-  if (collides) {
+  if (v_rel < Scalar(0) && give > Scalar(0)) {
+    const Scalar j = -(Scalar(1) + restitution) * v_rel / give;
     const Vec3<Scalar> J_W = j * contact.normal_BA_W;
+    impulse.magnitude = j;
     impulse.on_A = impulse_on<Scalar>(yield_A.lever_W, J_W);
     impulse.on_B = impulse_on<Scalar>(yield_B.lever_W, -J_W);
+    push(impulse.twist_A, A.twist, yield_A, j);
+    push(impulse.twist_B, B.twist, yield_B, -j);
+    if (!is_sound(impulse)) result = {};
+  } else {
+    impulse.twist_A = A.twist;
+    impulse.twist_B = B.twist;
   }
-  impulse.twist_A = collides ? pushed(A.twist, yield_A, j) : A.twist;
-  impulse.twist_B = collides ? pushed(B.twist, yield_B, -j) : B.twist;
-  result.status = Status::kOk;
-  if (!is_sound(impulse)) result = {};
   return result;
 }
 

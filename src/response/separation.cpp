@@ -28,11 +28,13 @@ template <class Scalar>
 Result<Separation<Scalar>> separate(const Contact<Scalar>& contact, Scalar v_rel,
                                     Scalar inverse_mass_A, Scalar inverse_mass_B,
                                     const SeparationOptions<Scalar>& options) {
-  const bool masses = is_finite(inverse_mass_A) && is_finite(inverse_mass_B) &&
-                      inverse_mass_A >= Scalar(0) && inverse_mass_B >= Scalar(0);
-  const bool finite = is_finite(v_rel) && is_finite(contact.gap) && is_finite(contact.normal_BA_W);
-  if (!masses || !finite || !is_valid(options)) {
-    return failure<Separation<Scalar>>(Status::kInvalidArgument);
+  const Scalar lost = Scalar(0) * inverse_mass_A + Scalar(0) * inverse_mass_B + Scalar(0) * v_rel +
+                      Scalar(0) * contact.gap + detail::nan_unless_finite(contact.normal_BA_W);
+  const bool has_numbers = lost == Scalar(0);  // no number where one of them is not finite
+  Result<Separation<Scalar>> made;
+  if (!has_numbers || inverse_mass_A < Scalar(0) || inverse_mass_B < Scalar(0) ||
+      !is_valid(options)) {
+    return made;
   }
   const Scalar speed = max_of(v_rel < Scalar(0) ? -v_rel : v_rel, options.rest_speed);
   const Scalar missing = max_of(Scalar(0), options.distance - contact.gap);
@@ -44,7 +46,6 @@ Result<Separation<Scalar>> separate(const Contact<Scalar>& contact, Scalar v_rel
   if (options.limit_B < want_B) share = min_of(share, options.limit_B / want_B);
   const Scalar shift_A = min_of(options.limit_A, share * want_A);
   const Scalar shift_B = min_of(options.limit_B, share * want_B);
-  Result<Separation<Scalar>> made;
   Separation<Scalar>& separation = made.value;
   separation.shift_A_W = shift_A * contact.normal_BA_W;
   separation.shift_B_W = -shift_B * contact.normal_BA_W;

@@ -131,11 +131,11 @@ Vec3<Scalar> unit_x() {
 // By component: an expression of Eigen's costs each file that includes this some classes.
 template <class Scalar>
 Scalar nan_unless_finite(const Vec3<Scalar>& v) {
-  return (v.x() - v.x()) + (v.y() - v.y()) + (v.z() - v.z());
+  return Scalar(0) * v.x() + Scalar(0) * v.y() + Scalar(0) * v.z();
 }
 template <class Scalar>
 Scalar nan_unless_finite(const Quat<Scalar>& q) {
-  return (q.x() - q.x()) + (q.y() - q.y()) + (q.z() - q.z()) + (q.w() - q.w());
+  return Scalar(0) * q.x() + Scalar(0) * q.y() + Scalar(0) * q.z() + Scalar(0) * q.w();
 }
 
 }  // namespace detail

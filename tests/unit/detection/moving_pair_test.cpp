@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <limits>
+
 #include "moving.hpp"
 
 namespace batuta {
@@ -128,6 +131,24 @@ TYPED_TEST(MovingPairOf, WhatMakesNoSense_IsInvalid) {
   auto backwards = good;
   backwards.motion.duration = TypeParam(-1);
   EXPECT_FALSE(make_moving_pair(backwards, backwards).ok());
+}
+
+TYPED_TEST(MovingPairOf, AnyNumberThatIsNotFinite_IsInvalid) {
+  using Moving = MovingCapsule<TypeParam>;
+  constexpr TypeParam kInfinity = std::numeric_limits<TypeParam>::infinity();
+  const auto good =
+      moving<TypeParam>({{0, 0, 0}, {0, -1, 0}, {0, 1, 0}, 0.1, {1, 2, 3}, {0.1, 0, 0}});
+  constexpr std::size_t kNumbers = sizeof(Moving) / sizeof(TypeParam);  // it has nothing else
+  static_assert(kNumbers == 7 + 7 + 6 + 1);
+  for (std::size_t i = 0; i < kNumbers; ++i) {
+    for (const TypeParam x : {std::numeric_limits<TypeParam>::quiet_NaN(), kInfinity, -kInfinity}) {
+      Moving bad = good;
+      static_cast<TypeParam*>(static_cast<void*>(&bad))[i] = x;
+      EXPECT_EQ(make_moving_pair(good, bad).status, Status::kInvalidArgument) << i << ' ' << x;
+      EXPECT_EQ(make_moving_pair(bad, good).status, Status::kInvalidArgument) << i << ' ' << x;
+      EXPECT_EQ(make_moving_pair(bad, bad).status, Status::kInvalidArgument) << i << ' ' << x;
+    }
+  }
 }
 
 // Whatever is accepted can be measured.

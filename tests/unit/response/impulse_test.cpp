@@ -168,6 +168,45 @@ TYPED_TEST(ImpulseOf, BadInput_IsRefused) {
   EXPECT_FALSE(collision_impulse(good, good, nowhere, TypeParam(0)).ok());
 }
 
+/// Calls use(bad) with every number of `good`, one at a time, not finite.
+template <class Scalar, class T, class Use>
+void with_each_not_finite(const T& good, std::size_t count, const Use& use) {
+  constexpr Scalar kInfinity = std::numeric_limits<Scalar>::infinity();
+  for (std::size_t i = 0; i < count; ++i) {
+    for (const Scalar x : {std::numeric_limits<Scalar>::quiet_NaN(), kInfinity, -kInfinity}) {
+      T bad = good;
+      static_cast<Scalar*>(static_cast<void*>(&bad))[i] = x;
+      use(bad, i);
+    }
+  }
+}
+
+/// Where they meet and where they part, and where zeros are what is multiplied: nothing of a body
+/// lies beside the normal, and it does not turn.
+TYPED_TEST(ImpulseOf, AnyNumberThatIsNotFinite_IsRefused) {
+  using S = TypeParam;
+  constexpr std::size_t kOfCollider = 7 + 6 + 4;
+  static_assert(sizeof(Collider<S>) == kOfCollider * sizeof(S));
+  constexpr std::size_t kOfContact = 6;  // the gap is not asked
+  const auto still = collider<S>({-1, 0, 0}, kO, 1, kSoft);
+  const auto met = at<S>(kO, {-1, 0, 0});
+  for (const double v : {1.0, 0.0, -1.0}) {
+    const auto moving = collider<S>({1, 0, 0}, {v, 0, 0}, 1, kSoft);
+    const auto is_refused = [](const auto& A, const auto& B, const auto& contact) {
+      return collision_impulse(A, B, contact, S(0)).status == Status::kInvalidArgument;
+    };
+    ASSERT_FALSE(is_refused(still, moving, met));
+    with_each_not_finite<S>(still, kOfCollider, [&](const Collider<S>& bad, std::size_t i) {
+      EXPECT_TRUE(is_refused(bad, moving, met)) << v << ' ' << i;
+      EXPECT_TRUE(is_refused(moving, bad, met)) << v << ' ' << i;
+      EXPECT_TRUE(is_refused(bad, bad, met)) << v << ' ' << i;
+    });
+    with_each_not_finite<S>(met, kOfContact, [&](const Contact<S>& bad, std::size_t i) {
+      EXPECT_TRUE(is_refused(still, moving, bad)) << v << ' ' << i;
+    });
+  }
+}
+
 TYPED_TEST(ImpulseOf, JTooLargeForTheScalar_IsRefused) {
   const double tiny = static_cast<double>(std::numeric_limits<TypeParam>::min());
   const auto A = collider<TypeParam>({-1, 0, 0}, {1e3, 0, 0}, tiny, kO);

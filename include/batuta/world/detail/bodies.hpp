@@ -332,7 +332,9 @@ void Bodies<SceneT>::advance(std::size_t slot, Scalar elapsed) {
 
 template <class SceneT>
 void Bodies<SceneT>::finish(std::size_t slot) {
-  if (states[slot].group != kAlone) part_group(slot);
+  if constexpr (SceneT::kResponse) {  // else nobody goes with anybody
+    if (states[slot].group != kAlone) part_group(slot);
+  }
   const BodyState& state = states[slot];
   ActorType& actor = this->actor(slot);
   if (!state.stands && state.start < dt) move_on(*this, slot, dt - state.start);
