@@ -4,7 +4,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
+#include <iostream>
 #include <set>
 
 namespace batuta::host {
@@ -135,21 +137,35 @@ QueryFile::QueryFile(std::istream& in) : in_(in) {
   read_header();
 }
 
+/// The next byte; the end of the file, also where the system cannot read on. Files tell that by an
+/// exception, standard input by stdin alone.
+int QueryFile::read_byte() {
+  using Traits = std::istream::traits_type;
+  try {
+    const int byte = is_broken_ ? Traits::eof() : in_.rdbuf()->sbumpc();
+    const bool is_end = Traits::eq_int_type(byte, Traits::eof());
+    is_broken_ = is_broken_ || (is_end && &in_ == &std::cin && std::ferror(stdin) != 0);
+    return byte;
+  } catch (const std::ios_base::failure&) {
+    is_broken_ = true;
+    return Traits::eof();
+  }
+}
+
 QueryFile::Line QueryFile::read_line(std::string& content) {
   using Traits = std::istream::traits_type;
   content.clear();
-  std::streambuf* buffer = in_.rdbuf();
-  if (buffer == nullptr) return Line::kEnd;
+  if (in_.rdbuf() == nullptr) return Line::kEnd;
   bool read_any = false;
   bool too_long = false;
   // Bound: the length of the file.
-  for (auto c = buffer->sbumpc(); !Traits::eq_int_type(c, Traits::eof()); c = buffer->sbumpc()) {
+  for (int c = read_byte(); !Traits::eq_int_type(c, Traits::eof()); c = read_byte()) {
     read_any = true;
     if (Traits::to_char_type(c) == '\n') break;
     too_long = too_long || content.size() == kMaxLineLength;
     if (!too_long) content.push_back(Traits::to_char_type(c));
   }
-  if (!read_any) return Line::kEnd;
+  if (!read_any || is_broken_) return Line::kEnd;  // half a line may read like a whole one
   if (too_long) return Line::kTooLong;
   if (!content.empty() && content.back() == '\r') content.pop_back();
   return Line::kRead;

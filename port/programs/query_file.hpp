@@ -87,14 +87,18 @@ class QueryFile {
   /// missing, and error() names all of them.
   void require(const std::vector<std::string>& columns);
 
+  /// Whether reading ended because the system failed, not because the file did.
+  bool is_broken() const { return is_broken_; }
+
   /// Reads the next line into `row`, good or bad (ask row.ok()). Every line counts, also an empty
   /// one.
-  /// @returns false at the end of the file
+  /// @returns false at the end of the file, or where it cannot be read further: is_broken()
   bool next(QueryRow& row);
 
  private:
   enum class Line { kEnd, kRead, kTooLong };
   Line read_line(std::string& content);
+  int read_byte();
   void read_header();
   void add_error(const std::string& what);
 
@@ -102,6 +106,7 @@ class QueryFile {
   Columns columns_;
   std::string error_;
   long line_ = 0;
+  bool is_broken_ = false;
 };
 
 }  // namespace batuta::host

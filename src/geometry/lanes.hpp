@@ -74,8 +74,9 @@ struct Mask<Scalar, 1> {
   bool v;
 
   BATUTA_LANE bool operator[](int /*lane*/) const { return v; }
-  BATUTA_LANE friend Mask operator&(const Mask& x, const Mask& y) { return {x.v && y.v}; }
-  BATUTA_LANE friend Mask operator|(const Mask& x, const Mask& y) { return {x.v || y.v}; }
+  // Both sides are known: no branch.
+  BATUTA_LANE friend Mask operator&(const Mask& x, const Mask& y) { return {(x.v & y.v) != 0}; }
+  BATUTA_LANE friend Mask operator|(const Mask& x, const Mask& y) { return {(x.v | y.v) != 0}; }
   BATUTA_LANE friend Mask operator~(const Mask& x) { return {!x.v}; }
 };
 

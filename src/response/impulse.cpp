@@ -39,8 +39,7 @@ void push(Twist<Scalar>& after, const Twist<Scalar>& twist, const Yield<Scalar>&
   after.w_W = twist.w_W + j * yield.w_W;
 }
 
-/// Of what is not finite v_rel or the softness tells: each number of both bodies and of the contact
-/// is a factor or a term of one of them, and no zero makes an infinity finite.
+/// Of what is not finite v_rel or the softness tells (impulse.md, "Numbers").
 template <class Scalar>
 bool may_give_way(const Collider<Scalar>& body) {
   return body.inverse_mass >= Scalar(0) && body.inverse_moments.minCoeff() >= Scalar(0);

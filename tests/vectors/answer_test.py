@@ -44,6 +44,11 @@ def toc_file(speed, radius=0.1, turn=0):
     return [header, ["made"] + [bits(x) for x in [1] + A + B]]
 
 
+def clear(row):
+    """A row of bits that decimal numbers may stand beside."""
+    return row[:1] + ["0x" + word for word in row[1:]]
+
+
 def distance_file():
     header = ["family"] + vec("A0") + vec("A1") + vec("B0") + vec("B1")
     return [header, ["made"] + [bits(x) for x in [0, 0, 0, 1, 0, 0, 0.5, 2, -1, 0.5, 2, 1]]]
@@ -200,6 +205,85 @@ class Answer(unittest.TestCase):
         self.assertEqual([float(x) for x in rows[1]], [1, 8, -1] + [0] * 5 + [3] + [0] * 5 + [10])
         self.assertEqual([float(x) for x in rows[2]], [2, 12, -3] + [0] * 11 + [9])
 
+    def test_what_points_nowhere_is_refused(self):
+        """An orientation or a normal of no length, or that is not finite, has no direction: none is made up."""
+        for kind, rows, columns in (("toc", toc_file(-2), body_columns("A", False)[3:7]),
+                                    ("impulse", impulse_file()[:2], body_columns("B", False)[3:7]),
+                                    ("impulse", impulse_file()[:2], vec("n"))):
+            places = [rows[0].index(column) for column in columns]
+            bad = [["0.0"] * len(places)]
+            for at in range(len(places)):
+                bad += [["1.0"] * at + [word] + ["1.0"] * (len(places) - at - 1) for word in ("nan", "inf", "-inf")]
+            lines = []
+            for words in bad:
+                lines.append(clear(rows[1]))
+                for place, word in zip(places, words):
+                    lines[-1][place] = word
+            for scalar in "float", "double":
+                answers, errors = self.ask(kind, [rows[0], *lines], "--scalar", scalar, status=1)
+                self.assertEqual([row[1] for row in answers[1:]], ["INVALID"] * len(lines), columns)
+                self.assertEqual(errors.count("not finite"), len(lines), errors)
+            self.ask(kind, [rows[0], clear(rows[1])])
+
+    def test_normals_of_any_length_are_directions(self):
+        rows = impulse_file()[:2]
+        at = rows[0].index("nx")
+        for scalar in "float", "double":
+            lines = [clear(rows[1]) for _ in range(5)]
+            for line, length in zip(lines, ("-1.0", "-3e38", "-1e25", "-1e-25", "-1e-40")):
+                line[at] = length
+            answers, _ = self.ask("impulse", [rows[0], *lines], "--scalar", scalar)
+            self.assertEqual([row[1] for row in answers[1:]], ["8"] * 5)
+
+    def test_what_is_too_far_for_the_scalar_is_refused(self):
+        rows = distance_file()
+        far = ["made"] + [word + ".0" if word[-1].isdigit() and "e" not in word else word
+                          for word in ("-3e+38", "0", "0", "3e+38", "0", "0", "0", "2", "-1", "0", "2", "1")]
+        answers, errors = self.ask("distance", [rows[0], far], "--scalar", "float", status=1)
+        self.assertEqual(answers[1], ["1", "INVALID"])
+        self.assertIn("line 1: not finite, or too far", errors)
+        self.assertEqual([float(x) for x in self.ask("distance", [rows[0], far])[0][1][:2]], [1, 2])
+
+    def test_a_file_that_cannot_be_read_to_its_end_is_told(self):
+        if not os.path.exists("/proc/self/mem"):
+            self.skipTest("there is nothing that reads like one")
+        out = self.path("out.csv")
+        done = self.run_program("distance", "--in", "/proc/self/mem", "--out", out)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("cannot read /proc/self/mem", done.stderr)
+        with open("/proc/self/mem", "rb") as broken:
+            done = self.run_program("distance", "--in", "-", "--out", out, stdin=broken)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("cannot read -", done.stderr)
+        self.assertEqual(os.listdir(self.folder.name), [])
+
+    def test_who_owns_a_file_owns_what_takes_its_place(self):
+        if os.getuid() != 0:
+            self.skipTest("only root gives files away")
+        out = self.path("out.csv")
+        text = "".join(",".join(row) + "\n" for row in distance_file())
+        with open(out, "w", encoding="ascii") as file:
+            file.write("old")
+        os.chmod(out, 0o640)
+        os.chown(out, 65534, 65533)
+        done = self.run_program("distance", "--in", "-", "--out", out, text=text)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        kept = os.stat(out)
+        self.assertEqual((kept.st_uid, kept.st_gid, kept.st_mode & 0o777), (65534, 65533, 0o640))
+
+    def test_what_somebody_has_put_beside_is_not_written_to(self):
+        """A link that has the name of the file to be written beside: the program's number is known, as it is the shell's."""
+        text = "".join(",".join(row) + "\n" for row in distance_file())
+        queries, out = self.path("queries.csv"), self.path("out.csv")
+        with open(queries, "w", encoding="ascii") as file:
+            file.write(text)
+        done = subprocess.run(["sh", "-c", 'ln -s "$1" "$2.$$.part"; exec "$0" distance --in "$1" --out "$2"', PROGRAM, queries,
+                               out], capture_output=True, text=True, timeout=60, check=False)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("cannot write", done.stderr)
+        with open(queries, encoding="ascii") as file:
+            self.assertEqual(file.read(), text)
+
     def test_bad_lines_are_named_and_the_others_answered(self):
         good = distance_file()
         bad = ["made"] + ["xyz"] * 12
@@ -243,9 +327,16 @@ class Answer(unittest.TestCase):
                 done = subprocess.run([PROGRAM, "distance", "--in", read, "--out", "-"], stdin=asked, stdout=answered,
                                       stderr=subprocess.PIPE, text=True, timeout=60, check=False)
             self.assertEqual(done.returncode, 2)
-            self.assertIn("standard output is what --in reads", done.stderr)
-        with open(queries, encoding="ascii") as file:
-            self.assertEqual(file.read(), text)
+            self.assertIn("what is printed goes to what --in reads", done.stderr)
+            with open(queries, encoding="ascii") as asked, open(queries, "a", encoding="ascii") as told:
+                done = subprocess.run([PROGRAM, "distance", "--in", read, "--out", "-"], stdin=asked, stderr=told,
+                                      stdout=subprocess.PIPE, text=True, timeout=60, check=False)
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            with open(queries, encoding="ascii") as file:
+                said = file.read()
+            self.assertTrue(said.startswith(text) and said.count("\n") == text.count("\n") + 1, said)
+            with open(queries, "w", encoding="ascii") as file:
+                file.write(text)
 
     def test_questions_from_standard_input_are_not_written_over(self):
         text = "".join(",".join(row) + "\n" for row in distance_file())
@@ -270,7 +361,8 @@ class Answer(unittest.TestCase):
         out = self.path("out.csv")
         with open(out, "w", encoding="ascii") as file:
             file.write("older answers")
-        for number in signal.SIGHUP, signal.SIGINT, signal.SIGTERM:
+        for number in (signal.SIGHUP, signal.SIGINT, signal.SIGTERM, signal.SIGQUIT, signal.SIGALRM, signal.SIGUSR1,
+                       signal.SIGXCPU, signal.SIGABRT):
             with subprocess.Popen([PROGRAM, "distance", "--in", "-", "--out", out], stdin=subprocess.PIPE, text=True) as asking:
                 asking.stdin.write(",".join(distance_file()[0]) + "\n")
                 asking.stdin.flush()

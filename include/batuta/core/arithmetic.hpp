@@ -18,7 +18,7 @@ namespace detail {
 /// falls back to 1, half a spacing above its odd neighbour goes up. Any directed mode, and ties
 /// away from zero, fail one of the two. Bound: no loop.
 template <class Scalar>
-[[gnu::always_inline]] inline bool rounds_to_nearest_even() {
+[[gnu::always_inline]] inline bool rounds_to_nearest_even() {  // GCOVR_EXCL_BR_START
   constexpr Scalar e = std::numeric_limits<Scalar>::epsilon();
   const volatile Scalar one = 1;
   const volatile Scalar odd = Scalar(1) + e;
@@ -35,7 +35,7 @@ template <class Scalar>
   const volatile Scalar denormal = least * share;
   const Scalar d = denormal;
   return d + d == std::numeric_limits<Scalar>::min();
-}
+}  // GCOVR_EXCL_BR_STOP
 
 }  // namespace detail
 
@@ -48,9 +48,9 @@ template <class Scalar>
 /// @tparam Scalar  float, or double where it is used
 /// Bound: no loop. ISR-safe: yes, and worth it where the library runs in a handler.
 template <class Scalar>
-[[gnu::always_inline]] inline bool rounds_each_operation() {
+[[gnu::always_inline]] inline bool rounds_each_operation() {  // GCOVR_EXCL_BR_START
   return detail::rounds_products<Scalar>() && detail::rounds_to_nearest_even<Scalar>() &&
          detail::keeps_denormals<Scalar>();
-}
+}  // GCOVR_EXCL_BR_STOP
 
 }  // namespace batuta

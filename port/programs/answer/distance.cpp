@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // distance: how far two segments are apart, and where.
-#include "batuta/geometry/segment.hpp"
+#include "batuta/geometry/capsule.hpp"
 #include "fields.hpp"
 #include "query_kind.hpp"
 
@@ -24,15 +24,16 @@ Query<Scalar> read(Source& source) {
   return {read_segment<Scalar>(source, "A"), read_segment<Scalar>(source, "B")};
 }
 
+/// Finite, and no coordinate beyond kLargestCoordinate.
 template <class Scalar>
-bool is_finite_segment(const Segment<Scalar>& segment) {
-  return is_finite(segment.a) && is_finite(segment.b);
+bool is_usable(const Segment<Scalar>& segment) {
+  return is_valid(Capsule<Scalar>{segment, Scalar(0)});
 }
 
 template <class Scalar>
 Answer answer(host::QueryRow& row, const SearchSettings& /*settings*/) {
   const auto query = read<Scalar>(row);
-  if (!is_finite_segment(query.A) || !is_finite_segment(query.B)) return {{}, {}, "not finite"};
+  if (!is_usable(query.A) || !is_usable(query.B)) return {{}, {}, "not finite, or too far"};
   const ClosestPoints<Scalar> closest = closest_points(query.A, query.B);
   const Vec3<double> n = closest.normal_AB.template cast<double>();
   const auto d = static_cast<double>(closest.distance);

@@ -43,8 +43,8 @@ Query<Scalar> read(Source& source) {
   const Party<Scalar> A = read_party<Scalar>(source, "A");
   const Party<Scalar> B = read_party<Scalar>(source, "B");
   const Vec3<Scalar> point = vector<Scalar>(source, "p");
-  const Vec3<Scalar> normal = vector<Scalar>(source, "n");
-  return {A, B, {point, normal.normalized(), Scalar(0)}, number<Scalar>(source, "e")};
+  const Vec3<Scalar> normal = direction<Scalar>(source, "n");
+  return {A, B, {point, normal, Scalar(0)}, number<Scalar>(source, "e")};
 }
 
 template <class Scalar>
@@ -71,11 +71,13 @@ Answer answer(host::QueryRow& row, const SearchSettings& /*settings*/) {
   const auto query = read<Scalar>(row);
   const auto A = make_body(query.A.X_WB, query.A.mass, query.A.moments);
   const auto B = make_body(query.B.X_WB, query.B.mass, query.B.moments);
-  if (!A.ok() || !B.ok()) return {{}, {}, "a mass or moment is not positive, or a pose not finite"};
+  if (!A.ok() || !B.ok())
+    return {{}, {}, "a mass or moment is not positive, a pose not finite, or an orientation 0"};
   const auto impulse =
       collision_impulse(collider(A.value, query.A.twist), collider(B.value, query.B.twist),
                         query.contact, query.restitution);
-  if (!impulse.ok()) return {{}, {}, "not finite, or a restitution outside [0, 1]"};
+  if (!impulse.ok())
+    return {{}, {}, "not finite, a normal of length 0, or a restitution outside [0, 1]"};
   Answer answer;
   answer.numbers.push_back(static_cast<double>(impulse.value.magnitude));
   append(answer.numbers, impulse.value.twist_A);

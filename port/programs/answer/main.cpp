@@ -72,6 +72,7 @@ int run(const Command& command) {
   }
   batuta::host::QueryFile queries(command.in == kStandardStream ? std::cin : in_file);
   const QueryKind kind = kind_of(command.kind);
+  if (queries.is_broken()) return fail("cannot read " + command.in + ": " + last_system_error());
   queries.require(kind.needed_columns());
   if (!queries.ok()) return fail(command.in + ": " + queries.error());
 
@@ -81,6 +82,8 @@ int run(const Command& command) {
   const RowAnswer answer = command.in_float ? kind.in_float : kind.in_double;
   const long invalid =
       answer_file(queries, kind.columns, answer, command.search, answers.stream(), std::cerr);
+  if (queries.is_broken())
+    return fail("cannot read " + command.in + " to its end", kExitIncomplete);
   problem = answers.commit(command);
   if (!problem.empty()) return fail(problem, kExitIncomplete);
   return invalid == 0 ? 0 : kExitIncomplete;

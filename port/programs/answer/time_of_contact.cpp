@@ -96,7 +96,10 @@ template <class Scalar>
 Answer answer(host::QueryRow& row, const SearchSettings& settings) {
   const auto query = read<Scalar>(row);
   const auto pair = make_moving_pair(query.A, query.B);
-  if (!pair.ok()) return {{}, {}, "not finite, or a negative radius or time, or too many turns"};
+  if (!pair.ok())
+    return {{},
+            {},
+            "not finite, an orientation 0, a negative radius or time, too far, or too many turns"};
   const SearchResult<Scalar> found = search(pair.value, settings);
   if (found.outcome == Outcome::kInvalid) return {{}, {}, reason_for(settings.method)};
   const auto steps = static_cast<double>(found.evaluations);

@@ -189,6 +189,7 @@ BoutRules rules_of(const Options& options, DeviceSetup& setup) {
 BoutEnd play_bout(const Options& options, DeviceSetup& setup, Outputs& outputs) {
   const std::string error = open_files(options, outputs);
   if (!error.empty()) return fail(error);
+  watch_interrupts();  // who waits for the other end of a pipe is ended by a signal
   DevicePartner* device = setup.partner();
   if (device != nullptr && !device->open(options.touches)) return fail(device->problem());
   for (const Side side : {Side::kLeft, Side::kRight}) setup.source(side).rewind();
@@ -235,16 +236,19 @@ std::string open_window(const Options& options, const ViewNames& names, Outputs&
   return opened.error;
 }
 
-/// Whether all files that were to be written are.
+/// Whether all files that were to be written are; each is brought to its end, whatever becomes of
+/// the others.
 int finish(const Options& options, Outputs& outputs) {
-  for (const auto& [path, file] : outputs.pictures(options)) {  // Bound: 2
-    if (path->empty()) continue;
-    const std::string problem = file->commit();
-    if (!problem.empty()) return complain(kExitFailure, *path + ": cannot be written: " + problem);
+  int exit_code = kExitOk;
+  const auto tell = [&exit_code](const std::string& path, const std::string& problem) {
+    if (!problem.empty())
+      exit_code = complain(kExitFailure, path + ": cannot be written: " + problem);
+  };
+  for (const auto& [path, file] : outputs.pictures(options)) {  // Bound: 3
+    if (!path->empty()) tell(*path, file->commit());
   }
-  if (!options.record.empty() && !outputs.record.close())
-    return complain(kExitFailure, options.record + ": cannot be written");
-  return kExitOk;
+  if (!options.record.empty()) tell(options.record, outputs.record.close());
+  return exit_code;
 }
 
 /// @returns null: there is none, for a reason that has been told unless it is the usual one
@@ -293,7 +297,6 @@ std::vector<NamedFile> written_by(const Options& options) {
 }
 
 int play(Options options) {
-  watch_interrupts();
   const OpenedSource left = open(options.left);
   if (!left.source) return kExitUsage;
   const OpenedSource right = open(options.right);
@@ -322,7 +325,9 @@ int play(Options options) {
 /// A recorded bout instead of one of two sources.
 int play_again(const Options& options) {
   Outputs outputs;
-  const std::string error = open_window(options, {options.replay, options.replay}, outputs);
+  std::string error = clash_of({{"--replay", options.replay}}, {});
+  if (!error.empty()) return complain(kExitUsage, error);
+  error = open_window(options, {options.replay, options.replay}, outputs);
   if (!error.empty()) return complain(kExitUsage, error);
   if (outputs.view) watch_interrupts();
   const Replay result = outputs.view ? show_replay(options.replay, *outputs.view, outputs.feed)

@@ -163,9 +163,10 @@ int run_program(int count, char** words) {
   if (count > 2) return usage();
   if (count == 2 && std::strcmp(words[1], "--help") == 0) return usage(stdout);
   if (count == 2 && std::strcmp(words[1], "--measure") == 0) return measure();
+  if (count < 2) return run(100.0F);
   char* end = nullptr;
-  const float stiffness = count == 2 ? std::strtof(words[1], &end) : 100.0F;
-  return end == nullptr || *end == '\0' ? run(stiffness) : usage();
+  const float stiffness = std::strtof(words[1], &end);
+  return end != words[1] && *end == '\0' ? run(stiffness) : usage();
 }
 
 }  // namespace

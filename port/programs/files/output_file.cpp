@@ -12,6 +12,7 @@
 #ifdef _WIN32
 #include <process.h>
 #else
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #endif
@@ -56,23 +57,80 @@ path resolved(const std::string& text) {
   return found.is_absolute() ? found : std::filesystem::absolute(found, error);
 }
 
-/// Who may read and write what is there may do so with what takes its place.
-/// @returns an empty text | why not, in the system's words
-std::string keep_permissions([[maybe_unused]] const path& from, [[maybe_unused]] const path& to) {
-  std::error_code error;
 #ifndef _WIN32
-  const auto there = std::filesystem::status(from, error);
-  if (!std::filesystem::exists(there)) return {};
-  std::filesystem::permissions(to, there.permissions() & std::filesystem::perms::all, error);
-#endif
-  return error ? error.message() : "";
+
+constexpr mode_t kPermissions = S_IRWXU | S_IRWXG | S_IRWXO;
+
+/// Those of a file that nobody has asked anything of.
+mode_t usual_permissions() {
+  const mode_t mask = umask(0);
+  (void)umask(mask);
+  return (S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH) & ~mask;
 }
+
+/// What a file takes the place of keeps its owner, its group and who may do what with it; where the
+/// group cannot be kept, what that group may do is not for another one.
+/// @returns whether that could be done
+bool keep_owners(int file, const path& place) {
+  struct stat there = {};
+  if (stat(place.c_str(), &there) != 0) return fchmod(file, usual_permissions()) == 0;
+  mode_t permissions = there.st_mode & kPermissions;
+  const bool is_all_kept = fchown(file, there.st_uid, there.st_gid) == 0;
+  if (!is_all_kept && fchown(file, static_cast<uid_t>(-1), there.st_gid) != 0)
+    permissions &= ~static_cast<mode_t>(S_IRWXG);
+  return fchmod(file, permissions) == 0;
+}
+
+/// A new file, and none that is there already, whoever has put it there; nobody else may read it.
+/// @returns what it is known by; < 0: it cannot be made, and errno says why
+int make_private(const std::string& beside) {
+  return ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
+                S_IRUSR | S_IWUSR);
+}
+
+void close_number(int file) {
+  if (file >= 0) (void)close(file);
+}
+
+#else
+
+int make_private(const std::string& /*beside*/) {
+  return 0;
+}
+bool keep_owners(int /*file*/, const path& /*place*/) {
+  return true;
+}
+void close_number(int /*file*/) {}
+
+#endif
 
 /// Something that is there and is no plain file: a pipe, a terminal, /dev/full, a folder.
 bool is_special(const path& place) {
   std::error_code error;
   const auto status = std::filesystem::status(place, error);
   return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+}
+
+/// Whether a stream that the shell has opened is this file. Not told on Windows.
+bool is_stream([[maybe_unused]] int stream, [[maybe_unused]] const std::string& path) {
+#ifdef _WIN32
+  return false;
+#else
+  struct stat opened = {};
+  struct stat named = {};
+  return fstat(stream, &opened) == 0 && S_ISREG(opened.st_mode) &&
+         stat(path.c_str(), &named) == 0 && opened.st_dev == named.st_dev &&
+         opened.st_ino == named.st_ino;
+#endif
+}
+
+constexpr int kStandardInput = 0;
+constexpr int kStandardOutput = 1;
+constexpr int kStandardError = 2;
+
+/// Whether the shell sends what is printed to this file.
+bool is_printed_to(const std::string& path) {
+  return is_stream(kStandardOutput, path) || is_stream(kStandardError, path);
 }
 
 }  // namespace
@@ -83,14 +141,30 @@ std::string OutputFile::open(const std::string& path) {
   if (is_dangling(place))
     return std::make_error_code(std::errc::too_many_symbolic_link_levels).message();
   place_ = place.string();
-  beside_ = is_special(place) ? "" : place_ + "." + process_number() + ".part";
-  if (!beside_.empty()) remove_when_ended(beside_);
+  if (is_special(place)) return open_stream(place_);
+  if (is_printed_to(path)) return "it is what is printed to";
+  const std::string beside = place_ + "." + process_number() + ".part";
+  remove_when_ended(beside);
   errno = 0;
-  file_ = std::ofstream(beside_.empty() ? place_ : beside_, std::ios::binary | std::ios::trunc);
-  std::string problem = file_ ? "" : system_words();
-  if (problem.empty() && !beside_.empty()) problem = keep_permissions(place, beside_);
+  const int file = make_private(beside);
+  if (file < 0) {
+    const std::string problem = system_words();
+    keep_when_ended(beside);  // it is not ours
+    return problem;
+  }
+  beside_ = beside;
+  std::string problem = open_stream(beside_);
+  if (problem.empty() && !keep_owners(file, place)) problem = system_words();
+  close_number(file);
   if (!problem.empty()) discard();
   return problem;
+}
+
+/// @returns an empty text | why it cannot be written, in the system's words
+std::string OutputFile::open_stream(const std::string& path) {
+  errno = 0;
+  file_ = std::ofstream(path, std::ios::binary | std::ios::trunc);
+  return file_ ? "" : system_words();
 }
 
 std::string OutputFile::commit() {
@@ -128,28 +202,11 @@ bool are_same_file(const std::string& one, const std::string& other) {
 
 namespace {
 
-/// Whether a stream that the shell has opened is this file. Not told on Windows.
-bool is_stream([[maybe_unused]] int stream, [[maybe_unused]] const std::string& path) {
-#ifdef _WIN32
-  return false;
-#else
-  struct stat opened = {};
-  struct stat named = {};
-  return fstat(stream, &opened) == 0 && S_ISREG(opened.st_mode) &&
-         stat(path.c_str(), &named) == 0 && opened.st_dev == named.st_dev &&
-         opened.st_ino == named.st_ino;
-#endif
-}
-
-constexpr int kStandardInput = 0;
-constexpr int kStandardOutput = 1;
-constexpr int kStandardError = 2;
-
 /// @param before  how many of the outputs were looked at before this one
 std::string clash_of(const NamedFile& out, const std::vector<NamedFile>& inputs,
                      const std::vector<NamedFile>& outputs, std::size_t before) {
   if (is_special(out.path)) return {};
-  if (is_stream(kStandardOutput, out.path) || is_stream(kStandardError, out.path))
+  if (is_printed_to(out.path))
     return out.option + ": " + out.path + " is what is printed to: one would replace the other";
   for (const NamedFile& in : inputs) {  // Bound: inputs
     if (are_same_file(out.path, in.path))
@@ -169,11 +226,11 @@ bool is_standard_input(const std::string& path) {
 }
 
 std::string clash_of(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
-  const auto read = std::find_if(inputs.begin(), inputs.end(), [](const NamedFile& in) {
-    return is_stream(kStandardOutput, in.path);
-  });
+  const auto read = std::find_if(inputs.begin(), inputs.end(),
+                                 [](const NamedFile& in) { return is_printed_to(in.path); });
   if (read != inputs.end())
-    return "standard output is what " + read->option + " reads: it would be lost, or have no end";
+    return "what is printed goes to what " + read->option +
+           " reads: it would be lost, or have no end";
   for (std::size_t i = 0; i < outputs.size(); ++i) {  // Bound: outputs
     std::string clash = clash_of(outputs[i], inputs, outputs, i);
     if (!clash.empty()) return clash;

@@ -9,8 +9,10 @@
 namespace batuta::host {
 
 /// A file that is written beside its place, and takes the place when it is whole: until then, and
-/// where that never happens, what was there before stays. Who may read that may read the new one. A
-/// pipe or a device is written in place. A signal that ends the program leaves nothing beside
+/// where that never happens, what was there before stays. The new one has the owner, the group and
+/// the permissions of the old one, from its first byte on; where the group cannot be kept, what it
+/// may do is for no other group. Not over what the shell has opened for what is printed. A pipe or
+/// a device is written in place. A signal that ends the program leaves nothing beside
 /// (unfinished_files.hpp).
 class OutputFile {
  public:
@@ -32,6 +34,7 @@ class OutputFile {
   std::string commit();
 
  private:
+  std::string open_stream(const std::string& path);
   void discard();
   void forget_beside();
 
@@ -54,7 +57,7 @@ bool are_same_file(const std::string& one, const std::string& other);
 bool is_standard_input(const std::string& path);
 
 /// @returns an empty text | which output is also read, or written by another option, in one line;
-///   standard output, too, where the shell has opened a file that is read for it; and an output to
+///   what is printed, too, where the shell sends that to a file that is read; and an output to
 ///   which the shell sends what is printed.
 ///   A pipe, a terminal or /dev/null may be so often as one likes.
 std::string clash_of(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);

@@ -38,6 +38,21 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler must not
 
 std::array<Unfinished, kMostUnfinished> files;
 
+/// What ends a program, but for SIGKILL and the signals that have a number alone.
+constexpr int kEnding[] = {
+    SIGHUP,    SIGINT, SIGQUIT, SIGTERM, SIGALRM, SIGUSR1, SIGUSR2, SIGVTALRM, SIGPROF,
+    SIGXCPU,   SIGSYS, SIGTRAP, SIGABRT, SIGBUS,  SIGFPE,  SIGILL,  SIGSEGV,
+#ifdef SIGPOLL
+    SIGPOLL,
+#endif
+#ifdef SIGPWR
+    SIGPWR,
+#endif
+#ifdef SIGSTKFLT
+    SIGSTKFLT,
+#endif
+};
+
 /// Only where nobody has said what is to become of it.
 void watch(int signal) {
   struct sigaction now = {};
@@ -63,7 +78,7 @@ void remove_when_ended(const std::string& path) {
     file.used = true;
     break;
   }
-  for (const int signal : {SIGHUP, SIGINT, SIGTERM}) watch(signal);  // Bound: 3
+  for (const int signal : kEnding) watch(signal);  // Bound: their number
 }
 
 void keep_when_ended(const std::string& path) {

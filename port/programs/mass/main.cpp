@@ -6,6 +6,7 @@
 #include <exception>
 
 #include "batuta/mechanics/compound.hpp"
+#include "programs/files/output_file.hpp"
 #include "programs/files/standard_output.hpp"
 #include "programs/mass/mesh_file.hpp"
 #include "programs/mass/options.hpp"
@@ -37,6 +38,8 @@ bool fits_float(const MassProperties<double>& mass) {
 }
 
 int run(const Options& options) {
+  const std::string clash = batuta::host::clash_of({{"the mesh's name", options.file}}, {});
+  if (!clash.empty()) return complain(kExitUsage, clash);
   OpenedMesh opened = open_mesh(options.file);
   const std::string& problem = opened.file.error;
   if (!opened.readable) return complain(kExitUsage, options.file + ": " + problem);

@@ -19,8 +19,8 @@ std::string FileSink::open(const std::string& path) {
   return problem.empty() ? "" : path + ": " + problem;
 }
 
-bool FileSink::close() {
-  return file_.commit().empty();
+std::string FileSink::close() {
+  return file_.commit();
 }
 
 int FileSink::do_write(const std::uint8_t* bytes, int count) {

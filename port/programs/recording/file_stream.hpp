@@ -15,8 +15,8 @@ class FileSink final : public ByteSink {
  public:
   /// @returns an empty text, or what is wrong
   std::string open(const std::string& path);
-  /// @returns whether everything that was taken is in the file
-  bool close();
+  /// @returns an empty text | why not everything that was taken is in the file
+  std::string close();
 
  private:
   int do_write(const std::uint8_t* bytes, int count) override;

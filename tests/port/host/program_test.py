@@ -366,8 +366,37 @@ def second_signal(folder):
         check(not any(name.endswith(".part") for name in os.listdir(folder)), os.listdir(folder))
 
 
+def each_is_ended(folder):
+    """An output that cannot be written takes no other one with it; a bout is not printed over its recording; who waits for
+    the other end of a pipe ends by the first signal."""
+    record = os.path.join(folder, "bout")
+    if os.path.exists("/dev/full"):
+        refused = run("--seconds", "0.2", "--record", record, "--svg", "/dev/full")
+        check(refused.returncode == 1 and "/dev/full: cannot be written: No space" in refused.stderr, refused)
+        check(run("--replay", record).returncode == 0, "what was recorded is kept")
+        refused = run("--seconds", "0.2", "--record", "/dev/full")
+        check(refused.returncode == 1 and "/dev/full: cannot be written: No space" in refused.stderr, refused)
+    else:
+        check(run("--seconds", "0.2", "--record", record).returncode == 0, "recorded")
+    before = contents(record)
+    with open(record, "r+b") as opened:
+        result = subprocess.run([PROGRAM, "--replay", record], stdout=opened, stderr=subprocess.PIPE, check=False, timeout=600)
+    check(result.returncode == 2 and b"what --replay reads" in result.stderr, result)
+    check(contents(record) == before, "it is what it was")
+    pipe = os.path.join(folder, "pipe")
+    os.mkfifo(pipe)
+    for number in signal.SIGHUP, signal.SIGTERM:
+        waiting = subprocess.Popen([PROGRAM, "--seconds", "0.1", "--svg", pipe], stdout=subprocess.PIPE)
+        try:
+            waiting.wait(timeout=1)
+        except subprocess.TimeoutExpired:
+            waiting.send_signal(number)
+        check(waiting.wait(timeout=60) == -number, waiting.returncode)
+        waiting.stdout.close()
+
+
 def outputs(folder):
-    for index, part in enumerate((printed, permissions_and_links, second_signal)):
+    for index, part in enumerate((printed, permissions_and_links, second_signal, each_is_ended)):
         own = os.path.join(folder, str(index))
         os.makedirs(own)
         part(own)

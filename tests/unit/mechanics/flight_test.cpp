@@ -152,7 +152,9 @@ TYPED_TEST(FlightOf, EnergyOfWhoStoppedOnTheChord_IsStillThatOfTheFlight) {
     move_along(body, free_flight(body, TypeParam(1)), TypeParam(0.5));
     const Real off = energy(body) / begun_with - 1;
     const Motion<TypeParam> next = free_flight(body, TypeParam(1));
-    ASSERT_NEAR(detail::off_flight_energy(body, next, TypeParam(0)), off, 32 * u<TypeParam>) << i;
+    ASSERT_LE(std::abs(detail::off_flight_energy(body, next, TypeParam(0)) - off),
+              32 * u<TypeParam>)
+        << i;
   }
 }
 

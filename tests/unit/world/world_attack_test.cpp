@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -154,6 +155,113 @@ void expect_saved_without_the_part() {
 TEST(WorldAttack, PartInContactIsTakenOffAndTheWorldSaved_GoesOnWithTheSameBits) {
   expect_saved_without_the_part<TwoPartScene>();
   expect_saved_without_the_part<RestingParts>();
+}
+
+/// The state of a world in another one, through bytes.
+template <class SceneT>
+void restore_through_bytes(const World<SceneT>& from, World<SceneT>& into) {
+  std::vector<std::uint8_t> bytes(kSnapshotRoom<World<SceneT>>);
+  const auto size = save(from, bytes.data(), static_cast<int>(bytes.size()));
+  ASSERT_TRUE(size.ok());
+  ASSERT_EQ(restore(into, bytes.data(), size.value), Restored::kOk);
+}
+
+// The boxes of bodies that are no more stayed, and others bounced off them.
+TEST(WorldAttack, WorldInUseTakesASavedOne_NothingOfItsOwnIsLeft) {
+  using SceneT = test::FlightScene<float>;
+  const auto saved = std::make_unique<World<SceneT>>();
+  const auto ball = saved->add(test::ball<SceneT>(-1, 0.1, 2));
+  ASSERT_TRUE(ball.ok());
+  const auto used = std::make_unique<World<SceneT>>();
+  ASSERT_TRUE(used->add(test::ball<SceneT>(50, 0.1, 0)).ok());
+  ASSERT_TRUE(used->add(test::post<SceneT>(0, 0.1)).ok());
+  ASSERT_EQ(used->step(kDt), Status::kOk);
+  restore_through_bytes(*saved, *used);
+  for (int i = 0; i < 1000; ++i) {
+    ASSERT_EQ(saved->step(kDt), Status::kOk);
+    ASSERT_EQ(used->step(kDt), Status::kOk);
+    ASSERT_EQ(hash_of(*saved), hash_of(*used)) << "step " << i;
+    ASSERT_EQ(used->report().pairs, 0U);
+  }
+  EXPECT_NEAR(used->get(used->id_at(0))->body.X_WB.p_W.x(), 1, 1e-4);  // -1 m + 1 s at 2 m/s
+}
+
+/// A ball that sleeps on a post, in a world with friction.
+constexpr SceneOptions lying_scene_options() {
+  SceneOptions scene = tight_scene_options();
+  scene.friction = true;
+  return scene;
+}
+using LyingScene = Scene<lying_scene_options, Advancement<float>, test::AnyFlight<float>>;
+struct SleeperOnPost {
+  std::unique_ptr<World<LyingScene>> world = std::make_unique<World<LyingScene>>();
+  Handle<Actor<LyingScene>> post, ball;
+
+  SleeperOnPost() {
+    post = world->add(test::post<LyingScene>(0, 0.1)).value;
+    Actor<LyingScene> actor = test::ball<LyingScene>(0, 0.1, 0);
+    actor.body.X_WB.p_W.z() = 0.2001F;
+    actor.restitution = 0;
+    ball = world->add(actor).value;
+    for (int i = 0; i < 100; ++i) EXPECT_EQ(world->step(kDt), Status::kOk);
+    EXPECT_TRUE(world->is_asleep(ball));
+  }
+  float height() const { return world->get(ball)->body.X_WB.p_W.z(); }
+  /// Saved as it is, it goes on with the same bits.
+  void expect_to_go_on_alike(int steps) {
+    const auto restored = std::make_unique<World<LyingScene>>();
+    restore_through_bytes(*world, *restored);
+    for (int i = 0; i < steps; ++i) {
+      ASSERT_EQ(world->step(kDt), Status::kOk);
+      ASSERT_EQ(restored->step(kDt), Status::kOk);
+      ASSERT_EQ(hash_of(*world), hash_of(*restored)) << "step " << i;
+    }
+  }
+};
+
+// It slept on in the air where the world had been saved before the step.
+TEST(WorldAttack, SupportIsMadeUnusableAndTheWorldSaved_SleeperFalls) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  const auto spoil = [](int how, Body<float>& body) {
+    if (how == 0) body.X_WB.p_W.x() = kNan;
+    if (how == 1) body.X_WB.p_W.x() = 1e30F;
+    if (how == 2) body.X_WB.q_WB.x() = kNan;
+  };
+  for (int how = 0; how < 3; ++how) {
+    SleeperOnPost rig;
+    const float before = rig.height();
+    spoil(how, rig.world->get(rig.post)->body);
+    rig.expect_to_go_on_alike(100);
+    EXPECT_NEAR(before - rig.height(), 9.81F * 0.1F * 0.1F / 2, 1e-4F) << how;
+  }
+}
+
+// What is no number has a sign, and bits that mean nothing: an archive keeps neither.
+TEST(WorldAttack, NoNumberWithASign_IsOneAsAnyOther) {
+  const float of_x86 = -std::numeric_limits<float>::quiet_NaN();  // 0 / 0 there
+  for (const bool is_post : {false, true}) {
+    SleeperOnPost rig;
+    rig.world->get(is_post ? rig.post : rig.ball)->friction = of_x86;
+    rig.expect_to_go_on_alike(20);
+  }
+}
+
+// Stepping has no tolerance of a contact to ask for, and did not compile.
+TEST(WorldAttack, SteppingWithContactsThatLast_HoldsABall) {
+  using SceneT = Scene<tight_scene_options, Stepping<float>, test::AnyFlight<float>>;
+  const auto world = std::make_unique<World<SceneT>>();
+  ASSERT_TRUE(world->add(test::post<SceneT>(0, 0.1)).ok());
+  Actor<SceneT> ball = test::ball<SceneT>(0, 0.1, 0);
+  ball.body.X_WB.p_W.z() = 0.2001F;
+  ball.restitution = 0;
+  const auto id = world->add(ball);
+  ASSERT_TRUE(id.ok());
+  for (int i = 0; i < 200; ++i) {
+    ASSERT_EQ(world->step(kDt), Status::kOk);
+    ASSERT_TRUE(world->report().complete());
+  }
+  EXPECT_NEAR(world->get(id.value)->body.X_WB.p_W.z(), 0.2F, 2e-4F);
+  EXPECT_TRUE(world->is_asleep(id.value));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace batuta::detail {
 /// Inlined even without optimisation: it tells about the flags of the file that calls it, not about
 /// those of the file whose copy the linker happens to keep. Bound: no loop.
 template <class Scalar>
-[[gnu::always_inline]] inline bool rounds_products() {
+[[gnu::always_inline]] inline bool rounds_products() {  // GCOVR_EXCL_BR_START
   constexpr Scalar e = std::numeric_limits<Scalar>::epsilon();
   const volatile Scalar operand = Scalar(1) + e;  // volatile: nothing is computed by the compiler
   const volatile Scalar rounded = Scalar(1) + 2 * e;
@@ -25,6 +25,6 @@ template <class Scalar>
   const Scalar b = operand;
   const bool remainder_is_rounded = z - a * b == Scalar(0);
   return difference_is_rounded && remainder_is_rounded;
-}
+}  // GCOVR_EXCL_BR_STOP
 
 }  // namespace batuta::detail

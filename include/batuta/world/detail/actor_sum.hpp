@@ -4,6 +4,7 @@
 // whether what sleeps, or carries a sleeper, is what it was (src/world/world.md, "Sleep").
 
 #include <cstring>
+#include <limits>
 
 #include "batuta/world/actor.hpp"
 
@@ -13,9 +14,11 @@ namespace batuta::detail {
 class BitSum {
  public:
   void add(std::uint32_t word) { sum_ = (sum_ ^ word) * kPrime; }
-  /// Its bits. Bound: the words of a number.
+  /// Its bits; all that are no number are one, as in an archive: sign and payload are left open by
+  /// IEEE 754. Bound: the words of a number.
   template <class Scalar>
   void add_number(Scalar number) {
+    if (!(number == number)) number = std::numeric_limits<Scalar>::quiet_NaN();
     constexpr std::size_t kWords = sizeof(Scalar) / sizeof(std::uint32_t);
     std::array<std::uint32_t, kWords> words;
     std::memcpy(words.data(), &number, sizeof number);

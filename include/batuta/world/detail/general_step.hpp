@@ -307,7 +307,8 @@ void GeneralWorld<SceneT>::restore(const GeneralWorld& saved) {
   }
 }
 
-/// What a step sets up for itself is not part of what is saved, but for who stands where.
+/// What a step sets up for itself is not part of what is saved, but for who stands where; of the
+/// world that was there nothing is left.
 template <class SceneT>
 template <class Archive>
 void GeneralWorld<SceneT>::archive(Archive& ar) {
@@ -325,7 +326,9 @@ void GeneralWorld<SceneT>::archive(Archive& ar) {
     bool asleep = state.asleep && is_present;
     ar(stands);
     if constexpr (SceneT::kSleep) ar(asleep);
-    if (ar.reading()) take_stand(slot, stands, asleep);
+    if (!ar.reading()) continue;
+    pairs_.remove_boxes(slot);
+    take_stand(slot, stands, asleep);
   }
 }
 

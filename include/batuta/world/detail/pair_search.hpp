@@ -57,8 +57,12 @@ template <class SceneT>
 Scalar_of<SceneT> spare_share([[maybe_unused]] const Bodies<SceneT>& bodies) {
   using Scalar = Scalar_of<SceneT>;
   constexpr Scalar kNoise = 2 * kInflation<Scalar>;
-  if constexpr (kLasts<SceneT>) return kNoise;
-  return kNoise + max_of(bodies.settings.search.contact_tolerance, kLeastContactTolerance<Scalar>);
+  if constexpr (kLasts<SceneT>) {
+    return kNoise;
+  } else {
+    return kNoise +
+           max_of(bodies.settings.search.contact_tolerance, kLeastContactTolerance<Scalar>);
+  }
 }
 
 /// Whether the normal that parted the pair last parts it for all the time to come: ends go straight

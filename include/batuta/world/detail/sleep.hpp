@@ -194,13 +194,20 @@ bool Sleep<SceneT>::is_let_go(const BodiesT& bodies, std::size_t slot) const {
   return is_awake && (rests_[slot].sum & kWasLed) != 0 && !bodies.is_led(slot);
 }
 
-/// Who lies on what moves or was let go, at whatever gap: D was another one if it fell asleep in a
-/// longer step. @returns whether somebody does
+/// Whether a body takes no part in this step: the caller has made it unusable.
+template <class SceneT>
+bool is_left_out(const Bodies<SceneT>& bodies, std::size_t slot) {
+  return !bodies.states[slot].present && bodies.actors.at_index(slot) != nullptr;
+}
+
+/// Who lies on what moves, was let go or is left out, at whatever gap: D was another one if it fell
+/// asleep in a longer step. @returns whether somebody does
 template <class SceneT>
 bool Sleep<SceneT>::rouse_carried(BodiesT& bodies, const GroupsT& groups) {
   bool is_any = false;
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies, and their contacts
-    if (!is_led_elsewhere(bodies, slot) && !is_let_go(bodies, slot)) continue;
+    const bool holds = !is_led_elsewhere(bodies, slot) && !is_let_go(bodies, slot);
+    if (holds && !is_left_out(bodies, slot)) continue;
     groups.contacts.for_each_neighbour(slot, [&](std::size_t other) {
       if (!bodies.states[other].asleep) return;
       is_any = true;
