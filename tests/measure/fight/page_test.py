@@ -78,6 +78,14 @@ class PageTest(unittest.TestCase):
             with open(os.path.join(folder, "map.svg"), encoding="utf-8") as drawn:
                 self.assertEqual(drawn.read(), text_of("docs/fencing_map.svg"))
 
+    def test_nothing_is_drawn_over_what_is_printed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "map.svg")
+            with open(path, "w", encoding="utf-8") as printed:
+                done = subprocess.run([PROGRAM, "figure", path], stdout=printed, stderr=subprocess.PIPE, text=True, check=False)
+            self.assertNotEqual(done.returncode, 0)
+            self.assertIn("it is what is printed to", done.stderr)
+
     def test_commands_of_the_readme_run(self):
         named = re.findall(r"`batuta-fight (\w+)[^`]*`", text_of("tests/measure/fight/README.md"))
         self.assertEqual(sorted(named), sorted(WORDS))

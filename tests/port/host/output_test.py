@@ -90,6 +90,25 @@ class LostOutputTest(unittest.TestCase):
                 with open(old, encoding="ascii") as file:
                     self.assertEqual(file.read(), "an older picture")
 
+    def test_nothing_is_printed_over_what_is_read(self):
+        bout, mesh = os.path.join(self.folder, "bout.batuta"), os.path.join(self.folder, "mesh.obj")
+        with open(MESH, "rb") as file, open(mesh, "wb") as copy:
+            copy.write(file.read())
+        for words, path in (((DUEL, "--replay", bout), bout), ((MASS, mesh), mesh)):
+            with open(path, "rb") as file:
+                before = file.read()
+            for mode in "ab", "r+b":
+                with open(path, mode) as printed:
+                    done = subprocess.run(words, stdout=printed, stderr=subprocess.PIPE, text=True, timeout=HANG, check=False)
+                self.assertEqual((done.returncode, "what is printed goes to" in done.stderr), (2, True), (words, done.stderr))
+                with open(path, "rb") as file:
+                    self.assertEqual(file.read(), before, words)
+
+    def test_no_number_is_no_stiffness(self):
+        for word in "", " ", "1x", "N":
+            done = subprocess.run((FEEL, word), capture_output=True, text=True, timeout=HANG, check=False)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), repr(word))
+
     def test_what_is_not_read_is_not_gone_on_with(self):
         """A bout to 99 touches in real time takes minutes, and questions without end take for ever."""
         words = (DUEL, "--left", "script:attack", "--right", "script:guard", "--touches", "99", "--realtime")
