@@ -148,7 +148,7 @@ std::string OutputFile::open(const std::string& path) {
   errno = 0;
   const int file = make_private(beside);
   if (file < 0) {
-    const std::string problem = system_words();
+    std::string problem = system_words();
     keep_when_ended(beside);  // it is not ours
     return problem;
   }
