@@ -271,6 +271,12 @@ class Answer(unittest.TestCase):
         kept = os.stat(out)
         self.assertEqual((kept.st_uid, kept.st_gid, kept.st_mode & 0o777), (65534, 65533, 0o640))
 
+    def test_a_name_is_asked_for(self):
+        text = "".join(",".join(row) + "\n" for row in distance_file())
+        done = self.run_program("distance", "--in", "-", "--out", "", text=text)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("--out", done.stderr)
+
     def test_what_somebody_has_put_beside_is_not_written_to(self):
         """A link that has the name of the file to be written beside: the program's number is known, as it is the shell's."""
         text = "".join(",".join(row) + "\n" for row in distance_file())

@@ -63,6 +63,7 @@ class Answers {
 };
 
 int run(const Command& command) {
+  if (command.out.empty()) return fail("--out: a name is missing");
   std::ifstream in_file;
   errno = 0;
   if (command.in != kStandardStream) in_file.open(command.in, std::ios::binary);

@@ -189,9 +189,9 @@ BoutRules rules_of(const Options& options, DeviceSetup& setup) {
 BoutEnd play_bout(const Options& options, DeviceSetup& setup, Outputs& outputs) {
   const std::string error = open_files(options, outputs);
   if (!error.empty()) return fail(error);
-  watch_interrupts();  // who waits for the other end of a pipe is ended by a signal
   DevicePartner* device = setup.partner();
   if (device != nullptr && !device->open(options.touches)) return fail(device->problem());
+  watch_interrupts();  // until here, who waits for a board or a pipe is ended by a signal
   for (const Side side : {Side::kLeft, Side::kRight}) setup.source(side).rewind();
   const auto runner =
       std::make_unique<DuelRunner>(setup.source(Side::kLeft), setup.source(Side::kRight),
@@ -318,7 +318,8 @@ int play(Options options) {
   if (left.source->is_live() || right.source->is_live() || outputs.view) options.realtime = true;
   const int exit_code = play_bouts(options, setup, outputs);
   if (exit_code == kExitOk) return outputs.end_view(finish(options, outputs));
-  (void)outputs.record.close();  // what a bout that failed has recorded may tell why
+  // What a bout that failed has recorded may tell why.
+  if (outputs.record.has_taken()) (void)outputs.record.close();
   return exit_code;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 
@@ -92,9 +93,33 @@ void close_number(int file) {
   if (file >= 0) (void)close(file);
 }
 
+/// No signal comes between a file is made and it is known that it is to be removed.
+class SignalsHeld {
+ public:
+  SignalsHeld() {
+    sigset_t all;
+    (void)sigfillset(&all);
+    (void)pthread_sigmask(SIG_BLOCK, &all, &before_);
+  }
+  ~SignalsHeld() { (void)pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+ private:
+  sigset_t before_ = {};
+};
+
+/// @returns make_private(), and it is removed when a signal ends the program
+int make_watched(const std::string& beside) {
+  const SignalsHeld held;
+  const int file = make_private(beside);
+  if (file >= 0) remove_when_ended(beside);
+  return file;
+}
+
 #else
 
-int make_private(const std::string& /*beside*/) {
+int make_watched(const std::string& /*beside*/) {
   return 0;
 }
 bool keep_owners(int /*file*/, const path& /*place*/) {
@@ -144,14 +169,9 @@ std::string OutputFile::open(const std::string& path) {
   if (is_special(place)) return open_stream(place_);
   if (is_printed_to(path)) return "it is what is printed to";
   const std::string beside = place_ + "." + process_number() + ".part";
-  remove_when_ended(beside);
   errno = 0;
-  const int file = make_private(beside);
-  if (file < 0) {
-    std::string problem = system_words();
-    keep_when_ended(beside);  // it is not ours
-    return problem;
-  }
+  const int file = make_watched(beside);
+  if (file < 0) return system_words();
   beside_ = beside;
   std::string problem = open_stream(beside_);
   if (problem.empty() && !keep_owners(file, place)) problem = system_words();

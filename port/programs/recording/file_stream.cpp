@@ -15,6 +15,7 @@ std::string reason(const std::string& path) {
 }  // namespace
 
 std::string FileSink::open(const std::string& path) {
+  has_taken_ = false;
   const std::string problem = file_.open(path);
   return problem.empty() ? "" : path + ": " + problem;
 }
@@ -25,6 +26,7 @@ std::string FileSink::close() {
 
 int FileSink::do_write(const std::uint8_t* bytes, int count) {
   if (!file_.is_open()) return 0;
+  has_taken_ = has_taken_ || count > 0;
   for (int i = 0; i < count; ++i) {  // Bound: count
     if (!file_.stream().put(static_cast<char>(bytes[i]))) return i;
   }

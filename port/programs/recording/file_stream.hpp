@@ -15,6 +15,8 @@ class FileSink final : public ByteSink {
  public:
   /// @returns an empty text, or what is wrong
   std::string open(const std::string& path);
+  /// Whether it was given anything since it was opened.
+  bool has_taken() const { return has_taken_; }
   /// @returns an empty text | why not everything that was taken is in the file
   std::string close();
 
@@ -22,6 +24,7 @@ class FileSink final : public ByteSink {
   int do_write(const std::uint8_t* bytes, int count) override;
 
   OutputFile file_;
+  bool has_taken_ = false;
 };
 
 class FileSource final : public ByteSource {

@@ -5,10 +5,12 @@
 import json
 import math
 import os
+import pty
 import signal
 import subprocess
 import sys
 import tempfile
+import tty
 import xml.etree.ElementTree
 import zlib
 
@@ -354,7 +356,7 @@ def permissions_and_links(folder):
 def second_signal(folder):
     """The first signal ends the bout; the second one the program, and then nothing is left beside an output."""
     out = os.path.join(folder, "out.svg")
-    for numbers in (signal.SIGHUP, signal.SIGINT), (signal.SIGTERM, signal.SIGTERM):
+    for numbers in (signal.SIGHUP, signal.SIGINT), (signal.SIGTERM, signal.SIGTERM), (signal.SIGINT, signal.SIGTERM):
         running = subprocess.Popen([PROGRAM, "--realtime", "--svg", out], stdout=subprocess.PIPE)
         running.stdout.readline()
         check(any(name.endswith(".part") for name in os.listdir(folder)), "it is begun")
@@ -395,8 +397,28 @@ def each_is_ended(folder):
         waiting.stdout.close()
 
 
+def silent_board(folder):
+    """A board that says nothing: what was recorded before stays, and the first signal ends who waits for it."""
+    record = write(folder, "bout", "an older recording")
+    board, port = pty.openpty()
+    tty.setraw(port)
+    words = [PROGRAM, "--left", "serial:" + os.ttyname(port), "--record", record]
+    failed = subprocess.run([*words, "--patience", "0.5"], capture_output=True, timeout=600, check=False)
+    check(failed.returncode == 1, failed)
+    check(contents(record) == b"an older recording" and os.listdir(folder) == ["bout"], os.listdir(folder))
+    for number in signal.SIGINT, signal.SIGTERM:
+        waiting = subprocess.Popen([*words, "--patience", "1000"])
+        while len(os.listdir(folder)) < 2:
+            check(waiting.poll() is None, "it waits")
+        waiting.send_signal(number)
+        check(waiting.wait(timeout=60) == -number, waiting.returncode)
+        check(os.listdir(folder) == ["bout"], os.listdir(folder))
+    os.close(board)
+    os.close(port)
+
+
 def outputs(folder):
-    for index, part in enumerate((printed, permissions_and_links, second_signal, each_is_ended)):
+    for index, part in enumerate((printed, permissions_and_links, second_signal, each_is_ended, silent_board)):
         own = os.path.join(folder, str(index))
         os.makedirs(own)
         part(own)
