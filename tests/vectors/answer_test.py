@@ -265,7 +265,10 @@ class Answer(unittest.TestCase):
         with open(out, "w", encoding="ascii") as file:
             file.write("old")
         os.chmod(out, 0o640)
-        os.chown(out, 65534, 65533)
+        try:
+            os.chown(out, 65534, 65533)
+        except OSError:
+            self.skipTest("this root gives nothing away")
         done = self.run_program("distance", "--in", "-", "--out", out, text=text)
         self.assertEqual(done.returncode, 0, done.stderr)
         kept = os.stat(out)
