@@ -274,6 +274,14 @@ class Answer(unittest.TestCase):
         kept = os.stat(out)
         self.assertEqual((kept.st_uid, kept.st_gid, kept.st_mode & 0o777), (65534, 65533, 0o640))
 
+    def test_who_may_read_a_new_file_the_user_has_said(self):
+        text = "".join(",".join(row) + "\n" for row in distance_file())
+        for mask, mode in (0o022, 0o644), (0o027, 0o640), (0o077, 0o600), (0, 0o666):
+            out = self.path("%o.csv" % mask)
+            done = subprocess.run([PROGRAM, "distance", "--in", "-", "--out", out], input=text, capture_output=True, text=True,
+                                  timeout=60, check=False, preexec_fn=lambda mask=mask: os.umask(mask))
+            self.assertEqual((done.returncode, os.stat(out).st_mode & 0o777), (0, mode), done.stderr)
+
     def test_a_name_is_asked_for(self):
         text = "".join(",".join(row) + "\n" for row in distance_file())
         done = self.run_program("distance", "--in", "-", "--out", "", text=text)

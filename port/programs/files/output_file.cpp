@@ -62,19 +62,12 @@ path resolved(const std::string& text) {
 
 constexpr mode_t kPermissions = S_IRWXU | S_IRWXG | S_IRWXO;
 
-/// Those of a file that nobody has asked anything of.
-mode_t usual_permissions() {
-  const mode_t mask = umask(0);
-  (void)umask(mask);
-  return (S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH) & ~mask;
-}
-
-/// What a file takes the place of keeps its owner, its group and who may do what with it; where the
-/// group cannot be kept, what that group may do is not for another one.
-/// @returns whether that could be done
+/// A file has the owner, the group and the permissions of the one whose place it takes; where the
+/// group cannot be kept, no other group may do anything with it. Of a new one the system has said
+/// who may do what. @returns whether that could be done
 bool keep_owners(int file, const path& place) {
   struct stat there = {};
-  if (stat(place.c_str(), &there) != 0) return fchmod(file, usual_permissions()) == 0;
+  if (stat(place.c_str(), &there) != 0) return true;
   mode_t permissions = there.st_mode & kPermissions;
   const bool is_all_kept = fchown(file, there.st_uid, there.st_gid) == 0;
   if (!is_all_kept && fchown(file, static_cast<uid_t>(-1), there.st_gid) != 0)
@@ -82,18 +75,23 @@ bool keep_owners(int file, const path& place) {
   return fchmod(file, permissions) == 0;
 }
 
-/// A new file, and none that is there already, whoever has put it there; nobody else may read it.
+/// A new file, and none that is there already, whoever has put it there. Where it is to take the
+/// place of another one, nobody else may read it yet.
 /// @returns what it is known by; < 0: it cannot be made, and errno says why
-int make_private(const std::string& beside) {
+int make_beside(const std::string& beside, const path& place) {
+  struct stat there = {};
+  const bool is_new = stat(place.c_str(), &there) != 0;
+  const mode_t mode = S_IRUSR | S_IWUSR;
+  const mode_t for_all = mode | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;  // less the user's mask
   return ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
-                S_IRUSR | S_IWUSR);
+                is_new ? for_all : mode);
 }
 
 void close_number(int file) {
   if (file >= 0) (void)close(file);
 }
 
-/// No signal comes between a file is made and it is known that it is to be removed.
+/// While there is one, no signal comes: not between making a file and noting that it is to go.
 class SignalsHeld {
  public:
   SignalsHeld() {
@@ -109,17 +107,17 @@ class SignalsHeld {
   sigset_t before_ = {};
 };
 
-/// @returns make_private(), and it is removed when a signal ends the program
-int make_watched(const std::string& beside) {
+/// @returns make_beside(); the file is removed when a signal ends the program
+int make_watched(const std::string& beside, const path& place) {
   const SignalsHeld held;
-  const int file = make_private(beside);
+  const int file = make_beside(beside, place);
   if (file >= 0) remove_when_ended(beside);
   return file;
 }
 
 #else
 
-int make_watched(const std::string& /*beside*/) {
+int make_watched(const std::string& /*beside*/, const path& /*place*/) {
   return 0;
 }
 bool keep_owners(int /*file*/, const path& /*place*/) {
@@ -170,7 +168,7 @@ std::string OutputFile::open(const std::string& path) {
   if (is_printed_to(path)) return "it is what is printed to";
   const std::string beside = place_ + "." + process_number() + ".part";
   errno = 0;
-  const int file = make_watched(beside);
+  const int file = make_watched(beside, place);
   if (file < 0) return system_words();
   beside_ = beside;
   std::string problem = open_stream(beside_);

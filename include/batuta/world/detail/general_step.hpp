@@ -326,9 +326,10 @@ void GeneralWorld<SceneT>::archive(Archive& ar) {
     bool asleep = state.asleep && is_present;
     ar(stands);
     if constexpr (SceneT::kSleep) ar(asleep);
-    if (!ar.reading()) continue;
-    pairs_.remove_boxes(slot);
-    take_stand(slot, stands, asleep);
+    if (ar.reading()) {
+      pairs_.remove_boxes(slot);
+      take_stand(slot, stands, asleep);
+    }
   }
 }
 

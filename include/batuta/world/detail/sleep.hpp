@@ -206,8 +206,8 @@ template <class SceneT>
 bool Sleep<SceneT>::rouse_carried(BodiesT& bodies, const GroupsT& groups) {
   bool is_any = false;
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies, and their contacts
-    const bool holds = !is_led_elsewhere(bodies, slot) && !is_let_go(bodies, slot);
-    if (holds && !is_left_out(bodies, slot)) continue;
+    const bool is_lost = is_let_go(bodies, slot) || is_left_out(bodies, slot);
+    if (!is_lost && !is_led_elsewhere(bodies, slot)) continue;
     groups.contacts.for_each_neighbour(slot, [&](std::size_t other) {
       if (!bodies.states[other].asleep) return;
       is_any = true;
