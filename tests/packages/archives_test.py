@@ -3,7 +3,9 @@
 """Each archive is made, unpacked elsewhere, and built there by what reads it.
 Usage: archives_test.py SOURCE_FOLDER EIGEN WORK_FOLDER NAME. Exit code 77: skipped, for a tool is not there."""
 
+import contextlib
 import importlib.util
+import io
 import json
 import os
 import pathlib
@@ -135,24 +137,62 @@ def kconfig():
     return 0
 
 
-def platformio_environment(script, libraries):
-    """What the script does to a build: a mock of PlatformIO's and SCons' names."""
-    class Environment(dict):
-        def subst(self, text):
-            check(text == "$PROJECT_LIBDEPS_DIR/$PIOENV", text)
-            return str(libraries)
+class Environment(dict):
+    """What the script asks of one of SCons'. @param libraries  the folder of a project's libraries"""
+    def __init__(self, libraries, **start):
+        super().__init__(start)
+        self.libraries = libraries
 
-        def Append(self, **more):
-            for key, values in more.items():
-                self.setdefault(key, []).extend(values)
+    def subst(self, text):
+        check(text == "$PROJECT_LIBDEPS_DIR/$PIOENV", text)
+        return str(self.libraries)
 
-    own, everyones = Environment(), Environment()
-    scons, module = type(sys)("SCons"), type(sys)("SCons.Script")
-    module.DefaultEnvironment = lambda: everyones
-    sys.modules.update({"SCons": scons, "SCons.Script": module})
-    scope = {"Import": lambda name: scope.update({name: own})}
-    exec(compile(script.read_text(encoding="utf-8"), str(script), "exec"), scope)
-    return own, everyones
+    def Append(self, **more):
+        for key, values in more.items():
+            self.setdefault(key, []).extend(values)
+
+
+def platformio_environments(script, libraries, project_flags):
+    """What the script does to a build, in PlatformIO's order: the project's own files have a copy of the global environment, made
+    before libraries are looked at. @param project_flags  None: this PlatformIO does not hand that copy to a library"""
+    class UserError(Exception):
+        pass
+
+    everyones = Environment(libraries)
+    exported = {"env": Environment(libraries)}
+    if project_flags is not None:
+        exported["projenv"] = Environment(libraries, CXXFLAGS=list(project_flags))
+    scope = {}
+
+    def take(name):
+        if name not in exported:
+            raise UserError(name)
+        scope[name] = exported[name]
+
+    modules = {name: type(sys)(name) for name in ("SCons", "SCons.Script", "SCons.Errors")}
+    modules["SCons.Script"].DefaultEnvironment = lambda: everyones
+    modules["SCons.Errors"].UserError = UserError
+    sys.modules.update(modules)
+    scope["Import"] = take
+    printed = io.StringIO()
+    with contextlib.redirect_stdout(printed):
+        exec(compile(script.read_text(encoding="utf-8"), str(script), "exec"), scope)
+    return {"everyone's": everyones, **exported}, printed.getvalue()
+
+
+def platformio_flags_are_everywhere(script, libraries):
+    old, new = ([], ["-std=gnu++11"], ["-std=c++17", "-std=gnu++14"]), (["-std=gnu++2b"], ["-std=c++17"])
+    for flags, ours in [(flags, True) for flags in old] + [(flags, False) for flags in new]:
+        environments, printed = platformio_environments(script, libraries, flags)
+        check(not printed and sorted(environments) == ["env", "everyone's", "projenv"], printed)
+        for name, environment in environments.items():
+            check("-ffp-contract=off" in environment["CCFLAGS"], name)
+            check({("BATUTA_WITH_DOUBLE", 0), "BATUTA_CONTRACTION_IS_OFF"} == set(environment["CPPDEFINES"]), name)
+            check(environment["CPPPATH"] == [str(libraries / "ArduinoEigen/ArduinoEigen")], environment)
+            wanted = flags + ["-std=gnu++17"] * ours if name == "projenv" else ["-std=gnu++17"]
+            check(environment["CXXFLAGS"] == wanted, (name, environment["CXXFLAGS"]))
+    printed = platformio_environments(script, libraries, None)[1]
+    check("platformio.ini" in printed and "-ffp-contract=off" in printed, printed)
 
 
 def macros_are_told(headers):
@@ -200,9 +240,7 @@ def platformio():
     libraries = WORK / NAME / "libdeps"
     (libraries / "ArduinoEigen/ArduinoEigen").mkdir(parents=True)
     (libraries / "ArduinoEigen/ArduinoEigen/Eigen").symlink_to(EIGEN / "Eigen")
-    own, everyones = platformio_environment(folder / building["extraScript"], libraries)
-    check(own == everyones and "-ffp-contract=off" in everyones["CCFLAGS"], everyones)
-    check(everyones["CPPPATH"] == [str(libraries / "ArduinoEigen/ArduinoEigen")], everyones)
+    platformio_flags_are_everywhere(folder / building["extraScript"], libraries)
     values = {"SOURCES": sources, "FLAGS": [flag for flag in building["flags"] if not flag.startswith("-D")],
               "DEFINITIONS": [flag[2:] for flag in building["flags"] if flag.startswith("-D")]}
     build("plain", folder, **values)

@@ -165,6 +165,18 @@ class Queries(unittest.TestCase):
         told = batuta.closest_points(A[::2], np.asfortranarray(B)[::2])
         np.testing.assert_array_equal(told.gap, batuta.closest_points(A, B).gap[::2])
 
+    def test_arrays_may_stand_anywhere_in_any_order_of_bytes(self):
+        A, B = np.arange(14.0).reshape(2, 7), np.arange(14.0, 28.0).reshape(2, 7)
+        for scalar in np.float32, np.float64:
+            right = batuta.closest_points(A.astype(scalar), B.astype(scalar))
+            bytes_of_A = bytes(1) + A.astype(scalar).tobytes()
+            misplaced = np.frombuffer(bytes_of_A, scalar, offset=1).reshape(2, 7)
+            self.assertFalse(misplaced.flags.aligned)
+            swapped = B.astype(np.dtype(scalar).newbyteorder())
+            told = batuta.closest_points(misplaced, swapped)
+            self.assertEqual(told.gap.dtype, scalar)
+            np.testing.assert_array_equal(told.gap, right.gap)
+
     def test_balls_by_pencil(self):
         speed = np.array([0.0, 1, 2, 4])  # the gap of 2 is over after 2 / speed
         twist = np.zeros((4, 6))
@@ -221,6 +233,17 @@ class Chains(unittest.TestCase):
         told = chain.all_pairs(start, end, 1, margin=0.075)
         self.assertAlmostEqual(told.t_hit[0], 0.5, places=5)
         self.assertEqual(chain.capsules[0, 6], 0.05)
+
+    def test_margin_is_kept_in_every_type_of_numbers(self):
+        """Two balls of 2 m whose gap is half the margin, or less by roundings of what is summed."""
+        for capsules, places in ((np.float16, np.float64), (np.float32, np.float32), (np.float32, np.float64), (np.int64, np.int64)):
+            chain = batuta.Chain(np.stack([ball(2), ball(2)]).astype(capsules), [(0, 1)])
+            for gap, margin in (5e-4, 1e-3), (1e-3, 1e-3), (2.0**-20, 2.0**-20 + 2.0**-40):
+                still = np.stack([pose(), pose(4 + (0 if places is np.int64 else gap))]).astype(places)
+                told = chain.all_pairs(still, still, 1, margin=margin)
+                self.assertFalse(told.is_free(), (capsules, places, gap, margin))
+                both = np.float32 if capsules is np.float32 and places is np.float32 else np.float64
+                self.assertEqual(told.t_free.dtype, both)
 
     def test_a_path_is_one_call(self):
         rng = np.random.default_rng(2)
@@ -300,14 +323,19 @@ class BadInput(unittest.TestCase):
         self.refuses(r"query \(1, 0\): a radius", batuta.closest_points, good, spoilt)
         self.refuses("holds", batuta.closest_points, good.astype(complex), good)
         self.refuses("holds", batuta.closest_points, good.astype(str), good)
+        self.refuses("masked", batuta.closest_points, good, np.ma.masked_array(good, good > 0))
+        self.refuses("not finite", batuta.closest_points, good, np.full(7, WIDE(np.inf)))
+        if np.finfo(WIDE).max > np.finfo(np.float64).max:
+            self.refuses("not finite", batuta.closest_points, good, np.full(7, np.finfo(WIDE).max))
 
     def test_searches(self):
         A = batuta.moving(ball(1), [pose(), pose(9)])
         for duration, tolerance, budget in ((-1, 1e-6, 64), (np.nan, 1e-6, 64), (np.inf, 1e-6, 64), (1, -1, 64), (1, 2, 64),
                                             (1, np.nan, 64), (1, 1e-6, 0), (1, 1e-6, 4097), (1, 1e-6, -1)):
             self.refuses("batuta: ", batuta.time_of_contact, A, A[0], duration, tolerance, budget)
-        with self.assertRaises(TypeError):
-            batuta.time_of_contact(A, A, 1, budget=1.5)
+        self.refuses("budget is 1.5", batuta.time_of_contact, A, A, 1, budget=1.5)
+        for duration in np.array([1.0, 2.0]), "1", None, 1j, [1]:
+            self.refuses("duration is .* not one number", batuta.time_of_contact, A, A, duration)
         spoilt = A.copy()
         spoilt[1, 10:14] = 0
         self.refuses(r"query \(1,\)", batuta.time_of_contact, spoilt, A, 1)

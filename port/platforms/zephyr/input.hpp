@@ -36,7 +36,7 @@ class EventInput final : public InputDevice {
   /// What INPUT_CALLBACK_DEFINE wants. @param self  an EventInput
   static void on_event(input_event* event, void* self);
 
-  /// One event: an axis, or one of 32 buttons, in this order: INPUT_BTN_0 ... INPUT_BTN_9, then
+  /// One event: an axis, or one of 25 buttons, in this order: INPUT_BTN_0 ... INPUT_BTN_9, then
   /// INPUT_BTN_SOUTH ... INPUT_BTN_THUMBR; others are left out. An axis of another kind than was
   /// stated is left out as well. With its `sync` a sample is complete.
   void handle(const input_event& event);

@@ -9,8 +9,8 @@ pose    (..., 7)   origin of frame B in W, m (x y z); orientation q_WB (w x y z)
 twist   (..., 6)   velocity of B's origin, m/s; angular velocity, rad/s; both in W
 moving  (..., 20)  capsule in B, then pose and twist of B: see moving()
 
-Two arrays of float32 are answered in float32, with the bits that firmware has; anything else in float64. What cannot be asked
-is a ValueError, which names the first query that is at fault; then there is no answer to any."""
+Where all arrays of a call are of float32, the answer is in float32, with the bits that firmware has; anything else in float64. What
+cannot be asked is a ValueError, which names the first query that is at fault; then there is no answer to any."""
 
 from .chain import Chain, ChainAnswer
 from .queries import (Closest, FirstContact, Outcome, closest_points, moving, time_of_contact, twist_between)

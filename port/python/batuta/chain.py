@@ -5,7 +5,7 @@ import typing
 
 import numpy as np
 
-from .queries import Outcome, moving, numbers, one_number, time_of_contact, twist_between
+from .queries import Outcome, calls_for, moving, numbers, one_number, time_of_contact, twist_between
 
 
 class ChainAnswer(typing.NamedTuple):
@@ -67,8 +67,11 @@ class Chain:
             if poses.ndim < 2 or poses.shape[-2] != links:
                 raise ValueError(f"batuta: {name} has shape {poses.shape}, not (..., {links}, 7)")
         margin = one_number("margin", margin, lambda m: m >= 0, "0 or more")
-        capsules = self.capsules.copy() if np.issubdtype(self.capsules.dtype, np.floating) else self.capsules.astype(np.float64)
-        capsules[:, 6] += margin / 2
+        scalar = calls_for(self.capsules, start, end).scalar.type
+        capsules, start, end = (array.astype(scalar) for array in (self.capsules, start, end))
+        if margin > 0:  # upwards: so much is promised
+            half = np.nextafter(scalar(margin / 2), scalar(np.inf))
+            capsules[:, 6] = np.nextafter(capsules[:, 6] + half, scalar(np.inf))
         bodies = moving(capsules, start, twist_between(start, end, duration))
         found = time_of_contact(bodies[..., self.pairs[:, 0], :], bodies[..., self.pairs[:, 1], :], duration, tolerance, budget)
         return ChainAnswer(self.pairs, found.outcome, found.t_free, found.t_hit)

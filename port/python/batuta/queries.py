@@ -50,10 +50,16 @@ def calls_for(*arrays):
 
 
 def numbers(name, array, width):
-    """An array of numbers whose last dimension has the width; a ValueError: another shape, or not finite."""
+    """An array of numbers, float32 where it was of these, else float64, whose last dimension has the width; a ValueError: another
+    shape, masked, or not finite."""
+    if isinstance(array, np.ma.MaskedArray):
+        raise ValueError(f"batuta: {name} is masked: ask for what is not, by array[~mask]")
     array = np.asarray(array)
     if not (np.issubdtype(array.dtype, np.floating) or np.issubdtype(array.dtype, np.integer)):
         raise ValueError(f"batuta: {name} holds {array.dtype}, no real numbers")
+    is_single = array.dtype.kind == "f" and array.dtype.itemsize == 4  # of either byte order
+    with np.errstate(over="ignore"):  # what is too large for float64 is not finite there
+        array = array.astype(np.float32 if is_single else np.float64, copy=False)
     if array.ndim == 0 or array.shape[-1] != width:
         raise ValueError(f"batuta: {name} has shape {array.shape}, not (..., {width})")
     bad = ~np.isfinite(array).all(axis=-1)
@@ -68,20 +74,33 @@ def where(index, shape):
 
 def one_number(name, value, is_good, good):
     """A finite number that is_good() takes, also where there is no query that it is for. good: which those are, in words."""
+    value = np.asarray(value)
+    if value.ndim > 0 or value.dtype.kind not in "fiu":
+        raise ValueError(f"batuta: {name} is {value.dtype} of shape {value.shape}, not one number")
     value = float(value)
     if not (np.isfinite(value) and is_good(value)):
         raise ValueError(f"batuta: {name} is {value}, not {good}")
     return value
 
 
+def whole_number(name, value, low, high):
+    try:
+        value = operator.index(value)
+    except TypeError:
+        raise ValueError(f"batuta: {name} is {value!r}, not a whole number") from None
+    if not low <= value <= high:
+        raise ValueError(f"batuta: {name} is {value}, not {low} ... {high}")
+    return value
+
+
 def pairs_of(calls, A, B):
-    """Both broadcast against each other and contiguous in the calls' scalar, and the dimensions of the queries. A ValueError: they
-    do not fit, or a number is too large for the scalar."""
+    """Both broadcast against each other, as the library reads them, and the dimensions of the queries. A ValueError: they do not
+    fit."""
     try:
         shape = np.broadcast_shapes(A.shape[:-1], B.shape[:-1])
     except ValueError:
         raise ValueError(f"batuta: shapes {A.shape} and {B.shape} do not fit each other") from None
-    both = [np.ascontiguousarray(np.broadcast_to(array, shape + array.shape[-1:]), dtype=calls.scalar) for array in (A, B)]
+    both = [np.require(np.broadcast_to(array, shape + array.shape[-1:]), calls.scalar, ["C_CONTIGUOUS", "ALIGNED"]) for array in (A, B)]
     return both[0], both[1], shape
 
 
@@ -126,9 +145,7 @@ def time_of_contact(A, B, duration, tolerance=1e-6, budget=30):
     A, B = numbers("A", A, 20), numbers("B", B, 20)
     calls = calls_for(A, B)
     A, B, shape = pairs_of(calls, A, B)
-    budget = operator.index(budget)
-    if not 1 <= budget <= 4096:
-        raise ValueError(f"batuta: budget is {budget}, not 1 ... 4096")
+    budget = whole_number("budget", budget, 1, 4096)
     search = calls.search(one_number("duration", duration, lambda s: s >= 0, "0 or more"),
                           one_number("tolerance", tolerance, lambda share: 0 <= share <= 1, "0 ... 1"), budget)
     out = np.zeros(shape, calls.contact)

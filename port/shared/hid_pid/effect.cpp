@@ -120,17 +120,19 @@ float Effect::held(const Condition& condition, float metric, float knee) const {
   return condition.force(metric, type_ == EffectType::kFriction ? knee : 1.0F);
 }
 
-/// Two parameter blocks are the two axes', and are not rotated. One alone lies along the direction;
-/// without a direction it is that of the axes enabled. Y is HID's, towards the user.
+/// Two parameter blocks are the two axes', and are not rotated. One alone, whichever it is, lies
+/// along the direction; without a direction it is that of the axes enabled. Y is HID's, towards the
+/// user.
 Vec2<float> Effect::condition_force(const Metrics& metrics) const {
   const Vec2<float>& metric = metric_of(type_, metrics);
   const float knee = metrics.friction_knee;
+  const Condition& first = conditions_[blocks_ == kSecondBlock ? 1 : 0];
   if (!per_axis()) {
     const float along = clamp(metric.dot(direction_), -1.0F, 1.0F);
-    return along_direction(held(conditions_[0], along, knee));
+    return along_direction(held(first, along, knee));
   }
-  const Condition& second = conditions_[blocks_ == kBothBlocks ? 1 : 0];
-  const float x = has_direction_ || axis_x_ ? -held(conditions_[0], metric.x(), knee) : 0.0F;
+  const Condition& second = conditions_[(blocks_ & kSecondBlock) != 0 ? 1 : 0];
+  const float x = has_direction_ || axis_x_ ? -held(first, metric.x(), knee) : 0.0F;
   const float y = has_direction_ || axis_y_ ? held(second, -metric.y(), knee) : 0.0F;
   return {x, y};
 }

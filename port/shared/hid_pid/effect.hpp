@@ -61,6 +61,7 @@ class Effect {
   Vec2<float> along_direction(float size) const;
   Vec2<float> condition_force(const Metrics& metrics) const;
 
+  static constexpr std::uint8_t kSecondBlock = 2;
   static constexpr std::uint8_t kBothBlocks = 3;
 
   EffectType type_ = EffectType::kConstant;

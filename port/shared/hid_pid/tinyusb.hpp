@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The callbacks of TinyUSB's HID device class, each in one line of a firmware: pid.md has the
-// lines. Nothing of TinyUSB is included: its hid_report_type_t is an enumeration with the numbers
-// of HID.
+// The callbacks of TinyUSB's HID device class, each in one line of a firmware: hid_pid.md has
+// the lines. Nothing of TinyUSB is included: its hid_report_type_t is an enumeration with the
+// numbers of HID.
 
 #include <cstring>
 #include <type_traits>

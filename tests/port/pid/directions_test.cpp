@@ -15,6 +15,9 @@ namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 const UsageCode kAngle = 0x0A0001;
+const UsageCode kAxisX = 0x010030;
+const UsageCode kAxisY = 0x010031;
+const UsageCode kHasDirection = pid_usage(0x56);
 
 Vec2<float> constant_force(double share, const Values& effect) {
   Session session;
@@ -58,15 +61,13 @@ TEST(PidDirections, EveryAngle_IsWithinFourUlpOfTheTrueOne) {
 
 // Without a direction a force comes from the positive end of each axis; HID's Y ends at the user.
 TEST(PidDirections, AxesWithoutDirection_AreTheirPositiveEnds) {
-  const UsageCode x = 0x010030;
-  const UsageCode y = 0x010031;
-  const UsageCode enable = pid_usage(0x56);
-  EXPECT_EQ(constant_force(0.5, {{enable, 0}, {x, 1}}), Vec2<float>(-0.5F, 0.0F));
-  EXPECT_EQ(constant_force(0.5, {{enable, 0}, {y, 1}}), Vec2<float>(0.0F, 0.5F));
-  EXPECT_EQ(constant_force(0.5, {{enable, 0}, {x, 1}, {y, 1}}), Vec2<float>(-0.5F, 0.5F));
-  EXPECT_EQ(constant_force(0.5, {{enable, 0}}), Vec2<float>(0.0F, 0.0F));
+  EXPECT_EQ(constant_force(0.5, {{kHasDirection, 0}, {kAxisX, 1}}), Vec2<float>(-0.5F, 0.0F));
+  EXPECT_EQ(constant_force(0.5, {{kHasDirection, 0}, {kAxisY, 1}}), Vec2<float>(0.0F, 0.5F));
+  EXPECT_EQ(constant_force(0.5, {{kHasDirection, 0}, {kAxisX, 1}, {kAxisY, 1}}),
+            Vec2<float>(-0.5F, 0.5F));
+  EXPECT_EQ(constant_force(0.5, {{kHasDirection, 0}}), Vec2<float>(0.0F, 0.0F));
   // With a direction the axes do not count.
-  EXPECT_EQ(constant_force(0.5, {{x, 1}, {kAngle, degrees(180)}}), Vec2<float>(0.0F, 0.5F));
+  EXPECT_EQ(constant_force(0.5, {{kAxisX, 1}, {kAngle, degrees(180)}}), Vec2<float>(0.0F, 0.5F));
 }
 
 Vec2<float> condition_force(EffectType type, const std::vector<Values>& axes, const Stick& stick,
@@ -154,6 +155,24 @@ TEST(PidDirections, OneBlock_IsRotated) {
   EXPECT_NEAR(across.norm(), 0.0F, 1e-6F);
   stick.velocity = {0.0F, 5.0F};
   EXPECT_EQ(condition_force(EffectType::kDamper, {kStiff}, stick), Vec2<float>(0.0F, -0.5F));
+}
+
+// The same whichever of the two it is: hosts send one report a block, and may send one alone.
+TEST(PidDirections, LoneBlockOfTheSecondAxis_IsOneBlock) {
+  Stick stick;
+  stick.position = {0.5F, 0.25F};
+  for (const Values& effect :
+       {Values{{kAngle, degrees(0)}}, Values{{kAngle, degrees(45)}},
+        Values{{kHasDirection, 0}, {kAxisX, 1}}, Values{{kHasDirection, 0}, {kAxisY, 1}}}) {
+    Session session;
+    const std::int64_t block = session.made(EffectType::kSpring);
+    EXPECT_EQ(session.condition(block, 1, kSoft), Status::kOk);
+    EXPECT_EQ(session.set_effect(block, effect), Status::kOk);
+    EXPECT_EQ(session.start(block), Status::kOk);
+    const Vec2<float> force = session.force(stick);
+    EXPECT_GT(force.norm(), 0.1F);
+    EXPECT_EQ(force, condition_force(EffectType::kSpring, {kSoft}, stick, effect));
+  }
 }
 
 // In a corner of the stick's square the metric along a diagonal is beyond 1: at the stop, no
