@@ -86,6 +86,23 @@ TYPED_TEST(BodiesOf, SpoiledOrientation_GoesOnWithoutATurn_AndIsCounted) {
   EXPECT_EQ(rig.body(0).X_WB.q_WB.coeffs(), was.X_WB.q_WB.coeffs());
 }
 
+// Who can be planned by its momenta, and who cannot: within the step, for what is left of it.
+TYPED_TEST(BodiesOf, PlannedWithinAStep_GoesForWhatIsLeft) {
+  using S = TypeParam;
+  for (const bool is_spoilt : {false, true}) {
+    std::mt19937_64 random(5);
+    WeldRig<FallingScene<S>> rig;
+    rig.add(random_body<S>(random, 2, 3, 5));
+    rig.begin(0.125);
+    rig.bodies.now = S(0.03125);
+    rig.bodies.advance_to_now(0);
+    if (is_spoilt) rig.body(0).X_WB.q_WB.w() = 3;
+    rig.bodies.plan(0);
+    EXPECT_EQ(rig.bodies.report.plans_invalid, is_spoilt ? 1U : 0U);
+    EXPECT_EQ(rig.bodies.states[0].plan.motion.duration, S(0.09375)) << is_spoilt;
+  }
+}
+
 TYPED_TEST(BodiesOf, SpeedBeyondTheNumbers_Stands_AndIsTold) {
   using S = TypeParam;
   std::mt19937_64 random(4);

@@ -205,6 +205,40 @@ TYPED_TEST(Weld, ThatTurns_WinsNoEnergy) {
   }
 }
 
+template <int kBodies>
+constexpr SceneOptions parting_options() {
+  SceneOptions scene = free_options<kBodies, false>();
+  scene.resting = RestingContact::kSeparation;
+  return scene;
+}
+
+/// Three that turn as one, `scale` times the mass. @returns what its turn is off a flight, as a
+/// share of its energy, late in the step
+template <class S>
+S off_flight_of(double scale) {
+  constexpr double kTurn = 0.3, kStep = 0.01;
+  std::mt19937_64 random(7);
+  WeldRig<Scene<parting_options<3>, Advancement<S>>> rig;
+  const Vec3<S> w_W = S(kTurn / kStep) * Vec3<S>(S(1), S(2), S(-1)).normalized();
+  for (int i = 0; i < 3; ++i) {
+    auto body = random_body<S>(random, scale, 0, 0);
+    body.momentum = momentum_of(body, Twist<S>{w_W.cross(body.X_WB.p_W), w_W});
+    rig.add(body);
+  }
+  rig.begin(kStep);
+  for (std::size_t k = 1; k < 3; ++k) rig.bodies.weld(0, k, rig.bodies.dt);
+  return rig.bodies.group_off_flight(0, S(0.75 * kStep));
+}
+
+// Masses say nothing: the same bits, whether the energy is a megajoule or a millionth of a joule.
+TYPED_TEST(Weld, OffItsFlight_IsAShareOfItsEnergy) {
+  const TypeParam share = off_flight_of<TypeParam>(1);
+  EXPECT_GT(std::abs(share), TypeParam(1e-5)) << "or nothing is seen";
+  for (const double scale : {1048576.0, 1.0 / 1073741824.0}) {
+    EXPECT_EQ(off_flight_of<TypeParam>(scale), share) << scale;
+  }
+}
+
 // Two that fly past each other: their common turn would be more than half a one.
 TYPED_TEST(Weld, OfHalfATurnOrMore_GoesOnWithoutATurn_AndKeepsItsSpin) {
   using S = TypeParam;
