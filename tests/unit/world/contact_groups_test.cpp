@@ -173,6 +173,20 @@ TEST_F(ContactGroups, SixtySweepsAStep_AndTheNextOneGoesOn) {
   EXPECT_NEAR(rig().velocity(2), -kSpeed * left, kExact) << "all begins anew";
 }
 
+// A long group goes on ahead between sweeps, and not after the last one: that ends at what is
+// fixed, which the lowest ball then does not approach, however much is left above it.
+TEST_F(ContactGroups, SweepsThatEndBeforeTheyAreDone_EndWithAVisit) {
+  constexpr double kHeavy = 1e4, kSpeed = 1;
+  rig().add(0, 0);
+  for (int i = 0; i < 4; ++i) rig().add(1, 0);
+  rig().add(kHeavy, -kSpeed);
+  rig().momentum(5) = -kHeavy * kSpeed;
+  rig().solve();
+  EXPECT_LT(rig().velocity(5), -0.01 * kSpeed) << "or all is done";
+  EXPECT_GT(rig().impulse(0), 1);
+  EXPECT_NEAR(rig().velocity(1), 0, kExact * rig().impulse(0));
+}
+
 TEST_F(ContactGroups, NoRoomForAContact_TheTwoGoOnTogether_AndItIsTold) {
   for (std::size_t i = 0; i < kRoom + 2; ++i) rig().add(1, i == 0 ? 1 : 0);
   rig().solve();

@@ -143,6 +143,21 @@ void expect_own(const List& list, std::size_t slot) {
   EXPECT_EQ(list.is_held_up(slot), is_held);
 }
 
+TEST(ContactList, LoadedContact_IsOneOfWhichAPointPresses) {
+  detail::LastingContact<detail::ContactTraits<float, false, false, true>> contact;
+  for (const float first : {0.0F, 1e-30F}) {
+    for (const float second : {0.0F, 1e-30F}) {
+      contact.points = {};
+      contact.points[0].normal = first;
+      contact.points[1].normal = second;
+      contact.count = 1;
+      EXPECT_EQ(is_loaded(contact), first > 0) << "the second one is none of its points";
+      contact.count = 2;
+      EXPECT_EQ(is_loaded(contact), first > 0 || second > 0);
+    }
+  }
+}
+
 TEST(ContactList, WidestGapAndWhoHolds_AreThoseOfTheBodyAlone) {
   std::mt19937 random(2);
   for (int run = 0; run < 50; ++run) {
