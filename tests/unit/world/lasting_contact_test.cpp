@@ -453,5 +453,27 @@ TEST(LastingContact, LineOfAxesThatCrossALittle_GoesThroughTheNearestPoint) {
   }
 }
 
+// Half of it is spent in the step; at its end everything is what was solved, rolling resistance
+// too, of which what was spent is not kept. Halves are exact.
+TEST(LastingContact, SpentAndTakenTogether_IsWhatItWas) {
+  Contact contact;
+  contact.count = 1;
+  auto& point = contact.points[0];
+  point.normal = 2;
+  point.along = 0.25;
+  point.across = -1;
+  point.rolling_W = {3, -5, 7};
+  detail::spend(contact, 0.5);
+  EXPECT_EQ(point.normal, 1);
+  EXPECT_EQ(point.spent_normal, 1);
+  EXPECT_EQ(point.rolling_W, Vec3<double>(1.5, -2.5, 3.5));
+  detail::take_together(contact);
+  EXPECT_EQ(point.normal, 2);
+  EXPECT_EQ(point.spent_normal, 0);
+  EXPECT_EQ(point.along, 0.25);
+  EXPECT_EQ(point.across, -1);
+  EXPECT_EQ(point.rolling_W, Vec3<double>(3, -5, 7));
+}
+
 }  // namespace
 }  // namespace batuta

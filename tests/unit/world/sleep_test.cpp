@@ -194,5 +194,27 @@ TEST(Sleep, RestoredSleeper_SleepsOn) {
   }
 }
 
+// The chord of a turn by 0.02 rad: 2 r sin(0.01). A rod's counts about its own axis alone; where
+// the orientation does not show its spin, it is that over the moments, I across over I along.
+TEST(Sleep, WayOfTheSkin_IsRadiusTimesTurn) {
+  constexpr double kTurn = 0.02, kRadius = 0.05;
+  const double chord = 2 * kRadius * std::sin(kTurn / 2);
+  const auto way = [kTurn](const Actor<Sleepy>& actor, const Vec3<double>& axis) {
+    auto body = actor.body;
+    body.X_WB.q_WB = Quat<double>(Eigen::AngleAxis<double>(kTurn, axis));
+    return detail::way_of_skin(actor.capsule_B, body, Quat<double>::Identity());
+  };
+  const auto round = ball(kRadius, Vec3<double>::Zero());
+  EXPECT_NEAR(way(round, Vec3<double>(1, 2, 2) / 3), chord, 1e-12);
+  auto rod = round;
+  rod.capsule_B.axis = {Vec3<double>(0, 0, -0.3), Vec3<double>(0, 0, 0.3)};
+  rod.body.inverse_moments = {1, 1, 8};
+  EXPECT_FALSE(rod.body.spin_shows);
+  EXPECT_NEAR(way(rod, Vec3<double>::UnitZ()), 8 * chord, 1e-12);
+  EXPECT_NEAR(way(rod, Vec3<double>::UnitX()), 0, 1e-12);
+  rod.body.spin_shows = true;
+  EXPECT_NEAR(way(rod, Vec3<double>::UnitZ()), chord, 1e-12);
+}
+
 }  // namespace
 }  // namespace batuta
