@@ -10,10 +10,14 @@
 
 namespace batuta::detail {
 
-/// FNV-1a over words of 32 bits.
+/// FNV-1a over words of 32 bits, of which each product is folded: a product carries upwards alone,
+/// so that two signs that change would cancel.
 class BitSum {
  public:
-  void add(std::uint32_t word) { sum_ = (sum_ ^ word) * kPrime; }
+  void add(std::uint32_t word) {
+    sum_ = (sum_ ^ word) * kPrime;
+    sum_ ^= sum_ >> 15U;
+  }
   /// Its bits; all that are no number are one, as in an archive: sign and payload are left open by
   /// IEEE 754. Bound: the words of a number.
   template <class Scalar>

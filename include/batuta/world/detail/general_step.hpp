@@ -223,6 +223,16 @@ void GeneralWorld<SceneT>::release(Scalar time) {
   }
 }
 
+/// Whether neither of the two has gone anywhere in this step, nor was it changed before it.
+template <class SceneT>
+bool GeneralWorld<SceneT>::rests([[maybe_unused]] ProxyPair pair) const {
+  if constexpr (SceneT::kSleep) {
+    return sleep_.rests(bodies_, BodiesT::body_of(pair.first)) &&
+           sleep_.rests(bodies_, BodiesT::body_of(pair.second));
+  }
+  return false;
+}
+
 template <class SceneT>
 void GeneralWorld<SceneT>::end_step() {
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
@@ -232,7 +242,7 @@ void GeneralWorld<SceneT>::end_step() {
     give_back_moments(bodies_, groups_);
     touches_.end_step(
         bodies_, [this](ProxyPair pair) { return rest_gap(bodies_, pair); },
-        [this](ProxyPair pair) { return groups_.presses(pair); });
+        [this](ProxyPair pair) { return groups_.presses(pair) || rests(pair); });
     groups_.end_step();
   } else if constexpr (SceneT::kMaxEvents > 0) {
     touches_.end_step(
@@ -247,7 +257,7 @@ Status GeneralWorld<SceneT>::configure(const WorldSettings<SceneT>& settings) {
   const Status status = validate(settings);
   if (status != Status::kOk) return status;
   if constexpr (SceneT::kSleep && SceneT::kGravity) {
-    if (!is_same(settings.gravity_W, bodies_.settings.gravity_W)) sleep_.wake_all(bodies_);
+    if (!is_same(settings.gravity_W, bodies_.settings.gravity_W)) sleep_.disturb_all(bodies_);
   }
   if constexpr (kSolves) groups_.boxed_for = 0;
   bodies_.settings = settings;
@@ -275,9 +285,7 @@ Status GeneralWorld<SceneT>::remove(BodyId id) {
   const auto slot = static_cast<std::size_t>(index);
   bodies_.states[slot] = {};  // first: its neighbours wake all that sleep, and it is gone
   if constexpr (SceneT::kSleep) {
-    groups_.contacts.for_each_neighbour(slot, [this](std::size_t other) {
-      sleep_.wake(bodies_, groups_, other, [](std::size_t) {});
-    });
+    sleep_.disturb_neighbours(bodies_, groups_, slot);
   }
   if constexpr (kSolves) groups_.remove(slot);
   touches_.remove(slot);

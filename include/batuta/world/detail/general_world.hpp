@@ -79,7 +79,8 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   Status remove(BodyId id);
 
   /// The body, or null for a stale, foreign or null id.
-  /// Who may be changed is looked at again: what only reads, reads a const world.
+  /// Who may be changed is looked at again in the next step: what only reads, reads a const world,
+  /// and what changes a body asks for it anew after each step.
   ActorType* get(BodyId id) {
     const int slot = bodies_.actors.index_of(id);
     if (slot != PoolBase::kNoIndex) bodies_.states[static_cast<std::size_t>(slot)].boxed = false;
@@ -222,6 +223,7 @@ class GeneralWorld : private RepeatsOf<SceneT> {
                      const Answer<Scalar>& result, bool is_resting);
   void apply_separation_time(ProxyPair pair, const Contact<Scalar>& contact,
                              const Separation<Scalar>& made, Scalar distance);
+  bool rests(ProxyPair pair) const;
   bool holds_one(ProxyPair pair) const;
   void hold(ProxyPair pair, Scalar until);
   void stop_both(ProxyPair pair);

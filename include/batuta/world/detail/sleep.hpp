@@ -6,6 +6,7 @@
 
 #include "batuta/world/detail/actor_sum.hpp"
 #include "batuta/world/detail/contact_groups.hpp"
+#include "batuta/world/detail/quiet.hpp"
 
 namespace batuta::detail {
 
@@ -20,7 +21,7 @@ class Sleep {
   /// A body is new.
   void add(BodiesT& bodies, std::size_t slot) {
     start_over(bodies, slot);
-    rests_[slot].sum = sum_of(bodies.actor(slot)) & ~kWasLed;
+    rests_[slot].sum = sum_of(bodies.actor(slot)) & ~kFlags;
   }
   /// Wakes whom the caller has disturbed, and who lies against what he has; before a step.
   void begin_step(BodiesT& bodies, const GroupsT& groups);
@@ -33,8 +34,25 @@ class Sleep {
   /// Bound: kMaxBodies, and their contacts.
   template <class Woken>
   void wake(BodiesT& bodies, const GroupsT& groups, std::size_t slot, const Woken& woken);
-  /// Wakes all. Bound: kMaxBodies.
-  void wake_all(BodiesT& bodies);
+  /// Something has happened to a body: it wakes, with all that sleep against it, or has to be quiet
+  /// for all of sleep_time once more. @pre it is in the world. Bound: as wake().
+  void disturb(BodiesT& bodies, const GroupsT& groups, std::size_t slot) {
+    wake(bodies, groups, slot, [](std::size_t) {});
+    start_over(bodies, slot);
+  }
+  /// To all that it is near. Bound: as wake(), for each.
+  void disturb_neighbours(BodiesT& bodies, const GroupsT& groups, std::size_t slot) {
+    groups.contacts.for_each_neighbour(slot,
+                                       [&](std::size_t other) { disturb(bodies, groups, other); });
+  }
+  /// To all. Bound: kMaxBodies.
+  void disturb_all(BodiesT& bodies);
+  /// Whether a body sleeps, or is led, stood still in the step, and nobody had changed it before.
+  bool rests(const BodiesT& bodies, std::size_t slot) const {
+    const auto& state = bodies.states[slot];
+    return state.asleep ||
+           (state.stands && bodies.is_led(slot) && (rests_[slot].sum & kHasCome) == 0);
+  }
   /// Who falls asleep, after a step.
   void end_step(BodiesT& bodies, GroupsT& groups);
   void copy(const Sleep& saved) { *this = saved; }
@@ -45,11 +63,13 @@ class Sleep {
 
  private:
   static constexpr std::size_t kSlots = BodiesT::kSlots;
-  static constexpr std::uint32_t kWasLed = 1;  ///< and awake, in the last step
+  static constexpr std::uint32_t kWasLed = 1;   ///< and awake, in the last step
+  static constexpr std::uint32_t kHasCome = 2;  ///< within a step: it was changed before it
+  static constexpr std::uint32_t kFlags = kWasLed | kHasCome;
   struct Rest {
     Pose<Scalar> anchor;
     Scalar quiet = 0;  ///< for so long it has not left the anchor, s
-    /// Of what the caller may change (actor_sum.hpp), but for its lowest bit: kWasLed.
+    /// Of what the caller may change (actor_sum.hpp), but for its lowest bits: kFlags.
     std::uint32_t sum = 0;
   };
 
@@ -71,7 +91,7 @@ class Sleep {
   bool count_quiet(BodiesT& bodies, const GroupsT& groups);
   void find_sleepers(const BodiesT& bodies, GroupsT& groups);
   void fall_asleep(BodiesT& bodies);
-  bool has_left(const BodiesT& bodies, const GroupsT& groups, std::size_t slot) const;
+  Scalar place_of(const BodiesT& bodies, const GroupsT& groups, std::size_t slot) const;
   bool may_sleep(const BodiesT& bodies, std::size_t slot) const {
     return bodies.states[slot].present && !bodies.states[slot].asleep && !bodies.is_led(slot);
   }
@@ -82,20 +102,24 @@ class Sleep {
   std::array<bool, kSlots> sleeps_{};  ///< who is to fall asleep, or was woken
 };
 
-/// Whether somebody else has moved what stood, or given it a momentum.
+/// Whether somebody else has moved what slept or stood, or given a sleeper a momentum: that of what
+/// is led is what blows have left, and moves nothing.
 template <class SceneT>
 bool Sleep<SceneT>::is_disturbed(const BodiesT& bodies, std::size_t slot) const {
   const auto& body = bodies.actor(slot).body;
-  return !BodiesT::Kinematics::is_at_start(body, bodies.states[slot].plan.motion) ||
-         !is_zero(body.momentum.linear_W) || !is_zero(body.momentum.angular_W);
+  const auto& state = bodies.states[slot];
+  if (!state.asleep && !state.stands) return false;
+  if (!BodiesT::Kinematics::is_at_start(body, state.plan.motion)) return true;
+  const auto& momentum = body.momentum;
+  return state.asleep && !(is_zero(momentum.linear_W) && is_zero(momentum.angular_W));
 }
 
 /// Whether the caller has changed what keeps a body where it is.
 template <class SceneT>
 bool Sleep<SceneT>::is_another(const BodiesT& bodies, std::size_t slot) {
   if (bodies.states[slot].boxed) return false;  // nobody but those who read it has had it
-  const std::uint32_t was_led = rests_[slot].sum & kWasLed;
-  const std::uint32_t sum = (sum_of(bodies.actor(slot)) & ~kWasLed) | was_led;
+  const std::uint32_t flags = rests_[slot].sum & kFlags;
+  const std::uint32_t sum = (sum_of(bodies.actor(slot)) & ~kFlags) | flags;
   const bool is_another = sum != rests_[slot].sum;
   rests_[slot].sum = sum;
   return is_another;
@@ -117,17 +141,13 @@ bool Sleep<SceneT>::is_led_off([[maybe_unused]] BodiesT& bodies,
 
 template <class SceneT>
 void Sleep<SceneT>::begin_step(BodiesT& bodies, const GroupsT& groups) {
-  const auto wake_neighbours = [&](std::size_t slot) {
-    groups.contacts.for_each_neighbour(
-        slot, [&](std::size_t other) { wake(bodies, groups, other, [](std::size_t) {}); });
-  };
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
     if (bodies.actors.at_index(slot) == nullptr) continue;
     const bool is_another = this->is_another(bodies, slot) || is_led_off(bodies, slot);
-    const bool stood = bodies.states[slot].asleep || bodies.states[slot].stands;
-    if (!is_another && !(stood && is_disturbed(bodies, slot))) continue;
-    if (bodies.states[slot].asleep) wake(bodies, groups, slot, [](std::size_t) {});
-    wake_neighbours(slot);
+    if (!is_another && !is_disturbed(bodies, slot)) continue;
+    rests_[slot].sum |= kHasCome;
+    disturb(bodies, groups, slot);
+    disturb_neighbours(bodies, groups, slot);
     if (is_another) bodies.states[slot].stands = false;  // it has just come, for who sleeps near it
   }
 }
@@ -252,48 +272,19 @@ void Sleep<SceneT>::wake(BodiesT& bodies, const GroupsT& groups, std::size_t slo
 }
 
 template <class SceneT>
-void Sleep<SceneT>::wake_all(BodiesT& bodies) {
+void Sleep<SceneT>::disturb_all(BodiesT& bodies) {
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    if (bodies.states[slot].asleep) start_over(bodies, slot);
+    if (bodies.actors.at_index(slot) != nullptr) start_over(bodies, slot);
   }
 }
 
-/// How far the skin of a part has gone about the part's own axis, m: the ends of a ball's axis, and
-/// of that of a rod that spins, stay where they are. Of a body of revolution the orientation shows
-/// the spin that the whole would have with the moment across its axis (mechanics/motion.md).
-template <class Scalar>
-Scalar way_of_skin(const Capsule<Scalar>& part_B, const Body<Scalar>& body,
-                   const Quat<Scalar>& from_WB) {
-  const Vec3<Scalar> turn_B = 2 * (from_WB.conjugate() * body.X_WB.q_WB).vec();
-  const Vec3<Scalar> along_B = part_B.axis.b - part_B.axis.a;
-  const Scalar length = along_B.norm();
-  if (!(length > Scalar(0))) return part_B.radius * turn_B.norm();
-  const Vec3<Scalar> axis_B = along_B / length;
-  const Scalar shown = part_B.radius * std::abs(turn_B.dot(axis_B));
-  if (body.spin_shows) return shown;
-  const Scalar about_axis = body.inverse_moments.dot(axis_B.cwiseAbs2());
-  return shown * (2 * about_axis / (body.inverse_moments.sum() - about_axis));
-}
-
-/// Whether the body has gone further than it would at rest_speed, or than its gaps let it sway.
+/// What a body keeps its place by: so far it goes in sleep_time at rest_speed, or its gaps let it
+/// sway, m.
 template <class SceneT>
-bool Sleep<SceneT>::has_left(const BodiesT& bodies, const GroupsT& groups, std::size_t slot) const {
-  const auto& actor = bodies.actor(slot);
-  const Scalar limit = max_of(2 * groups.contacts.widest_rest_gap(slot),
-                              bodies.settings.rest_speed * static_cast<Scalar>(SceneT::kSleepTime));
-  const auto is_far = [&](const Vec3<Scalar>& x_B) {
-    const Vec3<Scalar> way = to_world(actor.body.X_WB, x_B) - to_world(rests_[slot].anchor, x_B);
-    return way.squaredNorm() > limit * limit;
-  };
-  bool left = false;
-  for (int i = 0; i < parts_of(actor); ++i) {  // Bound: kCapsulesPerBody
-    const Capsule<Scalar>& part = part_of(actor, i);
-    left = left || is_far(part.axis.a) || is_far(part.axis.b);
-    if constexpr (SceneT::kRotation) {
-      left = left || way_of_skin(part, actor.body, rests_[slot].anchor.q_WB) > limit;
-    }
-  }
-  return left;
+Scalar_of<SceneT> Sleep<SceneT>::place_of(const BodiesT& bodies, const GroupsT& groups,
+                                          std::size_t slot) const {
+  return max_of(2 * groups.contacts.widest_rest_gap(slot),
+                bodies.settings.rest_speed * static_cast<Scalar>(SceneT::kSleepTime));
 }
 
 /// Whether the two of a contact are in each other. Its gaps are those of when it was looked at, and
@@ -312,6 +303,7 @@ bool is_in_another(const Bodies<SceneT>& bodies, const LastingContactOf<SceneT>&
 /// in another, stands where it would not. @returns whether that is long enough for somebody
 template <class SceneT>
 bool Sleep<SceneT>::count_quiet(BodiesT& bodies, const GroupsT& groups) {
+  constexpr Scalar kOnItsWay = 2;  // times what is rest: it is leaving its place
   const auto time = static_cast<Scalar>(SceneT::kSleepTime);
   bool is_any = false;
   for (int i = 0; i < groups.contacts.size(); ++i) {  // Bound: kMaxContacts
@@ -322,12 +314,15 @@ bool Sleep<SceneT>::count_quiet(BodiesT& bodies, const GroupsT& groups) {
   }
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
     if (!may_sleep(bodies, slot)) continue;
-    if (bodies.states[slot].was_jammed || has_left(bodies, groups, slot)) {
+    const auto& actor = bodies.actor(slot);
+    const Scalar place = place_of(bodies, groups, slot);
+    Scalar& quiet = rests_[slot].quiet;
+    quiet = min_of(quiet + bodies.dt, 2 * time);
+    if (bodies.states[slot].was_jammed || has_gone(actor, rests_[slot].anchor, place) ||
+        (!(quiet < time) && is_faster(actor, kOnItsWay * place / time))) {
       start_over(bodies, slot);
-    } else {
-      rests_[slot].quiet = min_of(rests_[slot].quiet + bodies.dt, 2 * time);
     }
-    is_any = is_any || !(rests_[slot].quiet < time);
+    is_any = is_any || !(quiet < time);
   }
   return is_any;
 }
@@ -370,7 +365,7 @@ void Sleep<SceneT>::end_step(BodiesT& bodies, GroupsT& groups) {
     fall_asleep(bodies);
   }
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    rests_[slot].sum &= ~kWasLed;
+    rests_[slot].sum &= ~kFlags;
     if (bodies.actors.at_index(slot) == nullptr) continue;
     if (bodies.states[slot].asleep) {
       ++bodies.report.asleep;

@@ -34,9 +34,9 @@ class Touches : private EventsOf<SceneT> {
   void record_lasting(BodiesT& bodies, ProxyPair pair, const Contact<Scalar>& contact,
                       Scalar impulse);
   /// Ends the touches of pairs that have opened beyond twice D. Bound: kMaxPairs.
-  /// @param presses  whether a pair is known to be together still
-  template <class GapOf, class Presses>
-  void end_step(BodiesT& bodies, const GapOf& rest_gap, const Presses& presses);
+  /// @param stays  whether a pair is known not to have opened
+  template <class GapOf, class Stays>
+  void end_step(BodiesT& bodies, const GapOf& rest_gap, const Stays& stays);
   /// Ends those of a body without an event. Bound: kMaxPairs.
   void remove(std::size_t slot);
   void copy(const Touches& saved) { this->copy_events(saved); }
@@ -153,18 +153,14 @@ void Touches<SceneT>::end_if_open(BodiesT& bodies, int i, Scalar rest_gap) {
 
 /// Also those that began in the step.
 template <class SceneT>
-template <class GapOf, class Presses>
-void Touches<SceneT>::end_step(BodiesT& bodies, const GapOf& rest_gap, const Presses& presses) {
+template <class GapOf, class Stays>
+void Touches<SceneT>::end_step(BodiesT& bodies, const GapOf& rest_gap, const Stays& stays) {
   if constexpr (SceneT::kMaxEvents > 0) {
-    const auto rests = [&bodies](int proxy) {
-      const auto& state = bodies.states[BodiesT::body_of(proxy)];
-      return state.asleep || state.stands;
-    };
     for (int i = this->touches() - 1; i >= 0; --i) {  // Bound: kMaxPairs
       const ProxyPair pair = this->touch(i);
       if (!is_there(bodies, pair)) {
         this->end_touch(i);
-      } else if (!(rests(pair.first) && rests(pair.second)) && !presses(pair)) {
+      } else if (!stays(pair)) {
         end_if_open(bodies, i, rest_gap(pair));
       }
     }
