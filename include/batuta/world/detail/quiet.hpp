@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Whether a body keeps its place: the ends of the axes of its parts, and the skin about them
-// (src/world/world.md, "Sleep"). Frame W, SI units.
+// Whether a body keeps its place: the ends of the axes of its parts, and the skin about them; and
+// what keeps it from doing so by itself (src/world/world.md, "Sleep"). Frame W, SI units.
 
-#include "batuta/world/actor.hpp"
+#include "batuta/world/detail/contact_groups.hpp"
 
 namespace batuta::detail {
 
@@ -59,6 +59,37 @@ bool is_faster(const Actor<SceneT>& actor, typename SceneT::Scalar limit) {
     }
   }
   return is_fast;
+}
+
+/// How fast a point of a body is that leaves its place, m/s: what rests is faster than rest now and
+/// then, by no more than half of what gravity makes in a step. @param rest  what is rest, m/s
+template <class SceneT>
+Scalar_of<SceneT> leaving_speed(const Bodies<SceneT>& bodies, Scalar_of<SceneT> rest) {
+  using Scalar = Scalar_of<SceneT>;
+  constexpr Scalar kLeast = 2;  // times rest
+  constexpr Scalar kMost = 8;
+  Scalar swing = 0;
+  if constexpr (SceneT::kGravity) swing = bodies.dt * length(bodies.settings.gravity_W) / 2;
+  return clamp(swing, kLeast * rest, kMost * rest);
+}
+
+/// Whether the two of a contact are in each other. Its gaps are those of when it was looked at, and
+/// of the ends of a line that its nearest point stands for: they may be less than any that there
+/// is.
+template <class SceneT>
+bool is_in_another(const Bodies<SceneT>& bodies, const LastingContactOf<SceneT>& contact) {
+  using Scalar = Scalar_of<SceneT>;
+  if (!(least_gap(contact) < Scalar(0))) return false;
+  const auto now =
+      capsule_gap(bodies.shape_W(contact.pair.first), bodies.shape_W(contact.pair.second));
+  return now.gap < Scalar(0);
+}
+
+/// Whether something is led elsewhere that a body touches.
+template <class SceneT>
+bool is_carried(const Bodies<SceneT>& bodies, std::size_t led, std::size_t slot) {
+  return bodies.is_led(led) && !bodies.is_asleep(led) && !bodies.is_led(slot) &&
+         !KinematicsOf<SceneT>::is_still(bodies.states[led].plan.motion);
 }
 
 }  // namespace batuta::detail

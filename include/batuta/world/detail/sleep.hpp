@@ -5,7 +5,6 @@
 // (general_world.hpp).
 
 #include "batuta/world/detail/actor_sum.hpp"
-#include "batuta/world/detail/contact_groups.hpp"
 #include "batuta/world/detail/quiet.hpp"
 
 namespace batuta::detail {
@@ -35,10 +34,10 @@ class Sleep {
   template <class Woken>
   void wake(BodiesT& bodies, const GroupsT& groups, std::size_t slot, const Woken& woken);
   /// Something has happened to a body: it wakes, with all that sleep against it, or has to be quiet
-  /// for all of sleep_time once more. @pre it is in the world. Bound: as wake().
+  /// for all of sleep_time once more. Bound: as wake().
   void disturb(BodiesT& bodies, const GroupsT& groups, std::size_t slot) {
     wake(bodies, groups, slot, [](std::size_t) {});
-    start_over(bodies, slot);
+    rests_[slot].quiet = 0;
   }
   /// To all that it is near. Bound: as wake(), for each.
   void disturb_neighbours(BodiesT& bodies, const GroupsT& groups, std::size_t slot) {
@@ -274,7 +273,8 @@ void Sleep<SceneT>::wake(BodiesT& bodies, const GroupsT& groups, std::size_t slo
 template <class SceneT>
 void Sleep<SceneT>::disturb_all(BodiesT& bodies) {
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
-    if (bodies.actors.at_index(slot) != nullptr) start_over(bodies, slot);
+    if (bodies.states[slot].asleep) start_over(bodies, slot);
+    rests_[slot].quiet = 0;
   }
 }
 
@@ -287,23 +287,10 @@ Scalar_of<SceneT> Sleep<SceneT>::place_of(const BodiesT& bodies, const GroupsT& 
                 bodies.settings.rest_speed * static_cast<Scalar>(SceneT::kSleepTime));
 }
 
-/// Whether the two of a contact are in each other. Its gaps are those of when it was looked at, and
-/// of the ends of a line that its nearest point stands for: they may be less than any that there
-/// is.
-template <class SceneT>
-bool is_in_another(const Bodies<SceneT>& bodies, const LastingContactOf<SceneT>& contact) {
-  using Scalar = Scalar_of<SceneT>;
-  if (!(least_gap(contact) < Scalar(0))) return false;
-  const auto now =
-      capsule_gap(bodies.shape_W(contact.pair.first), bodies.shape_W(contact.pair.second));
-  return now.gap < Scalar(0);
-}
-
 /// How long each has not left its place, by a motion of its own: who was held by a weld, or lies
 /// in another, stands where it would not. @returns whether that is long enough for somebody
 template <class SceneT>
 bool Sleep<SceneT>::count_quiet(BodiesT& bodies, const GroupsT& groups) {
-  constexpr Scalar kOnItsWay = 2;  // times what is rest: it is leaving its place
   const auto time = static_cast<Scalar>(SceneT::kSleepTime);
   bool is_any = false;
   for (int i = 0; i < groups.contacts.size(); ++i) {  // Bound: kMaxContacts
@@ -319,19 +306,12 @@ bool Sleep<SceneT>::count_quiet(BodiesT& bodies, const GroupsT& groups) {
     Scalar& quiet = rests_[slot].quiet;
     quiet = min_of(quiet + bodies.dt, 2 * time);
     if (bodies.states[slot].was_jammed || has_gone(actor, rests_[slot].anchor, place) ||
-        (!(quiet < time) && is_faster(actor, kOnItsWay * place / time))) {
+        (!(quiet < time) && is_faster(actor, leaving_speed(bodies, place / time)))) {
       start_over(bodies, slot);
     }
     is_any = is_any || !(quiet < time);
   }
   return is_any;
-}
-
-/// Whether something is led elsewhere that a body touches.
-template <class SceneT>
-bool is_carried(const Bodies<SceneT>& bodies, std::size_t led, std::size_t slot) {
-  return bodies.is_led(led) && !bodies.is_asleep(led) && !bodies.is_led(slot) &&
-         !KinematicsOf<SceneT>::is_still(bodies.states[led].plan.motion);
 }
 
 /// Groups that something holds, of which each has been quiet for long enough. A body that is near
