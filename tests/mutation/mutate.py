@@ -6,7 +6,8 @@
   python3 tests/mutation/mutate.py --room response --count 0   every mutation of a room: hours
   python3 tests/mutation/mutate.py --list --room core          what there is to plant
 
-A mutation first meets the unit tests of its own room, then, if it lives, stronger tests. It is killed where a test
+A mutation first meets the unit tests of its own room (one that very many of these read: kept states, which are one
+file), then, if it lives, stronger tests. It is killed where a test
 fails, the program ends by a trap, or it hangs; one that does not compile is not counted. Results stay in the folder,
 and are not asked for again, until --fresh; --again asks for those that lived, after tests were added. Ends with 1 if a
 mutation lives that survivors.json gives no reason for, or fewer of a room are killed than --at-least per cent. On an idle core a
@@ -95,6 +96,10 @@ class Trial:
         room = room_of(self.mutation.file)
         if not self.compile_units(room):
             return NO_MUTANT, ""
+        if "fixtures" in self.stronger and len(self.tests_of(room)) > MOST_UNITS:  # one file before very many
+            killer = self.meet("fixtures")
+            if killer:
+                return STRONGLY_KILLED, killer
         killer = self.meet(room)
         if killer is None:
             return NO_MUTANT, ""
@@ -114,6 +119,10 @@ class Trial:
     def units_of(self, folder):
         return [unit for unit in self.units if unit.startswith(f"{folder}/")]
 
+    def tests_of(self, name):
+        """The files of a program of tests that read the mutated one."""
+        return [unit for unit in self.units_of("tests") if f"/{program(name)}.dir/" in self.bench.object_of(unit)]
+
     def compile_units(self, room):
         """The library's files that read the mutated one: those of the room, or all."""
         for unit in self.units_of("src"):
@@ -123,7 +132,7 @@ class Trial:
 
     def meet(self, name):
         """The name of the test that kills; "": none does; None: there is no such program."""
-        tests = [unit for unit in self.units_of("tests") if f"/{program(name)}.dir/" in self.bench.object_of(unit)]
+        tests = self.tests_of(name)
         if len(tests) > MOST_UNITS and name != room_of(self.mutation.file):
             tests = []
         if not tests:
