@@ -63,7 +63,7 @@ class Sleep {
  private:
   static constexpr std::size_t kSlots = BodiesT::kSlots;
   static constexpr std::uint32_t kWasLed = 1;   ///< and awake, in the last step
-  static constexpr std::uint32_t kHasCome = 2;  ///< within a step: it was changed before it
+  static constexpr std::uint32_t kHasCome = 2;  ///< within a step: moved or changed before it
   static constexpr std::uint32_t kFlags = kWasLed | kHasCome;
   struct Rest {
     Pose<Scalar> anchor;
@@ -101,16 +101,20 @@ class Sleep {
   std::array<bool, kSlots> sleeps_{};  ///< who is to fall asleep, or was woken
 };
 
-/// Whether somebody else has moved what slept or stood, or given a sleeper a momentum: that of what
-/// is led is what blows have left, and moves nothing.
+/// Whether a body stood in the last step, and nobody has moved it since.
+template <class SceneT>
+bool has_stood(const Bodies<SceneT>& bodies, std::size_t slot) {
+  const auto& state = bodies.states[slot];
+  return state.stands &&
+         KinematicsOf<SceneT>::is_at_start(bodies.actor(slot).body, state.plan.motion);
+}
+
+/// Whether somebody else has moved a sleeper, or given it a momentum.
 template <class SceneT>
 bool Sleep<SceneT>::is_disturbed(const BodiesT& bodies, std::size_t slot) const {
-  const auto& body = bodies.actor(slot).body;
-  const auto& state = bodies.states[slot];
-  if (!state.asleep && !state.stands) return false;
-  if (!BodiesT::Kinematics::is_at_start(body, state.plan.motion)) return true;
-  const auto& momentum = body.momentum;
-  return state.asleep && !(is_zero(momentum.linear_W) && is_zero(momentum.angular_W));
+  if (!bodies.states[slot].asleep) return false;
+  const auto& momentum = bodies.actor(slot).body.momentum;
+  return !has_stood(bodies, slot) || !is_zero(momentum.linear_W) || !is_zero(momentum.angular_W);
 }
 
 /// Whether the caller has changed what keeps a body where it is.
@@ -143,8 +147,8 @@ void Sleep<SceneT>::begin_step(BodiesT& bodies, const GroupsT& groups) {
   for (std::size_t slot = 0; slot < kSlots; ++slot) {  // Bound: kMaxBodies
     if (bodies.actors.at_index(slot) == nullptr) continue;
     const bool is_another = this->is_another(bodies, slot) || is_led_off(bodies, slot);
+    if (is_another || !has_stood(bodies, slot)) rests_[slot].sum |= kHasCome;
     if (!is_another && !is_disturbed(bodies, slot)) continue;
-    rests_[slot].sum |= kHasCome;
     disturb(bodies, groups, slot);
     disturb_neighbours(bodies, groups, slot);
     if (is_another) bodies.states[slot].stands = false;  // it has just come, for who sleeps near it
