@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <limits>
 
 #include "batuta/world/scenes.hpp"
@@ -87,6 +88,26 @@ TEST(Scene, TurnAndBudget_GiveTheTolerance) {
 TEST(Scene, PairRestitution_IsThatOfTheBouncierBody) {
   EXPECT_EQ(pair_restitution(0.25, 0.5), 0.5);
   EXPECT_EQ(pair_restitution(0.5, 0.25), 0.5);
+}
+
+/// What a scene lists for the fingerprint of what is saved of its world.
+struct Listed {
+  std::uint32_t last = 0;
+  void constant(std::uint32_t value) { last = value; }
+};
+template <class SceneT>
+std::uint32_t listed_features() {
+  Listed listed;
+  detail::archive_scene<SceneT>(listed);
+  return listed.last;
+}
+
+// A bit each: rotation 1, response 2, line contact 4, gravity 8, sleep 16.
+TEST(Scene, FeaturesForTheFingerprint_AreABitEach) {
+  EXPECT_EQ(listed_features<StraightSpheres>(), 2U);
+  EXPECT_EQ(listed_features<DetectionOnly>(), 1U);
+  EXPECT_EQ(listed_features<TwoBlades>(), 3U);
+  EXPECT_EQ(listed_features<Rack>(), 31U);
 }
 
 }  // namespace
