@@ -331,5 +331,18 @@ TYPED_TEST(WeldLeader, SleepingBody_Stops_AndSleepsOn) {
   EXPECT_TRUE(rig.bodies.states[1].asleep);
 }
 
+// A group that is led has no flight: there is nothing that it could be off.
+TYPED_TEST(WeldLeader, GroupThatIsLed_IsNotOffItsFlight) {
+  WeldRig<HandScene<TypeParam, 3>> rig;
+  const auto first = this->add_free(rig);
+  const auto second = this->add_free(rig);
+  const auto driven = this->add_driven(rig);
+  rig.begin(kStep);
+  rig.bodies.weld(first, second, rig.bodies.dt);
+  EXPECT_NE(rig.bodies.group_off_flight(first, TypeParam(0.75 * kStep)), TypeParam(0));
+  rig.bodies.weld(first, driven, rig.bodies.dt);
+  EXPECT_EQ(rig.bodies.group_off_flight(first, TypeParam(0.75 * kStep)), TypeParam(0));
+}
+
 }  // namespace
 }  // namespace batuta
