@@ -475,5 +475,26 @@ TEST(LastingContact, SpentAndTakenTogether_IsWhatItWas) {
   EXPECT_EQ(point.rolling_W, Vec3<double>(3, -5, 7));
 }
 
+// Pressed hard enough, a body that spins on what is led is stopped by one visit; the impulsive
+// torque is the angular momentum that it had, the other way.
+TEST(LastingContact, RollingResistance_StopsASpin) {
+  Contact contact;
+  contact.count = 1;
+  contact.rolling = 10;
+  auto& point = contact.points[0];
+  point.normal_W = Vec3<double>::UnitZ();
+  point.softness = 1;
+  point.normal = 1;
+  SolvedBody<double> A, B;
+  A.inverse_mass = 1;
+  A.inverse_inertia_W = Vec3<double>(2, 4, 8).asDiagonal();
+  A.w_W = {0.5, -1, 2};
+  double energy = 0;
+  relax(contact, A, B, energy);
+  EXPECT_LE(A.w_W.norm(), 1e-12);
+  EXPECT_LE((point.rolling_W - Vec3<double>(-0.25, 0.25, -0.25)).norm(), 1e-12);
+  EXPECT_NEAR(energy, -(0.125 + 0.25 + 0.5) / 2, 1e-12);
+}
+
 }  // namespace
 }  // namespace batuta
