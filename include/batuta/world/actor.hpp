@@ -81,9 +81,9 @@ using FeatureIf = std::conditional_t<kIsOn, Feature, Absent<kNumber>>;
 }  // namespace detail
 
 /// A body of a scene with all that the scene's features ask of it; World::add() takes it.
-/// The caller may read or change it between steps, by a pointer that World::get() gave since the
-/// last one: the world looks again at whom it gave. What becomes unusable (not finite, or too far
-/// away to hold its size) is left out of the steps, and counted in StepReport::plans_invalid.
+/// The caller may read or change it between steps. Call World::get() again after each step: what is
+/// changed through a pointer that was kept is not noticed. What becomes unusable (not finite, or
+/// too far away to hold its size) is left out of the steps, and counted in StepReport::plans_invalid.
 template <class SceneT>
 struct Actor
     : detail::ShapeOf<typename detail::SceneVerdict<SceneT>::Seen>,

@@ -79,8 +79,8 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   Status remove(BodyId id);
 
   /// The body, or null for a stale, foreign or null id.
-  /// Who may be changed is looked at again in the next step: what only reads, reads a const world,
-  /// and what changes a body asks for it anew after each step.
+  /// The next step looks at the body again: to read only, read a const world; to change it, call
+  /// this again after each step.
   ActorType* get(BodyId id) {
     const int slot = bodies_.actors.index_of(id);
     if (slot != PoolBase::kNoIndex) bodies_.states[static_cast<std::size_t>(slot)].boxed = false;
