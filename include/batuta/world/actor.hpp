@@ -83,7 +83,8 @@ using FeatureIf = std::conditional_t<kIsOn, Feature, Absent<kNumber>>;
 /// A body of a scene with all that the scene's features ask of it; World::add() takes it.
 /// The caller may read or change it between steps. Call World::get() again after each step: what is
 /// changed through a pointer that was kept is not noticed. What becomes unusable (not finite, or
-/// too far away to hold its size) is left out of the steps, and counted in StepReport::plans_invalid.
+/// too far away to hold its size) is left out of the steps, and counted in
+/// StepReport::plans_invalid.
 template <class SceneT>
 struct Actor
     : detail::ShapeOf<typename detail::SceneVerdict<SceneT>::Seen>,

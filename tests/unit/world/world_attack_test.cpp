@@ -236,8 +236,8 @@ TEST(WorldAttack, SupportIsMadeUnusableAndTheWorldSaved_SleeperFalls) {
   }
 }
 
-// A support that the caller moves starts no new count for who is awake on it: what is saved does not
-// tell whether it stood before.
+// A support that the caller moves starts no new count for who is awake on it: what is saved does
+// not tell whether it stood before.
 TEST(WorldAttack, SupportIsMovedAndTheWorldSaved_WhoIsNearlyAsleepGoesOnAlike) {
   SleeperOnPost rig(4);
   rig.world->get(rig.post)->body.X_WB.p_W.z() -= 1e-5F;
