@@ -13,52 +13,43 @@ namespace batuta::detail {
 /// Most boxes for which testing each with each is as fast as an order, and a quarter of its code.
 inline constexpr int kFewBoxes = 16;
 
-/// Boxes in fixed slots.
-template <class Scalar, int N>
-class BoxSlots {
-  static_assert(N >= 1 && N <= 65535, "BoxSlots: slots are counted in 16 bits");
+/// What is in fixed slots.
+template <int N>
+class SlotStates {
+  static_assert(N >= 1 && N <= 65535, "SlotStates: slots are counted in 16 bits");
 
  public:
   /// Not a constant expression: a list that is a global is made by code, not copied from flash.
-  BoxSlots() { states_.fill(State::kEmpty); }
+  SlotStates() { states_.fill(State::kEmpty); }
 
   bool contains(std::uint16_t slot) const { return states_[slot] != State::kEmpty; }
-  /// @pre contains(slot)
-  const Aabb<Scalar>& box(std::uint16_t slot) const { return boxes_[slot]; }
   /// Idle or empty.
   bool is_idle(std::uint16_t slot) const { return states_[slot] != State::kBusy; }
 
  protected:
-  void put(std::uint16_t slot, const Aabb<Scalar>& box, bool idle) {
-    boxes_[slot] = box;
-    states_[slot] = idle ? State::kIdle : State::kBusy;
-  }
-  /// Leaves the empty box, which is last along every axis.
-  void clear(std::uint16_t slot) {
-    boxes_[slot] = {};
-    states_[slot] = State::kEmpty;
-  }
-  /// @pre contains(a)
-  bool do_overlap(std::uint16_t a, std::uint16_t b) const {
-    return contains(b) && overlaps<Scalar, 6>(boxes_[a], boxes_[b]);
-  }
+  void fill(std::uint16_t slot, bool idle) { states_[slot] = idle ? State::kIdle : State::kBusy; }
+  void clear(std::uint16_t slot) { states_[slot] = State::kEmpty; }
 
  private:
   enum class State : std::uint8_t { kEmpty, kIdle, kBusy };
 
-  std::array<Aabb<Scalar>, static_cast<std::size_t>(N)> boxes_;
   std::array<State, static_cast<std::size_t>(N)> states_;
 };
 
 /// Few boxes: each with each, in ascending order of (first, second), and nothing to sort. The
 /// members are those of ManyBoxes.
 template <class Scalar, int N>
-class FewBoxes : public BoxSlots<Scalar, N> {
+class FewBoxes : public SlotStates<N> {
   using Slot = std::uint16_t;
 
  public:
-  void set(Slot slot, const Aabb<Scalar>& box, bool idle) { this->put(slot, box, idle); }
+  void set(Slot slot, const Aabb<Scalar>& box, bool idle) {
+    boxes_[slot] = box;
+    this->fill(slot, idle);
+  }
   void remove(Slot slot) { this->clear(slot); }
+  /// @pre contains(slot)
+  const Aabb<Scalar>& box(Slot slot) const { return boxes_[slot]; }
   void sort() {}
 
   template <class Found>
@@ -67,7 +58,7 @@ class FewBoxes : public BoxSlots<Scalar, N> {
       if (!this->contains(i)) continue;
       for (Slot k = static_cast<Slot>(i + 1); k < kSlots; ++k) {  // Bound: N
         if (this->is_idle(i) && this->is_idle(k)) continue;
-        if (this->do_overlap(i, k)) found(ProxyPair{i, k});
+        if (do_overlap(i, k)) found(ProxyPair{i, k});
       }
     }
   }
@@ -75,18 +66,26 @@ class FewBoxes : public BoxSlots<Scalar, N> {
   template <class Found>
   void for_each_partner(Slot slot, const Found& found) const {
     for (Slot k = 0; k < kSlots; ++k) {  // Bound: N
-      if (k != slot && this->do_overlap(slot, k)) found(k);
+      if (k != slot && do_overlap(slot, k)) found(k);
     }
   }
 
  private:
   static constexpr auto kSlots = static_cast<Slot>(N);
+
+  /// @pre contains(a)
+  bool do_overlap(Slot a, Slot b) const {
+    return this->contains(b) && overlaps<Scalar, 6>(boxes_[a], boxes_[b]);
+  }
+
+  std::array<Aabb<Scalar>, static_cast<std::size_t>(N)> boxes_;
 };
 
-/// Boxes in order along an axis.
+/// Boxes in order along an axis, each kept at its place in the order: who looks ahead reads
+/// neighbours in memory.
 /// @tparam kAxis  the one along which boxes are spread most: 0 x, 1 y, 2 z
 template <class Scalar, int N, int kAxis>
-class ManyBoxes : public BoxSlots<Scalar, N> {
+class ManyBoxes : public SlotStates<N> {
   static_assert(kAxis >= 0 && kAxis < 3, "SweepList: choose axis 0 (x), 1 (y) or 2 (z)");
   using Slot = std::uint16_t;
 
@@ -100,8 +99,12 @@ class ManyBoxes : public BoxSlots<Scalar, N> {
   /// @pre slot < N
   void set(Slot slot, const Aabb<Scalar>& box, bool idle);
 
-  /// Nothing happens where the slot is empty. Bound: no loop.
-  void remove(Slot slot) { this->clear(slot); }
+  /// Nothing happens where the slot is empty. Leaves the empty box, which is last along every axis.
+  /// Bound: no loop.
+  void remove(Slot slot);
+
+  /// @pre contains(slot)
+  const Aabb<Scalar>& box(Slot slot) const { return boxes_[places_[slot]]; }
 
   /// Restores the order: along the axis, then by slot, so that it depends on nothing but the boxes.
   /// Bound: N steps where little changed, N (N - 1) / 2 at worst.
@@ -134,33 +137,40 @@ class ManyBoxes : public BoxSlots<Scalar, N> {
   static constexpr std::size_t kSweep = static_cast<std::size_t>(kAxis);
   static constexpr std::size_t kAcross = (kSweep + 1) % 3;
 
-  Scalar low(Slot slot) const { return this->box(slot).low[kSweep]; }
-  Scalar high(Slot slot) const { return this->box(slot).high[kSweep]; }
-  bool precedes(Slot a, Slot b) const {
-    const Scalar low_a = low(a);
-    const Scalar low_b = low(b);
-    return low_a < low_b || (low_a == low_b && a < b);
+  Scalar low(std::size_t place) const { return boxes_[place].low[kSweep]; }
+  Scalar high(std::size_t place) const { return boxes_[place].high[kSweep]; }
+  bool is_idle_at(std::size_t place) const { return this->is_idle(order_[place]); }
+  /// Whether the box of a slot that begins at `start` stands before who is at a place.
+  bool precedes(Scalar start, Slot slot, std::size_t place) const {
+    return start < low(place) || (start == low(place) && slot < order_[place]);
   }
-  /// What settles most of the boxes that overlap along the axis, without a call.
-  bool are_apart_across(Slot a, Slot b) const {
-    const Aabb<Scalar>& P = this->box(a);
-    const Aabb<Scalar>& Q = this->box(b);
-    return P.high[kAcross] < Q.low[kAcross] || Q.high[kAcross] < P.low[kAcross];
+  /// What settles most of the boxes that overlap along the axis, without a call. Which of the two
+  /// is on which side is a coin's toss, so it is not asked (sweep.md).
+  bool are_apart_across(std::size_t a, std::size_t b) const {
+    const Aabb<Scalar>& P = boxes_[a];
+    const Aabb<Scalar>& Q = boxes_[b];
+    return min_of(P.high[kAcross], Q.high[kAcross]) < max_of(P.low[kAcross], Q.low[kAcross]);
+  }
+  bool do_overlap(std::size_t a, std::size_t b) const {
+    return this->contains(order_[b]) && overlaps<Scalar, 6>(boxes_[a], boxes_[b]);
   }
   bool is_sorted() const;
   static std::size_t end_of(std::size_t block) { return min_of((block + 1) * kBlock, kSlots); }
 
-  void widen(Block& block, Slot slot);
+  void widen(std::size_t place);
+  void sink(std::size_t place);  ///< @pre place > 0
   template <class Found>
   void idle_before(std::size_t place, const Found& found) const;
   template <class Found>
-  void report(Slot a, Slot b, const Found& found) const {
-    if (this->do_overlap(a, b)) found(ProxyPair{min_of(a, b), max_of(a, b)});
+  void report(std::size_t a, std::size_t b, const Found& found) const {
+    if (!do_overlap(a, b)) return;
+    found(ProxyPair{min_of(order_[a], order_[b]), max_of(order_[a], order_[b])});
   }
 
+  std::array<Aabb<Scalar>, kSlots> boxes_;  ///< by place
   std::array<Block, kBlocks> blocks_;
-  std::array<Slot, kSlots> order_;   ///< all slots; after sort() ascending, empty ones last
-  std::array<Slot, kSlots> places_;  ///< of the slots in the order
+  std::array<Slot, kSlots> order_;  ///< all slots by place; after sort() ascending, empty ones last
+  std::array<Slot, kSlots> places_;  ///< by slot
 };
 
 /// Boxes in fixed slots, and the pairs of them that overlap.
@@ -178,36 +188,54 @@ ManyBoxes<Scalar, N, kAxis>::ManyBoxes() {
 
 template <class Scalar, int N, int kAxis>
 void ManyBoxes<Scalar, N, kAxis>::set(Slot slot, const Aabb<Scalar>& box, bool idle) {
-  this->put(slot, box, idle);
-  widen(blocks_[places_[slot] / kBlock], slot);
+  boxes_[places_[slot]] = box;
+  this->fill(slot, idle);
+  widen(places_[slot]);
 }
 
 template <class Scalar, int N, int kAxis>
-void ManyBoxes<Scalar, N, kAxis>::widen(Block& block, Slot slot) {
-  block.low = min_of(block.low, low(slot));
-  block.high = max_of(block.high, high(slot));
-  if (this->is_idle(slot)) block.idle_high = max_of(block.idle_high, high(slot));
+void ManyBoxes<Scalar, N, kAxis>::remove(Slot slot) {
+  boxes_[places_[slot]] = {};
+  this->clear(slot);
+}
+
+template <class Scalar, int N, int kAxis>
+void ManyBoxes<Scalar, N, kAxis>::widen(std::size_t place) {
+  Block& block = blocks_[place / kBlock];
+  block.low = min_of(block.low, low(place));
+  block.high = max_of(block.high, high(place));
+  if (is_idle_at(place)) block.idle_high = max_of(block.idle_high, high(place));
+}
+
+/// Down to its place among those before it, which are in order.
+template <class Scalar, int N, int kAxis>
+void ManyBoxes<Scalar, N, kAxis>::sink(std::size_t place) {
+  const Slot slot = order_[place];
+  if (!precedes(low(place), slot, place - 1)) return;
+  const Aabb<Scalar> box = boxes_[place];
+  std::size_t k = place;
+  for (; k > 0 && precedes(box.low[kSweep], slot, k - 1); --k) {  // Bound: place
+    boxes_[k] = boxes_[k - 1];
+    order_[k] = order_[k - 1];
+  }
+  boxes_[k] = box;
+  order_[k] = slot;
 }
 
 template <class Scalar, int N, int kAxis>
 void ManyBoxes<Scalar, N, kAxis>::sort() {
-  for (std::size_t i = 1; i < kSlots; ++i) {  // Bound: N
-    const Slot moving = order_[i];
-    std::size_t k = i;
-    for (; k > 0 && precedes(moving, order_[k - 1]); --k) order_[k] = order_[k - 1];  // Bound: i
-    order_[k] = moving;
-  }
+  for (std::size_t i = 1; i < kSlots; ++i) sink(i);  // Bound: N
   blocks_.fill({});
   for (std::size_t i = 0; i < kSlots; ++i) {  // Bound: N
     places_[order_[i]] = static_cast<Slot>(i);
-    widen(blocks_[i / kBlock], order_[i]);
+    widen(i);
   }
 }
 
 template <class Scalar, int N, int kAxis>
 bool ManyBoxes<Scalar, N, kAxis>::is_sorted() const {
   for (std::size_t i = 1; i < kSlots; ++i) {  // Bound: N
-    if (precedes(order_[i], order_[i - 1])) return false;
+    if (precedes(low(i), order_[i], i - 1)) return false;
   }
   return true;
 }
@@ -220,15 +248,14 @@ void ManyBoxes<Scalar, N, kAxis>::for_each_pair(const Found& found) const {
   BATUTA_SLOW_CHECK(is_sorted());
   Scalar idle_high = std::numeric_limits<Scalar>::lowest();  // of the idle boxes passed
   for (std::size_t i = 0; i < kSlots; ++i) {                 // Bound: N
-    const Slot slot = order_[i];
-    if (this->is_idle(slot)) {
-      idle_high = max_of(idle_high, high(slot));
+    if (is_idle_at(i)) {
+      idle_high = max_of(idle_high, high(i));
       continue;
     }
-    if (!(idle_high < low(slot))) idle_before(i, found);
-    const Scalar end = high(slot);
-    for (std::size_t k = i + 1; k < kSlots && !(end < low(order_[k])); ++k) {  // Bound: N
-      if (!are_apart_across(slot, order_[k])) report(slot, order_[k], found);
+    if (!(idle_high < low(i))) idle_before(i, found);
+    const Scalar end = high(i);
+    for (std::size_t k = i + 1; k < kSlots && !(end < low(k)); ++k) {  // Bound: N
+      if (!are_apart_across(i, k)) report(i, k, found);
     }
   }
 }
@@ -236,13 +263,11 @@ void ManyBoxes<Scalar, N, kAxis>::for_each_pair(const Found& found) const {
 template <class Scalar, int N, int kAxis>
 template <class Found>
 void ManyBoxes<Scalar, N, kAxis>::idle_before(std::size_t place, const Found& found) const {
-  const Slot slot = order_[place];
-  const Scalar start = low(slot);
   for (std::size_t b = 0; b * kBlock < place; ++b) {  // Bound: N / kBlock
-    if (blocks_[b].idle_high < start) continue;
+    if (blocks_[b].idle_high < low(place)) continue;
     const std::size_t end = min_of(place, end_of(b));
     for (std::size_t k = b * kBlock; k < end; ++k) {  // Bound: kBlock
-      if (this->is_idle(order_[k])) report(slot, order_[k], found);
+      if (is_idle_at(k)) report(place, k, found);
     }
   }
 }
@@ -250,13 +275,11 @@ void ManyBoxes<Scalar, N, kAxis>::idle_before(std::size_t place, const Found& fo
 template <class Scalar, int N, int kAxis>
 template <class Found>
 void ManyBoxes<Scalar, N, kAxis>::for_each_partner(Slot slot, const Found& found) const {
-  const Scalar start = low(slot);
-  const Scalar end = high(slot);
+  const std::size_t place = places_[slot];
   for (std::size_t b = 0; b < kBlocks; ++b) {  // Bound: N / kBlock
-    if (blocks_[b].high < start || end < blocks_[b].low) continue;
+    if (blocks_[b].high < low(place) || high(place) < blocks_[b].low) continue;
     for (std::size_t k = b * kBlock; k < end_of(b); ++k) {  // Bound: kBlock
-      const Slot other = order_[k];
-      if (other != slot && this->do_overlap(slot, other)) found(other);
+      if (k != place && do_overlap(place, k)) found(order_[k]);
     }
   }
 }
