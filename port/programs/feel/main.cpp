@@ -102,26 +102,34 @@ class Loop {
     stick_.advance(will(ms));
     InputSample sample;
     const bool fresh = stick_.input().read(stick_.now(), sample) == Status::kOk;
-    (void)duel_.step(fresh ? &sample : nullptr, nullptr);
+    const bool stepped = duel_.step(fresh ? &sample : nullptr, nullptr) == Status::kOk;
     StageInput input;
     input.time = stick_.now();
     input.position = duel_.stick(Side::kLeft).position();
-    input.velocity = duel_.stick(Side::kLeft).velocity();
-    input.demanded = felt_.advance(hand_state(duel_, Side::kLeft), duel_.dt());
-    felt_report_.take(felt_);
-    input.clipped = felt_.is_clipped();
-    input.excess = felt_.excess();
-    input.fresh_sample = fresh;
-    input.fresh_command = true;
+    if (stepped) feel(input);
+    input.fresh_sample = stepped && fresh;
+    input.fresh_command = stepped;
     (void)stage_.step(input);
   }
 
  private:
+  /// The force of the step that the duel has just made; without a step there is none.
+  void feel(StageInput& input) {
+    if (duel_.bout().exchange != exchange_) felt_.leap();  // both have been put on guard anew
+    exchange_ = duel_.bout().exchange;
+    input.demanded = felt_.advance(hand_state(duel_, Side::kLeft), duel_.dt());
+    felt_report_.take(felt_);
+    input.clipped = felt_.is_clipped();
+    input.excess = felt_.excess();
+    input.velocity = duel_.stick(Side::kLeft).velocity();
+  }
+
   Duel<> duel_;
   HandForce<float> felt_;
   HandForceReport<float> felt_report_;
   port_simulated::SimulatedStick stick_;
   OutputStage stage_;
+  std::uint32_t exchange_ = 1;  ///< of the bout, that was felt last
   bool good_ = false;
 };
 
