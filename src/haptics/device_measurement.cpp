@@ -75,6 +75,18 @@ bool is_same(const detail::MomentumResult& part, const detail::MomentumResult& w
           is_same(part.delay, whole.delay));
 }
 
+/// Whether every number is one, and no standard error is on the side that is not safe.
+bool is_usable(const DeviceEstimates& estimates) {
+  bool good = is_finite(estimates.misfit);
+  const Estimate* const all[] = {&estimates.damping,     &estimates.friction, &estimates.mass,
+                                 &estimates.stiffness,   &estimates.offset,   &estimates.delay,
+                                 &estimates.encoder_step};
+  for (const Estimate* x : all) {  // Bound: 7
+    good = good && is_finite(x->value) && is_finite(x->sigma) && x->sigma >= 0.0F;
+  }
+  return good;
+}
+
 /// Of a delay in parts of a period: the whole periods that are told, and by how much damping has to
 /// be less for them. src/haptics/gain_advisor.md, "Delays in parts".
 struct WholeDelay {
@@ -285,7 +297,7 @@ Result<DeviceProfile<float>> measured_profile(const MeasurementSettings& setting
   const auto high = [margin](const Estimate& x) { return x.value + margin * x.sigma; };
   const WholeDelay delay = whole_delay(max_of(high(estimates.delay), 0.0F));
   const bool good = validate(settings) == Status::kOk && is_finite(margin) && margin >= 0.0F &&
-                    is_finite(high(estimates.delay)) &&
+                    is_usable(estimates) && is_finite(high(estimates.delay)) &&
                     delay.periods <= static_cast<float>(detail::MomentumFit::kMostDelay + 1);
   if (!good) return failure<Profile>(Status::kInvalidArgument);
   Profile profile;

@@ -51,9 +51,9 @@ void StickForces::take(Side side, const Vec2<float>& demanded, bool fresh) {
   }
   StickForce& force = forces_[index_of(side)];
   force = force_of(felt, ramp);
-  // The hand's pulses and coupling come cut to the range.
+  // The hand's pulses and coupling come cut to the range, and as zero where they are no number.
   const HandForce<float>& hand = hands_[index_of(side)];
-  force.limited = force.limited || hand.is_clipped();
+  force.limited = force.limited || hand.is_clipped() || hand.is_invalid();
   force.excess = max_of(force.excess, hand.excess());
 }
 

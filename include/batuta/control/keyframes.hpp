@@ -60,8 +60,9 @@ struct KeyGridView {
 };
 
 /// Turns key poses into points relative to the central one.
-/// @returns kOk | kInvalidArgument (a key is not finite, beyond kLargestCoordinate, or turned by
-/// more than kMaxKeyTurn against the central key); `points` may then be partly written
+/// @returns kOk | kInvalidArgument (a key is not finite, beyond kLargestCoordinate, has a
+/// quaternion of length zero, or is turned by more than kMaxKeyTurn against the central key);
+/// `points` may then be partly written
 /// Bound: `count` keys.
 template <class Scalar>
 Status relate_keys(const Pose<Scalar>* poses, const Quat<Scalar>& q_ref, KeyPoint<Scalar>* points,

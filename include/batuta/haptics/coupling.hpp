@@ -45,6 +45,17 @@ Wrench<Scalar> coupling_wrench(const CouplingSettings<Scalar>& settings,
                                const MovingFrame<Scalar>& commanded,
                                const MovingFrame<Scalar>& actual);
 
+namespace detail {
+
+/// As coupling_wrench(), but not finite where a number is not, so that who asks can tell that from
+/// a coupling that is slack.
+template <class Scalar>
+Wrench<Scalar> coupling_pull(const CouplingSettings<Scalar>& settings,
+                             const MovingFrame<Scalar>& commanded,
+                             const MovingFrame<Scalar>& actual);
+
+}  // namespace detail
+
 /// Whether a wrench of coupling_wrench() is held at one of the two limits, or fits it exactly: to
 /// rounding, they are the same. Bound: no loop.
 template <class Scalar>

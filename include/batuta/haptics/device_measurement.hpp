@@ -150,7 +150,8 @@ class DeviceMeasurement {
 /// A delay that is then less than a tenth beyond a whole number is that number, and the damping is
 /// made less by what the rest takes: src/haptics/gain_advisor.md, "Delays in parts".
 /// @param margin  standard errors, >= 0; 3 holds for all but one device in some hundreds
-/// @returns kOk | kInvalidArgument: settings or margin out of range, or an estimate is not finite
+/// @returns kOk | kInvalidArgument: settings or margin out of range, a number of the estimates is
+///   not finite, whether the profile has it or not, or a standard error is negative
 Result<DeviceProfile<float>> measured_profile(const MeasurementSettings& settings,
                                               const DeviceEstimates& estimates, float margin);
 

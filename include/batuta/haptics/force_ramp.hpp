@@ -28,8 +28,8 @@ class ForceRamp {
   /// @param alive  something came in it. Bound: no loop.
   void advance(bool alive);
 
-  /// Nothing is left at once; the next life brings it back as slowly as ever. What was counted
-  /// stays.
+  /// Nothing is left at once. It comes back as slowly as ever, with the next step where there is no
+  /// silence, and else with the next life. What was counted stays.
   void drop() { level_ = 0; }
 
   /// What is left of the force: 0 ... 1, exact at both ends.

@@ -46,17 +46,19 @@ enum class GainBound : std::uint8_t {
 /// The largest gain, and what keeps it from being larger.
 template <class Scalar>
 struct GainLimit {
-  Scalar largest = 0;                      ///< 0 where no gain at all is left
+  Scalar largest = 0;                      ///< 0 also where not even 0 is inside, see check()
   GainBound bound = GainBound::kSampling;  ///< the one that is reached first
 };
 
-/// The largest K beside the damping B. No loop.
+/// The largest K beside the damping B; 0 also where B alone is beyond a bound: ask check(). No
+/// loop.
 /// @returns kOk | kInvalidArgument: the profile is not valid, B is not finite, or the answer is
 /// beyond Scalar
 template <class Scalar>
 Result<GainLimit<Scalar>> largest_stiffness(const DeviceProfile<Scalar>& profile, Scalar damping);
 
-/// The largest B beside the stiffness K. No loop.
+/// The largest B beside the stiffness K; 0 also where K alone is beyond a bound: ask check(). No
+/// loop.
 /// @returns kOk | kInvalidArgument: the profile is not valid, K is negative or not finite, or the
 /// answer is beyond Scalar
 template <class Scalar>
@@ -72,7 +74,8 @@ enum class [[nodiscard]] GainVerdict : std::uint8_t{
 };
 
 /// Both bounds, the first one that is broken. What largest_stiffness() and largest_damping() give
-/// is inside, but where a term of a bound overflows or is subnormal. No loop.
+/// is inside, but where a term of a bound overflows or is subnormal, and where it is 0: the other
+/// gain may be beyond by itself, and only this function says so. No loop.
 template <class Scalar>
 GainVerdict check(const DeviceProfile<Scalar>& profile, const Gains<Scalar>& gains);
 

@@ -47,7 +47,9 @@ class InputDevice {
 };
 
 /// True where the last sample is older than `limit_us`, or appears to lie in the future by more
-/// than that. @pre limit_us >= 0
+/// than that. @pre limit_us >= 0; the sample is younger than 2^32 us - limit_us: its age is known
+/// modulo 2^32 us, and after 71.6 minutes it would look new. Who may be without one for so long
+/// asks every 35 minutes at least, and holds to a `true` until the next one.
 constexpr bool is_stale(const InputSample& last, Microseconds now, std::int32_t limit_us) {
   const std::int32_t age_us = elapsed_us(last.time, now);
   return age_us > limit_us || age_us < -limit_us;

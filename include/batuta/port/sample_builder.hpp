@@ -54,12 +54,12 @@ class SampleBuilder {
  public:
   static constexpr int kMaxButtons = 32;  ///< as many as InputSample::buttons has bits
 
-  /// Calibrates and starts anew: both axes at their centre, no second pair, no button pressed,
-  /// sequence 0.
+  /// Calibrates and starts anew: both axes at their centre, or half a count off it where it lies
+  /// between two (one of 0 ... 255 at 127), no second pair, no button pressed, sequence 0.
   /// @returns kOk | kInvalidArgument: !is_valid(x) or !is_valid(y); nothing changed
   Status configure(const AxisCalibration& x, const AxisCalibration& y);
 
-  /// There is a second pair of axes, at their centre. Without it they are zero.
+  /// There is a second pair of axes, at their centre as in configure(). Without it they are zero.
   /// @returns kOk | kInvalidArgument: !is_valid(x) or !is_valid(y); nothing changed
   Status configure_feet(const AxisCalibration& x, const AxisCalibration& y);
 

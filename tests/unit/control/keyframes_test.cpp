@@ -189,6 +189,27 @@ TEST(KeyframeGrid, KeysOutOfRange_AreRefusedAndTheGridStays) {
   EXPECT_EQ(grid.set_keys(bad), Status::kOk);
 }
 
+// The key in the middle, from which all turns count, is one of them. However short a quaternion
+// is: where it has a length, it has a direction.
+TEST(KeyframeGrid, QuaternionOfNoLength_IsRefused_AndTheShortestIsNot) {
+  KeyframeGrid<double, 3, 3> grid;
+  const auto good = random_keys<double, 3, 3>(2);
+  ASSERT_EQ(grid.set_keys(good), Status::kOk);
+  const auto before = grid.at({1, 1});
+  for (std::size_t k = 0; k < good.size(); ++k) {
+    for (const double none : {0.0, -0.0}) {
+      auto bad = good;
+      bad[k].q_WB.coeffs().setConstant(none);
+      EXPECT_EQ(grid.set_keys(bad), Status::kInvalidArgument) << k;
+    }
+    EXPECT_EQ(grid.at({1, 1}).X_WH.q_WB.coeffs(), before.X_WH.q_WB.coeffs()) << k;
+  }
+  auto shortest = good;
+  for (auto& key : shortest) key.q_WB.coeffs() *= 1e-300;
+  ASSERT_EQ(grid.set_keys(shortest), Status::kOk);
+  EXPECT_LE(angle_between(grid.at({1, 1}).X_WH.q_WB, good[8].q_WB), 1e-14);
+}
+
 /// Half of the keys are turned one way by 1.6 rad, half the other way: none is too far from the
 /// central one, which is not turned, and any other of them is.
 template <int M, int N>

@@ -186,6 +186,26 @@ TEST(HandForce, StateThatIsNotFinite_IsNotFeltAndNotKept) {
   EXPECT_FALSE(force.is_invalid());
 }
 
+// Pose and energy are numbers, and the force is none: 400 N/m over 1e306 m, or 2 N s/m at 1e308
+// m/s.
+TEST(HandForce, CouplingBeyondNumbers_IsNotFeltAndNotKept) {
+  for (const double stiffness : {400.0, 0.0}) {
+    HandForceSettings<double> settings;
+    settings.coupling.stiffness = stiffness;
+    HandForce<double> force = hand_force(settings);
+    const State state = plain_state();
+    (void)force.advance(state, kStep);
+    State far = state;
+    far.held_W.p_W.x() = stiffness > 0 ? 1e306 : 1e305;
+    EXPECT_EQ(force.advance(far, kStep), Vec2<double>::Zero());
+    EXPECT_TRUE(force.is_invalid()) << stiffness;
+    EXPECT_FALSE(force.is_limited()) << stiffness;
+    EXPECT_EQ(force.stored(), 0) << stiffness;
+    EXPECT_EQ(force.advance(state, kStep), Vec2<double>::Zero());
+    EXPECT_FALSE(force.is_invalid()) << "nothing is known of the way back";
+  }
+}
+
 // Each blow is a number, and their sum is none.
 TEST(HandForce, BlowsBeyondNumbers_AreNotFeltAndSaid) {
   HandForce<double> force = hand_force();

@@ -57,6 +57,58 @@ TEST(MeasuredProfile, HostileEstimates_AreRefusedOrAreAProfile) {
   }
 }
 
+/// Good ones, all of whose numbers are other ones.
+DeviceEstimates good_estimates() {
+  DeviceEstimates estimates;
+  estimates.damping = {1, 0.01F};
+  estimates.friction = {2, 0.02F};
+  estimates.mass = {3, 0.03F};
+  estimates.stiffness = {4, 0.04F};
+  estimates.offset = {-5, 0.05F};
+  estimates.delay = {1, 0.06F};
+  estimates.encoder_step = {0.001F, 1e-5F};
+  estimates.misfit = 0.01F;
+  return estimates;
+}
+
+// Also what the profile does not have: whatever made it is not to be believed in the rest. A
+// negative error would tell more damping and friction than were measured.
+TEST(MeasuredProfile, NumberThatIsNone_OrErrorBelowZero_IsRefused) {
+  MeasurementSettings settings;
+  settings.force_limit = 5;
+  ASSERT_EQ(measured_profile(settings, good_estimates(), 3).status, Status::kOk);
+  Estimate DeviceEstimates::*const fields[] = {
+      &DeviceEstimates::damping,     &DeviceEstimates::friction, &DeviceEstimates::mass,
+      &DeviceEstimates::stiffness,   &DeviceEstimates::offset,   &DeviceEstimates::delay,
+      &DeviceEstimates::encoder_step};
+  const float infinite = std::numeric_limits<float>::infinity();
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const auto status = [&settings](const DeviceEstimates& estimates, float margin) {
+    return measured_profile(settings, estimates, margin).status;
+  };
+  for (const float margin : {0.0F, 3.0F}) {
+    for (const auto field : fields) {
+      for (const float bad : {infinite, -infinite, nan, -1e-6F}) {
+        DeviceEstimates estimates = good_estimates();
+        (estimates.*field).sigma = bad;
+        EXPECT_EQ(status(estimates, margin), Status::kInvalidArgument) << bad;
+        if (is_finite(bad)) continue;
+        estimates = good_estimates();
+        (estimates.*field).value = bad;
+        EXPECT_EQ(status(estimates, margin), Status::kInvalidArgument) << bad;
+      }
+      DeviceEstimates estimates = good_estimates();
+      (estimates.*field).sigma = 0;
+      EXPECT_EQ(status(estimates, margin), Status::kOk);
+    }
+    for (const float bad : {infinite, -infinite, nan}) {
+      DeviceEstimates estimates = good_estimates();
+      estimates.misfit = bad;
+      EXPECT_EQ(status(estimates, margin), Status::kInvalidArgument) << bad;
+    }
+  }
+}
+
 DeviceProfile<float> profile_of(float delay, float error) {
   MeasurementSettings settings;
   settings.force_limit = 5;

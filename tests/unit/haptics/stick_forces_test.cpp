@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -119,6 +120,51 @@ TEST_F(ABeat, TheRampScalesEachSideByItself) {
   EXPECT_TRUE(forces.of(Side::kLeft).ramped);
   EXPECT_FALSE(forces.of(Side::kLeft).silent);
   EXPECT_TRUE(forces.of(Side::kRight).silent);
+}
+
+/// As much of a duel as forces ask for, in which a hand and what it holds may be anywhere.
+struct AnyDuel {
+  struct WorldType {
+    using Scalar = float;
+    std::array<ContactEvent<float>, 0> none;
+    const std::array<ContactEvent<float>, 0>& events() const { return none; }
+  };
+  struct SceneType {
+    static constexpr bool kGrip = false;
+  };
+  Bout<float> state;
+  WorldType of_blades;
+  KeyedPose<float> commanded;
+  Pose<float> held_W;
+
+  const Bout<float>& bout() const { return state; }
+  const WorldType& world() const { return of_blades; }
+  KeyedPose<float> hand(Side /*side*/) const { return commanded; }
+  Pose<float> held_hand_W(Side /*side*/) const { return held_W; }
+  float dt() const { return 0.001F; }
+};
+
+// A demand that is no number is none, and is told, in its step and no other.
+TEST(StickForces, DemandThatIsNoNumber_IsMarkedAsLimited) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float infinite = std::numeric_limits<float>::infinity();
+  for (const float bad : {nan, infinite, 1e36F}) {  // the last: 400 N/m over so many m are none
+    StickForces forces;
+    ASSERT_EQ(forces.configure({}), Status::kOk);
+    AnyDuel duel;
+    duel.commanded.jacobian.setConstant(0.1F);
+    duel.held_W.p_W.x() = 0.005F;  // 2 N
+    forces.advance(duel, {true, true});
+    EXPECT_FALSE(forces.of(Side::kLeft).limited);
+    EXPECT_GT(forces.of(Side::kLeft).demanded.x(), 0);
+    AnyDuel wrong = duel;
+    wrong.held_W.p_W.x() = bad;
+    forces.advance(wrong, {true, true});
+    EXPECT_TRUE(forces.of(Side::kLeft).limited) << bad;
+    EXPECT_EQ(forces.of(Side::kLeft).demanded, Vec2<float>(0, 0)) << bad;
+    forces.advance(duel, {true, true});
+    EXPECT_FALSE(forces.of(Side::kLeft).limited) << bad;
+  }
 }
 
 TEST(StickForces, SettingsOutOfRange_AreRefused) {
