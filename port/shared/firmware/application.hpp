@@ -64,18 +64,23 @@ class ApplicationOf : private RivalT {
   ApplicationOf& operator=(const ApplicationOf&) = delete;
 
   /// Puts the fencers on guard; the rival, if there is one, is the one of the last start().
-  /// @returns kOk | kInvalidArgument: settings out of range; tick() must not be called
+  /// @returns kOk | kInvalidArgument: settings out of range (nothing changed: what was started goes
+  ///   on)
   Status start(const ApplicationSettings& settings);
   /// The same. @param rival  who it is, in each bout as if it had never fenced before
   Status start(const ApplicationSettings& settings,
                [[maybe_unused]] const typename RivalT::Settings& rival) {
     if constexpr (RivalT::kPlays) {
-      if (this->configure(rival) != Status::kOk) return Status::kInvalidArgument;
+      if (RivalT::validate(rival) != Status::kOk) return Status::kInvalidArgument;
     }
-    return start(settings);
+    const Status status = start(settings);
+    if constexpr (RivalT::kPlays) {
+      if (status == Status::kOk) (void)this->configure(rival);  // valid
+    }
+    return status;
   }
 
-  /// The work of one tick. Never blocks; never makes two steps. @pre start() was kOk
+  /// The work of one tick. Never blocks; never makes two steps. @pre a start() was kOk
   /// @param tick  number of the board's timer tick, one every step_us, modulo 2^32: numbers that
   ///   are left out are counted as skipped; @pre not the last call's
   /// Bound: FrameReader::kBytesPerTick bytes in, kFramesPerTick frames obeyed, one step,
@@ -139,7 +144,8 @@ class ApplicationOf : private RivalT {
   bool take(const link::Step& step, Order& order);
   void take(const link::StickSample& sample, Order& order);
   void refuse(link::Refusal why, link::MessageType what, std::uint32_t step);
-  Status restart();
+  [[gnu::noinline]] Status restart();  // called from three places
+  void prepare();
   void read_stick(Order& order);
   bool step_is_due(const Order& order) const;
   bool make_step(Order& order);

@@ -26,12 +26,13 @@ inline std::uint16_t saturated(std::uint32_t count) {
 template <class RivalT>
 Status ApplicationOf<RivalT>::start(const ApplicationSettings& settings) {
   if (settings.pause <= 0) return Status::kInvalidArgument;
+  const Status status = bout_.start(settings.bout);  // what it refuses changes nothing
+  if (status != Status::kOk) return status;
   settings_ = settings;
   report_ = {};
   session_ = 0;
   mode_ = Mode::kFree;
-  const Status status = restart();
-  if (status != Status::kOk) return status;
+  prepare();
   past_silences_ = 0;
   watch_.start(settings.bout.step_us);
   return Status::kOk;
@@ -112,13 +113,18 @@ void ApplicationOf<RivalT>::welcome() {
 template <class RivalT>
 Status ApplicationOf<RivalT>::restart() {
   past_silences_ = silences();
+  prepare();
+  return bout_.start(settings_.bout);
+}
+
+/// What is beside the bout, with no force on the stick. @pre bout_ takes the settings
+template <class RivalT>
+void ApplicationOf<RivalT>::prepare() {
   paused_ = 0;
   const float dt = static_cast<float>(settings_.bout.step_us) * kSecondsPerUs<float>;
-  const Status status = stage_.configure(stage_settings(settings_.bout.force, dt));
-  if (status != Status::kOk) return status;
+  (void)stage_.configure(stage_settings(settings_.bout.force, dt));  // takes what the bout does
   if constexpr (RivalT::kPlays) this->rewind();
   (void)stage_.enable();  // unless stopped: a new bout ends no emergency stop
-  return bout_.start(settings_.bout);
 }
 
 /// The next step, or the last one once more; at most one of them is answered in a tick.

@@ -18,6 +18,11 @@ class SeeingRival {
     std::uint32_t seed = 1;  ///< any number: another one, another fencer
   };
 
+  /// @returns kOk | kInvalidArgument: none of the skills
+  static Status validate(const Settings& settings) {
+    return settings.skill <= fencing::Skill::kMaster ? Status::kOk : Status::kInvalidArgument;
+  }
+
   /// Who it is; it waits on guard. @returns kOk | kInvalidArgument: none of the skills (nothing
   ///   changed)
   Status configure(const Settings& settings);

@@ -12,7 +12,7 @@ enum class End : std::uint8_t { kDevice, kHost };
 
 /// Why a frame was rejected. Checked in this order; the first reason counts.
 enum class Rejection : std::uint8_t {
-  kTooLong,   ///< more than kMaxRawFrame bytes before the delimiter
+  kTooLong,   ///< more than kMaxRawFrame bytes, after unstuffing, before the delimiter
   kBadCobs,   ///< the delimiter came inside a block
   kTooShort,  ///< less than a header and a CRC
   kCrc,       ///< damaged
@@ -20,7 +20,7 @@ enum class Rejection : std::uint8_t {
   kType,      ///< intact, but of a type that this end does not know, or must not be sent
   kPayload,   ///< intact, but of a wrong length, or a field out of its range
   kRepeated,  ///< the sequence number of the last accepted frame once more
-  kOld,       ///< a sequence number behind the last accepted frame's by less than half the range
+  kOld,       ///< a sequence number behind the last accepted frame's by half the range at most
 };
 inline constexpr int kRejections = 9;
 
@@ -30,7 +30,8 @@ struct LinkCounters {
   std::uint32_t accepted = 0;
   std::array<std::uint32_t, kRejections> rejected_for{};  ///< by Rejection
   std::uint32_t gaps = 0;  ///< accepted frames whose number was further on than the next
-  std::uint32_t lost = 0;  ///< numbers skipped by these: frames that never came, or were rejected
+  std::uint32_t lost = 0;  ///< numbers skipped by these: frames that never came, or were rejected;
+                           ///< of more than 32766 in a row not all: link.md, "Sequence numbers"
   std::uint32_t sessions = 0;  ///< accepted Hello or Welcome that began another session
 
   std::uint32_t count(Rejection why) const { return rejected_for[static_cast<std::size_t>(why)]; }

@@ -40,9 +40,10 @@ void unit(Fields& fields, std::array<float, N>& values) {
   fields.require(square >= 1.0F - 2.0F * kUnitSlack && square <= 1.0F + 2.0F * kUnitSlack);
 }
 
+/// Its low half, which StepReport tells, is not the device's word for "alone".
 void session(Fields& fields, std::uint32_t& session) {
   fields.u32(session);
-  fields.require(session != 0);
+  fields.require(static_cast<std::uint16_t>(session) != 0);
 }
 
 void list(Fields& fields, Hello& message) {

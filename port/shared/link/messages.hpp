@@ -58,8 +58,8 @@ inline constexpr int kMostTouches = 99;
 /// bout.
 struct Hello {
   static constexpr MessageType kType = MessageType::kHello;
-  std::uint32_t session = 0;  ///< chosen by the host, different each time, not 0. Its low half
-                              ///< neither: StepReport tells that
+  std::uint32_t session = 0;  ///< chosen by the host, different each time; its low half not 0:
+                              ///< StepReport tells that
   Mode mode = Mode::kPaced;
   std::uint8_t touches = 1;  ///< to which the bout goes, 1 ... kMostTouches
 };

@@ -185,6 +185,46 @@ TEST(Device, SettingsOutOfRange_AreRefused) {
   EXPECT_EQ(rig.device->start(rig.settings), Status::kInvalidArgument);
 }
 
+/// Settings with one that is out of range.
+std::vector<firmware::ApplicationSettings> bad_settings() {
+  std::vector<firmware::ApplicationSettings> all(6);
+  all[0].pause = 0;
+  all[1].bout.step_us = 10;
+  all[2].bout.touches = 0;
+  all[3].bout.distance = -1;
+  all[4].bout.force.full_scale = -1;
+  all[5].bout.force.ramp.length = 0;
+  for (auto& one : all) one.own_side = Side::kRight;  // what is good of them is not taken, either
+  return all;
+}
+
+TEST_F(PacedDevice, AStartThatIsRefused_LeavesTheSessionAsItWas) {
+  make_steps(1, 20);
+  host.send(order(3));
+  rig.run(1);
+  ASSERT_EQ(rig.device->report().steps_refused, 1U);
+  host.received<link::Refused>();
+  const std::uint32_t used = rig.device->ticks().used;
+  const ForceCommand force = rig.device->force();
+  for (const auto& bad : bad_settings()) {
+    ASSERT_EQ(rig.device->start(bad), Status::kInvalidArgument);
+    EXPECT_EQ(rig.device->session(), 7U);
+    EXPECT_EQ(rig.device->mode(), Mode::kPaced);
+    EXPECT_EQ(rig.device->bout().steps(), 20U);
+    EXPECT_EQ(rig.device->report().steps_refused, 1U);
+    EXPECT_EQ(rig.device->ticks().used, used);
+    EXPECT_TRUE(rig.device->stage().is_enabled());
+    EXPECT_EQ(rig.device->force().time, force.time) << "the motor was told nothing";
+  }
+  make_steps(21, 22);
+  host.send(link::Hello{7, Mode::kPaced});
+  rig.run(1);
+  const auto welcome = host.received<link::Welcome>();
+  ASSERT_EQ(welcome.size(), 1U);
+  EXPECT_EQ(welcome[0].step, 22U) << "of the same bout: as many touches as before";
+  EXPECT_EQ(welcome[0].step_us, 1000U);
+}
+
 TEST_F(PacedDevice, WithoutAnOrder_MakesNoStep) {
   rig.run(50);
   EXPECT_EQ(rig.device->bout().steps(), 0U);

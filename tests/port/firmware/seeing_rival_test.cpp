@@ -166,6 +166,39 @@ TEST(SeeingRival, NoneOfTheSkills_IsRefused) {
   EXPECT_EQ(rig.device->start(rig.settings, rig.rival), Status::kInvalidArgument);
 }
 
+// All that a skill may be: the check says the same as the opponent does.
+TEST(SeeingRival, Settings_AreGoodWhereAnOpponentTakesThem) {
+  int good = 0;
+  for (int skill = 0; skill < 256; ++skill) {
+    const SeeingRival::Settings settings{static_cast<Skill>(skill), 1};
+    Opponent opponent;
+    EXPECT_EQ(SeeingRival::validate(settings), opponent.configure(settings.skill, settings.seed));
+    good += SeeingRival::validate(settings) == Status::kOk ? 1 : 0;
+  }
+  EXPECT_EQ(good, 3);
+}
+
+// Of two boards one is told, in the middle of a bout, to start anew with what it cannot: both fence
+// the same bout.
+TEST(SeeingRival, AStartThatIsRefused_LeavesBoutAndRivalAsTheyWere) {
+  constexpr int kInTheMiddle = 700;
+  Rig undisturbed;
+  Rig rig;
+  for (Rig* one : {&undisturbed, &rig}) {
+    one->start();
+    one->run(kInTheMiddle);
+  }
+  auto bad = rig.settings;
+  bad.bout.touches = 0;
+  EXPECT_EQ(rig.device->start(bad, {Skill::kMaster, 9}), Status::kInvalidArgument);
+  EXPECT_EQ(rig.device->start(rig.settings, {static_cast<Skill>(7), 9}), Status::kInvalidArgument);
+  const std::vector<InputSample> expected = lone_bout(undisturbed);
+  const std::vector<InputSample> samples = lone_bout(rig);
+  ASSERT_GT(expected.size(), 100U);
+  ASSERT_EQ(samples.size(), expected.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) ASSERT_TRUE(same(samples[i], expected[i])) << i;
+}
+
 TEST(SeeingRival, NeverAllocates) {
   SteppedBout bout;
   SeeingRival rival;

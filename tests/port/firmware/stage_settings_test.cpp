@@ -25,6 +25,29 @@ TEST(StageSettings, OfForceSettings_AreTakenByAStage) {
   }
 }
 
+// A bout that is started has a stage: what the forces' own check takes, the stage takes in steps of
+// any length that a duel has.
+TEST(StageSettings, OfAnyForceSettingsThatAreValid_AreValid) {
+  constexpr float kMost = std::numeric_limits<float>::max();
+  constexpr float kLeast = std::numeric_limits<float>::min();
+  int valid = 0;
+  for (const float scale : {0.0F, kLeast, 1.0F, 1e30F, kMost}) {
+    for (const float limit : {0.0F, kLeast, 1.0F, kMost}) {
+      for (const float gain : {0.0F, kLeast, 1.0F, kMost}) {
+        for (const std::int32_t length : {0, 1, 1000000, 1000001}) {
+          const ForceSettings settings{scale, {length, length}, {limit, gain, gain}};
+          if (validate(settings) != Status::kOk) continue;
+          ++valid;
+          for (const float dt : {1e-4F, 1e-3F, 0.02F}) {
+            EXPECT_EQ(validate(stage_settings(settings, dt)), Status::kOk) << scale << " " << dt;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(valid, 50);
+}
+
 /// Else a blow of one step would be weaker on the motor than it is told.
 TEST(StageSettings, ABlow_IsWholeInOneStep) {
   for (const float dt : {1e-6F, 0.001F, 0.003F, 0.04F}) {

@@ -211,7 +211,7 @@ inline void draw(FieldDraws& d, Hello& m) {
   m.touches = static_cast<std::uint8_t>(1 + d.below(kMostTouches));
 }
 inline void draw(FieldDraws& d, Welcome& m) {
-  m.session = d.u32() | 0x80000000U;
+  m.session = d.u32() | 0x8000U;
   m.protocol_version = static_cast<std::uint8_t>(d.below(256));
   m.mode = d.flag() ? Mode::kFree : Mode::kPaced;
   m.step_us = 100U + static_cast<std::uint32_t>(d.below(19901));

@@ -134,6 +134,31 @@ TEST(Document, TimesOnTheLine_AreTenBitsAByte) {
   }
 }
 
+/// Whether the frame that comes after so many missed ones is accepted.
+bool is_accepted_after(int missed) {
+  DeviceDecoder decoder;
+  receive(decoder, wire_of(Step{}, 0));
+  return !receive(decoder, wire_of(Step{}, static_cast<std::uint16_t>(missed + 1))).empty();
+}
+
+// | missed in a row | what comes then | `lost` grows by |
+TEST(Document, RangesOfASilence_AreTheDecoders) {
+  int next = 0;
+  for (const std::string& line : lines_of_document()) {
+    const Cells row = cells(line);
+    int first = 0;
+    int last = 0;
+    if (row.size() != 3 || std::sscanf(row[0].c_str(), "%d ... %d", &first, &last) != 2) continue;
+    EXPECT_EQ(first, next) << line;
+    const bool accepted = row[1].rfind("is accepted", 0) == 0;
+    EXPECT_NE(accepted, row[1].rfind("is rejected", 0) == 0) << line;
+    EXPECT_EQ(is_accepted_after(first), accepted) << line;
+    EXPECT_EQ(is_accepted_after(last), accepted) << line;
+    next = last + 1;
+  }
+  EXPECT_EQ(next, 65536) << "the distance is that modulo 65536";
+}
+
 /// The bytes of the block below the line that holds `marker`.
 Bytes example(const std::string& marker) {
   const std::vector<std::string> lines = lines_of_document();

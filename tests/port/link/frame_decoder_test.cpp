@@ -195,6 +195,50 @@ TEST(Sequence, Wrap_IsOneMoreLikeAnyOther) {
   EXPECT_EQ(decoder.counters().gaps, 0U);
 }
 
+/// What becomes of a receiver that accepts frame 0, misses so many, and hears the rest.
+struct AfterSilence {
+  std::uint32_t repeated = 0;
+  std::uint32_t old = 0;
+  std::uint32_t lost = 0;
+
+  friend bool operator==(const AfterSilence& a, const AfterSilence& b) {
+    return a.repeated == b.repeated && a.old == b.old && a.lost == b.lost;
+  }
+};
+
+AfterSilence after_silence_of(std::uint32_t missed) {
+  DeviceDecoder decoder;
+  receive(decoder, step_frame(0));
+  std::uint32_t number = missed;
+  while (receive(decoder, step_frame(static_cast<std::uint16_t>(++number))).empty()) {
+  }
+  const LinkCounters& counters = decoder.counters();
+  return {counters.count(Rejection::kRepeated), counters.count(Rejection::kOld), counters.lost};
+}
+
+// The distance is 16 bits wide, and the upper half of it means old.
+TEST(Sequence, AfterALongSilence_TheNumbersComeRound) {
+  for (const std::uint32_t rounds : {0U, 1U, 2U}) {
+    for (const std::uint32_t missed : {0U, 1U, 2U, 32765U, 32766U}) {
+      const AfterSilence all_counted{0, 0, missed};
+      EXPECT_TRUE(after_silence_of(65536 * rounds + missed) == all_counted) << missed;
+    }
+    for (const std::uint32_t missed : {32767U, 32768U, 40000U, 65534U, 65535U}) {
+      const AfterSilence none_counted{1, 65535 - missed, 0};
+      EXPECT_TRUE(after_silence_of(65536 * rounds + missed) == none_counted) << missed;
+    }
+  }
+}
+
+TEST(Sequence, WhoMissesSomeWhileTheNumbersComeRound_CountsTheDistance) {
+  DeviceDecoder decoder;
+  receive(decoder, step_frame(0));
+  EXPECT_TRUE(receive(decoder, joined({step_frame(40001), step_frame(65535)})).empty());
+  EXPECT_EQ(receive(decoder, step_frame(100)).size(), 1U);  // the 65636th
+  EXPECT_EQ(decoder.counters().lost, 99U);
+  EXPECT_EQ(decoder.counters().gaps, 1U);
+}
+
 /// The rule once more, in plain integers, over any order of numbers.
 RC_GTEST_PROP(Sequence, AnyOrder_AgreesWithTheRule, ()) {
   const auto steps = *rc::gen::container<std::vector<int>>(rc::gen::weightedOneOf<int>(

@@ -122,10 +122,13 @@ Welcome welcome() {
   return message;
 }
 
-TEST(Ranges, Session_IsNotZero) {
-  check<Hello, std::uint32_t>(hello(), {1, 0xFFFFFFFFU}, {0},
+// StepReport tells the low half, and 0 there means that the device is alone.
+TEST(Ranges, Session_HasALowHalfThatIsNotZero) {
+  const auto taken = {1U, 0x8000U, 0xFFFFU, 0x10001U, 0x80008000U, 0xFFFFFFFFU};
+  const auto refused = {0U, 0x10000U, 0x80000000U, 0xFFFF0000U};
+  check<Hello, std::uint32_t>(hello(), taken, refused,
                               [](Hello& m, std::uint32_t value) { m.session = value; });
-  check<Welcome, std::uint32_t>(welcome(), {1, 0xFFFFFFFFU}, {0},
+  check<Welcome, std::uint32_t>(welcome(), taken, refused,
                                 [](Welcome& m, std::uint32_t value) { m.session = value; });
 }
 
