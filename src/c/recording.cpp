@@ -116,12 +116,14 @@ DuelInput input_of(const haptics::SteppedBout& bout) {
 /// The start of a recording goes into a duel; one that is not configured is none.
 Playback begin_play(Player& player, DuelForC& played) {
   Playback result{};
-  played.bout.restore([&](Duel<>& state) {
+  bool is_put = false;
+  (void)played.bout.restore({}, [&](Duel<>& state) {
     result = player.begin<DuelInput>(state);
     if (result == Playback::kReady && state.dt() == 0.0F) result = Playback::kDamaged;
-    return result == Playback::kReady || result == Playback::kDamaged;
+    is_put = result == Playback::kReady || result == Playback::kDamaged;
+    return is_put;
   });
-  played.is_played = played.is_played || result != Playback::kForeign;
+  played.is_played = played.is_played || is_put;
   return result;
 }
 
@@ -175,6 +177,8 @@ std::int32_t batuta_recorder_end(batuta_recorder* recorder, const batuta_duel* d
   auto* const own = batuta::detail::found_in<RecorderForC>(recorder);
   const auto* const seen = batuta::fencing::bout_in(duel);
   if (own == nullptr || seen == nullptr) return BATUTA_INVALID_ARGUMENT;
+  if (!own->has_ended && seen->bout.steps() + 1 != own->next_steps())
+    return BATUTA_INVALID_ARGUMENT;
   const batuta::Status status = own->recorder.end(seen->bout.duel());
   own->has_ended = own->has_ended || status == batuta::Status::kOk;
   return batuta::detail::code_of(status);

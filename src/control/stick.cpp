@@ -37,6 +37,17 @@ Status StickTracker<Scalar>::configure(const StickSettings& settings) {
   return Status::kOk;
 }
 
+/// Whether what was read is a state to go on from.
+template <class Scalar>
+bool StickTracker<Scalar>::is_sound() const {
+  bool good = validate(settings_) == Status::kOk;
+  const Vec2<Scalar> feet(static_cast<Scalar>(last_.feet_x), static_cast<Scalar>(last_.feet_y));
+  for (const Vec2<Scalar>& place : {position_, goal_, feet}) {  // Bound: 3
+    good = good && std::abs(place.x()) <= Scalar(1) && std::abs(place.y()) <= Scalar(1);
+  }
+  return good && is_finite(remaining_) && is_finite(silence_);
+}
+
 template <class Scalar>
 SampleUse StickTracker<Scalar>::judge(const InputSample& sample) const {
   for (const float at : {sample.x, sample.y, sample.feet_x, sample.feet_y}) {  // Bound: 4

@@ -20,7 +20,6 @@ struct Situation {
   int line = 0;        ///< in which the rival's blade comes, or would come
 };
 
-inline constexpr float kSecondsPerLook = 1e-6F * static_cast<float>(DelayedObservation::kLookUs);
 inline constexpr float kForesight = 0.2F;    ///< s for which two who walk are thought on
 inline constexpr float kGuardReach = 0.52F;  ///< m before its trunk: an arm on guard
 /// m that a trunk leans for each m of reach beyond that
@@ -59,19 +58,20 @@ inline float lean_of(float reach) {
 inline Situation situation_of(const DelayedObservation& eye) {
   const Observation& now = eye.seen();
   const Observation& before = eye.before();
+  const float apart = eye.seconds_per_look();
   Situation situation;
   situation.distance = distance_of(now);
-  const float nearing = (distance_of(before) - situation.distance) / kSecondsPerLook;
+  const float nearing = (distance_of(before) - situation.distance) / apart;
   situation.soon = situation.distance - kForesight * nearing;
-  situation.pace = (before.rival.torso_V.x() - now.rival.torso_V.x()) / kSecondsPerLook;
+  situation.pace = (before.rival.torso_V.x() - now.rival.torso_V.x()) / apart;
   situation.reach = reach_of(now);
-  situation.thrust = (situation.reach - reach_of(before)) / kSecondsPerLook;
+  situation.thrust = (situation.reach - reach_of(before)) / apart;
   situation.ahead = now.rival.point_V.x() - now.own.torso_V.x();
   situation.line = line_seen(now);
   const float lean = lean_of(situation.reach);
   const float own_lean = lean_of(own_reach_of(now));
-  const float leaning = (lean - lean_of(reach_of(before))) / kSecondsPerLook;
-  const float own_leaning = (own_lean - lean_of(own_reach_of(before))) / kSecondsPerLook;
+  const float leaning = (lean - lean_of(reach_of(before))) / apart;
+  const float own_leaning = (own_lean - lean_of(own_reach_of(before))) / apart;
   situation.upright = situation.distance + lean + own_lean;
   situation.gait = situation.pace - leaning;
   situation.closing = nearing - leaning - own_leaning;

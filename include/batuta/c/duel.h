@@ -95,8 +95,8 @@ size_t batuta_duel_align(void);
 ///   or a number out of its range | BATUTA_UNAVAILABLE (arithmetic); what is in the storage goes on
 int32_t batuta_duel_init(batuta_duel* duel, size_t bytes, int32_t step_us, int32_t touches);
 /// Before the first step: puts them on guard elsewhere.
-/// @param distance  between their frames, m, > 0, at most some kilometres; 4 suits an opponent, who
-///   needs time to see
+/// @param distance  between their frames, m, > 0 ... 1000; 4 suits an opponent, who needs time to
+///   see
 /// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT | BATUTA_UNAVAILABLE: it has made a step, a
 ///   recording was put into it, or arithmetic; the bout goes on
 int32_t batuta_duel_set_distance(batuta_duel* duel, float distance);
@@ -167,8 +167,9 @@ int32_t batuta_recorder_init(batuta_recorder* recorder, size_t bytes, const batu
 ///   and the recording ends before this step; its end says how many are missing
 int32_t batuta_recorder_step(batuta_recorder* recorder, const batuta_duel* duel);
 /// The end mark; then take until nothing is left.
-/// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT | BATUTA_POOL_FULL: take, then again
-///   | BATUTA_UNAVAILABLE: it has ended
+/// @param duel  as it is after the last step that was recorded
+/// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT: also where the duel has made a step that was not
+///   recorded | BATUTA_POOL_FULL: take, then again | BATUTA_UNAVAILABLE: it has ended
 int32_t batuta_recorder_end(batuta_recorder* recorder, const batuta_duel* duel);
 /// Hands out what was recorded, from the first byte on, each once.
 /// @param[out] out  room for `capacity` bytes

@@ -102,15 +102,20 @@ class StickTracker {
   /// What became of the samples since configure().
   const StickReport& report() const { return report_; }
 
-  /// Its state, for record/archive.hpp.
+  /// Its state, for record/archive.hpp. What is read must have settings that configure() takes, and
+  /// be within the square; else it starts anew, at the centre.
   template <class ArchiveT>
   void archive(ArchiveT& ar) {
     auto& [settings, report, last, position, goal, velocity, remaining, silence, stale, started] =
         *this;
     ar(settings, report, last, position, goal, velocity, remaining, silence, stale, started);
+    if (!ar.reading() || is_sound()) return;
+    ar.require(false);
+    *this = StickTracker();
   }
 
  private:
+  bool is_sound() const;
   SampleUse judge(const InputSample& sample) const;
   void follow(const InputSample& sample);
   void keep(const InputSample& sample);

@@ -114,14 +114,15 @@ class Duel : private detail::DuelVerdict<SceneT>, private detail::OtherVerdict<S
   /// it, only their map_id(): what is read goes on with the maps of the duel that reads, those that
   /// it was configured with, or library_map(). It must have their ids, settings that configure()
   /// takes, two blades, sticks within their square, and numbers that are sane; else the duel is one
-  /// that was not configured. Bound: its members, and the keys of both maps.
+  /// that was not configured, and one of which that is not true is not written either
+  /// (kInvalidArgument). Bound: its members, and the keys of both maps.
   template <class ArchiveT>
   void archive(ArchiveT& ar) {
     auto& [settings, world, places, scoring, steps, dt] = *this;
     ar(settings, world, places, scoring, steps, dt);
-    if (!ar.reading()) return;
+    if (!ar.reading() && !ar.writing()) return;
     ar.require(dt_ == Scalar(0) || (ar.all_sane() && is_sound()));
-    if (!ar.ok()) dt_ = 0;
+    if (ar.reading() && !ar.ok()) dt_ = 0;
   }
 
  private:

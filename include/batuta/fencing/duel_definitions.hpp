@@ -252,9 +252,7 @@ bool Duel<SceneT>::is_sound() const {
   for (const DuelSide& place : places_) {  // Bound: 2
     const auto* blade = world_.get(place.blade);
     good = good && blade != nullptr && parts_of(*blade) == Played::kCapsulesPerBody &&
-           is_valid(part_of(*blade, 0)) &&
-           place.stick.position().cwiseAbs().maxCoeff() <= Scalar(1) &&
-           place.stick.feet().cwiseAbs().maxCoeff() <= Scalar(1);
+           is_valid(part_of(*blade, 0));
   }
   if constexpr (Played::kFeet) good = good && scoring_.is_footing_sound(settings_);
   if constexpr (Played::kTargets) good = good && scoring_.is_sound(settings_, dt_);

@@ -132,11 +132,15 @@ class Grip {
   /// The hand at the end of the last commanded step.
   const Pose<Scalar>& hand() const { return target_; }
 
-  /// Its state, for record/archive.hpp.
+  /// Its state, for record/archive.hpp. What is read must have settings that configure() takes;
+  /// else it has the default ones.
   template <class ArchiveT>
   void archive(ArchiveT& ar) {
     auto& [settings, hand_B, hand, target, step, flight, flown, pulled, turn, place, lost] = *this;
     ar(settings, hand_B, hand, target, step, flight, flown, pulled, turn, place, lost);
+    if (!ar.reading() || validate(settings_) == Status::kOk) return;
+    ar.require(false);
+    settings_ = {};
   }
 
  private:

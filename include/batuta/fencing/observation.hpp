@@ -77,6 +77,9 @@ class DelayedObservation {
   const Observation& seen() const { return ago(kDelayLooks); }
   /// The look before it. @pre sees()
   const Observation& before() const { return ago(kDelayLooks + 1); }
+  /// From one look to the next, s: kLookUs in steps that divide it, else the next whole number of
+  /// steps. @pre sees(), all steps of one length
+  float seconds_per_look() const { return kSecondsPerUs<float> * static_cast<float>(apart_us_); }
 
  private:
   static constexpr int kKept = kDelayLooks + 2;
@@ -87,8 +90,9 @@ class DelayedObservation {
 
   std::array<Observation, kKept> kept_{};
   std::int32_t since_us_ = kLookUs;  ///< since the last look; the first step looks at once
-  std::int32_t looks_ = 0;           ///< taken; grows no further than kKept
-  std::int32_t latest_ = 0;          ///< where the last one is kept
+  std::int32_t apart_us_ = kLookUs;  ///< the last look from the one before it
+  std::int16_t looks_ = 0;           ///< taken; grows no further than kKept
+  std::int16_t latest_ = 0;          ///< where the last one is kept
 };
 
 }  // namespace batuta::fencing

@@ -31,11 +31,15 @@ class SteppedBoutOf {
   Status step(const InputSample* left, const InputSample* right);
 
   /// Puts a state that was kept into the duel. The forces begin anew: they follow from the duel and
-  /// its samples, and are not kept.
+  /// its samples, and are not kept, nor are their settings.
+  /// @param force  on both sticks, as in start()
   /// @param put  called once with the duel, to be changed; returns whether it was
+  /// @returns kOk | kInvalidArgument (`force` is out of range; put is not called)
   template <class Put>
-  void restore(const Put& put) {
-    if (put(duel_)) begin_forces({});
+  Status restore(const ForceSettings& force, const Put& put) {
+    if (validate(force) != Status::kOk) return Status::kInvalidArgument;
+    if (put(duel_)) begin_forces(force);
+    return Status::kOk;
   }
 
   /// As it is after the last step.

@@ -48,13 +48,16 @@ class Archive {
   void constant(std::uint32_t value) {
     if (shaping()) shape(value);
   }
-  /// What the ranges of single members cannot say, after reading.
+  /// What the ranges of single members cannot say, after reading; and of what is written, which who
+  /// reads would refuse.
   void require(bool condition) {
-    if (!condition && reading() && ok()) status_ = Status::kInvalidArgument;
+    if (!condition && (reading() || writing()) && ok()) status_ = Status::kInvalidArgument;
   }
 
   /// Whether members are taken from bytes.
   bool reading() const { return way_ == Way::kRead; }
+  /// Whether members are made into bytes that will be read.
+  bool writing() const { return way_ == Way::kWrite; }
   /// Asks for the shape of the type: everything that it has room for, once.
   bool shaping() const { return way_ == Way::kShape; }
   /// Whether status() is kOk.

@@ -96,9 +96,12 @@ std::string seconds_of_a_bout(const std::string& words) {
              : words + " is not a number above 0 and at most 4000000";
 }
 
+/// In decimal: 010 and 0x5 would be numbers of other bases.
 std::string number_of_touches(const std::string& words) {
   int value = 0;
-  const bool number = CLI::detail::lexical_cast(words, value);
+  const bool is_decimal =
+      words.find_first_not_of("0123456789") == std::string::npos && words.find_first_of('0') != 0;
+  const bool number = is_decimal && CLI::detail::lexical_cast(words, value);
   return number && value >= 1 && value <= fencing::kMostTouches
              ? ""
              : words + " is not a whole number from 1 to 99";

@@ -244,6 +244,10 @@ bool is_standard_input(const std::string& path) {
 }
 
 std::string clash_of(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
+  const bool would_be_told_there =
+      std::any_of(inputs.begin(), inputs.end(),
+                  [](const NamedFile& in) { return is_stream(kStandardError, in.path); });
+  if (would_be_told_there) (void)std::freopen("/dev/null", "w", stderr);
   const auto read = std::find_if(inputs.begin(), inputs.end(),
                                  [](const NamedFile& in) { return is_printed_to(in.path); });
   if (read != inputs.end())

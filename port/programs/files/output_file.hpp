@@ -58,7 +58,8 @@ bool is_standard_input(const std::string& path);
 
 /// @returns an empty text | which output is also read, or written by another option, in one line;
 ///   what is printed, too, where the shell sends that to a file that is read; and an output to
-///   which the shell sends what is printed.
+///   which the shell sends what is printed. Where that is standard error and a file that is read,
+///   nothing is told there from now on: the line itself would be written into it.
 ///   A pipe, a terminal or /dev/null may be so often as one likes.
 std::string clash_of(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
 

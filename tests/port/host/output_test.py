@@ -103,6 +103,10 @@ class LostOutputTest(unittest.TestCase):
                 self.assertEqual((done.returncode, "what is printed goes to" in done.stderr), (2, True), (words, done.stderr))
                 with open(path, "rb") as file:
                     self.assertEqual(file.read(), before, words)
+            with open(path, "ab") as told:  # the message itself would be written into it
+                done = subprocess.run(words, stdout=subprocess.PIPE, stderr=told, timeout=HANG, check=False)
+            with open(path, "rb") as file:
+                self.assertEqual((done.returncode, done.stdout, file.read()), (2, b"", before), words)
 
     def test_no_number_is_no_stiffness(self):
         for word in "", " ", "1x", "N":

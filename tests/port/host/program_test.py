@@ -81,7 +81,7 @@ def usage(folder):
     for seconds, steps in ("0.007", 7), ("1.1", 1100), ("7", 7000):
         waited = run("--left", "script:guard", "--right", "script:guard", "--seconds", seconds, "--json")
         check('"steps":%d,' % steps in waited.stdout, "%s s are %d steps" % (seconds, steps))
-    for number in ("0", "-1", "100", "1.5", "x", "nan", ""):
+    for number in ("0", "-1", "100", "1.5", "x", "nan", "", "010", "0x5"):
         refuses(["--touches=%s" % number], 2, "--touches")
     for number in ("0", "1.4", "10.1", "-4", "x", "nan", "inf", ""):
         refuses(["--distance=%s" % number], 2, "--distance")

@@ -227,6 +227,33 @@ TEST_F(RecordingForC, StepsThatAreForgottenOrDoubled_AreRefused) {
   EXPECT_EQ(step(3), BATUTA_INVALID_ARGUMENT);
 }
 
+/// Its end says what the duel is: that of another step, or another duel, would be told as a fault
+/// of who plays it.
+TEST_F(RecordingForC, EndedWithADuelThatIsElsewhere_IsRefused) {
+  for (int k = 0; k < 10; ++k) ASSERT_EQ(step(k), BATUTA_OK);
+  EXPECT_EQ(batuta_duel_step(duel.get(), nullptr, nullptr), BATUTA_OK);
+  EXPECT_EQ(batuta_recorder_end(recorder.get(), duel.get()), BATUTA_INVALID_ARGUMENT);
+  ASSERT_EQ(batuta_recorder_step(recorder.get(), duel.get()), BATUTA_OK);
+  ASSERT_EQ(batuta_duel_init(played.get(), sizeof *played, kStepUs, 5), BATUTA_OK);
+  EXPECT_EQ(batuta_recorder_end(recorder.get(), played.get()), BATUTA_INVALID_ARGUMENT);
+  ASSERT_EQ(batuta_recorder_end(recorder.get(), duel.get()), BATUTA_OK);
+  EXPECT_EQ(batuta_recorder_end(recorder.get(), duel.get()), BATUTA_UNAVAILABLE);
+  take();
+  EXPECT_EQ(play(1000), BATUTA_PLAYBACK_END);
+  EXPECT_EQ(steps, 11);
+}
+
+/// Where nothing was put into the duel, nothing keeps it from being put elsewhere.
+TEST_F(RecordingForC, OfNoBytesYet_LeavesTheDistanceFree) {
+  ASSERT_EQ(batuta_duel_init(played.get(), sizeof *played, kStepUs, 1), BATUTA_OK);
+  ASSERT_EQ(batuta_player_init(player.get(), sizeof *player), BATUTA_OK);
+  std::int32_t answer = 0;
+  ASSERT_EQ(batuta_player_begin(player.get(), played.get(), &answer), BATUTA_OK);
+  ASSERT_EQ(answer, BATUTA_PLAYBACK_WAITING);
+  EXPECT_EQ(batuta_duel_set_distance(played.get(), 1000.0F), BATUTA_OK);
+  EXPECT_EQ(batuta_duel_set_distance(played.get(), 1000.5F), BATUTA_INVALID_ARGUMENT);
+}
+
 TEST_F(RecordingForC, Begun_IsNotBegunAgain_AndItsDistanceStays) {
   ASSERT_NO_FATAL_FAILURE(record());
   ASSERT_EQ(batuta_duel_init(played.get(), sizeof *played, 2 * kStepUs, 1), BATUTA_OK);

@@ -245,5 +245,22 @@ TEST(DelayedObservation, IsAsOldAsItSays) {
   }
 }
 
+/// What moves at 1 m/s is seen to: a speed is a way over the time between two looks.
+TEST(DelayedObservation, TellsHowFarLooksAreApart) {
+  for (const std::int32_t step_us : {100, 1000, 7000, 14000, 15000, 16000, 20000}) {
+    DelayedObservation eye;
+    int seen = 0;
+    for (int step = 0; step < 500; ++step) {
+      Observation now;
+      now.rival.torso_V.x() = 1e-6F * static_cast<float>(step * step_us);
+      if (!eye.look(now, step_us) || !eye.sees()) continue;
+      const float way = (eye.seen().rival.torso_V - eye.before().rival.torso_V).x();
+      ASSERT_NEAR(way / eye.seconds_per_look(), 1.0F, 1e-3F) << step_us;
+      ++seen;
+    }
+    EXPECT_GT(seen, step_us < 1000 ? -1 : 10) << step_us;
+  }
+}
+
 }  // namespace
 }  // namespace batuta

@@ -130,5 +130,41 @@ TEST(SteppedBout, BadForceSettings_LeaveTheBoutAlone) {
   EXPECT_EQ(bout.steps(), 3U);
 }
 
+// A range ten times as large takes a tenth of it for the same demand, also after a state was put
+// in.
+TEST(SteppedBout, Restored_HasTheForcesThatItIsTold) {
+  SteppedBout bout;
+  BoutSettings settings;
+  ASSERT_EQ(bout.start(settings), Status::kOk);
+  const auto put = [&settings](Duel<>& duel) {
+    auto fresh = duel_settings();
+    fresh.touches = settings.touches;
+    return duel.configure(fresh, first_fencer<float>(), second_fencer<float>()) == Status::kOk;
+  };
+  const auto largest = [&bout] {
+    float most = 0;
+    for (int i = 0; i < 300; ++i) {
+      make_steps(bout, 1);
+      for (const Side side : {Side::kLeft, Side::kRight}) {
+        most = std::max(most, bout.forces().of(side).share.cwiseAbs().maxCoeff());
+      }
+    }
+    return most;
+  };
+  ForceSettings force;
+  ASSERT_EQ(bout.restore(force, put), Status::kOk);
+  const float usual = largest();
+  force.full_scale *= 10;
+  ASSERT_EQ(bout.restore(force, put), Status::kOk);
+  const float scaled = largest();
+  EXPECT_GT(usual, 0.01F);
+  EXPECT_LT(scaled, usual / 5);
+  force.full_scale = -1;
+  bool is_called = false;
+  EXPECT_EQ(bout.restore(force, [&is_called](Duel<>&) { return is_called = true; }),
+            Status::kInvalidArgument);
+  EXPECT_FALSE(is_called);
+}
+
 }  // namespace
 }  // namespace batuta::haptics

@@ -34,10 +34,12 @@ Status Duel<SceneT>::configure_with(const Settings& settings, const Left& left,
     return Status::kInvalidArgument;
   }
 
-  // From here on nothing can be refused.
+  // From here on nothing can be refused. The world begins anew: whoever is in it, also where bytes
+  // that were refused have left others than the two blades, and what it told of the last step.
   settings_ = settings;
+  world_.~WorldType();
+  ::new (static_cast<void*>(&world_)) WorldType();  // deviation: placement-new
   (void)world_.configure(settings.world);
-  for (DuelSide& place : places_) (void)world_.remove(place.blade);  // Bound: 2
   if constexpr (Played::kTargets) scoring_.begin();
   if constexpr (Played::kFeet) scoring_.stand_feet();
   take_place(Side::kLeft, left);

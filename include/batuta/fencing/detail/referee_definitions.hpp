@@ -42,6 +42,10 @@ Motion<Scalar> piece_between(const Waypoint<Scalar>& start, const Waypoint<Scala
 template <class SceneT>
 void Referee<SceneT>::begin() {
   bout_ = {};
+  for (RefereeSide& place : places_) {  // Bound: 2
+    place.hand_W.setZero();
+    place.control = 1;
+  }
   close_all();
 }
 
@@ -230,13 +234,16 @@ void Referee<SceneT>::note(Side by, const TouchSearch<Scalar>& search, const Set
   bout_.state = BoutState::kLockout;
 }
 
-/// Whether a second touch at this time counts. @pre there is a first one
+/// Whether a second touch at this time counts. Steps are counted in 32 bits: the times of both are
+/// those since the step of the first. @pre there is a first one
 template <class SceneT>
 bool Referee<SceneT>::is_within_window(const Settings& settings,
                                        const Moment<Scalar>& second) const {
-  const std::uint64_t first_us = time_us(bout_.touches[0].when, settings.step_us);
-  return time_us(second, settings.step_us) - first_us <=
-         static_cast<std::uint64_t>(settings.double_window_us);
+  const Moment<Scalar>& first = bout_.touches[0].when;
+  const std::uint64_t first_us = time_us(Moment<Scalar>{0, first.in_step}, settings.step_us);
+  const std::uint64_t second_us =
+      time_us(Moment<Scalar>{second.step - first.step, second.in_step}, settings.step_us);
+  return second_us - first_us <= static_cast<std::uint64_t>(settings.double_window_us);
 }
 
 /// The other's chance is over when he has taken it, or when the next step begins behind the window.
