@@ -107,9 +107,8 @@ Status detail::relate_keys(const Pose<Scalar>* poses, const Quat<Scalar>& q_ref,
                            detail::KeyPoint<Scalar>* points, int count) {
   for (int i = 0; i < count; ++i) {  // Bound: `count` keys
     const Pose<Scalar>& key = poses[i];
-    if (!is_finite(key.p_W) || !is_finite(key.q_WB)) return Status::kInvalidArgument;
-    // Of length zero: no rotation, which renewed() would take for the one that turns nothing.
-    if ((key.q_WB.coeffs().array() == Scalar(0)).all()) return Status::kInvalidArgument;
+    // Of length zero it is no rotation, and renewed() would take it for the one that turns nothing.
+    if (!is_finite(key.p_W) || !detail::points(key.q_WB)) return Status::kInvalidArgument;
     if (detail::largest_component(key.p_W) > kLargestCoordinate<Scalar>)
       return Status::kInvalidArgument;
     const Vec3<Scalar> turn = log_map<Scalar>(q_ref.conjugate() * renewed(key.q_WB));

@@ -35,8 +35,9 @@ bool is_usable(const MovingCapsule<Scalar>& moving) {
   using detail::nan_unless_finite;
   const Capsule<Scalar>& capsule = moving.capsule_B;
   const Motion<Scalar>& motion = moving.motion;
+  const Vec3<Scalar> end_W = motion.X_WB.p_W + motion.duration * motion.twist.v_W;
   const Scalar lost = nan_unless_finite(capsule.axis.a) + nan_unless_finite(capsule.axis.b) +
-                      nan_unless_finite(motion.X_WB.q_WB);
+                      nan_unless_finite(motion.X_WB.q_WB) + nan_unless_finite(end_W);
   const Vec3<Scalar> turn = motion.duration * motion.twist.w_W;
   return lost == Scalar(0) && capsule.radius >= Scalar(0) && motion.duration >= Scalar(0) &&
          turn.squaredNorm() <= detail::kMaxAngle<Scalar> * detail::kMaxAngle<Scalar>;

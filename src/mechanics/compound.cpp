@@ -104,10 +104,11 @@ Result<Body<Scalar>> detail::place_compound(const MassProperties<Scalar>& mass,
   if (count < 1 || !is_symmetric(mass.inertia_S)) return failure<Body<Scalar>>(kRefused);
   const PrincipalFrame<Scalar> frame = detail::settled_frame(mass);
   const Pose<Scalar> X_SB = {frame.center_S, frame.q_SB};
-  const bool possible =
-      are_of_a_body(frame.moments) && is_finite(X_WS.q_WB) && move_to_body(X_SB, capsules, count);
+  const bool possible = are_of_a_body(frame.moments) && detail::points(X_WS.q_WB) &&
+                        move_to_body(X_SB, capsules, count);
   if (!possible) return failure<Body<Scalar>>(kRefused);
-  const Pose<Scalar> X_WB = {to_world(X_WS, X_SB.p_W), X_WS.q_WB * X_SB.q_WB};
+  const Pose<Scalar> X_unit = {X_WS.p_W, unit_of(X_WS.q_WB)};
+  const Pose<Scalar> X_WB = {to_world(X_unit, X_SB.p_W), X_unit.q_WB * X_SB.q_WB};
   auto body = make_body(X_WB, mass.mass, frame.moments);
   if (!body.ok()) return body;
   const bool movable = body.value.inverse_mass > Scalar(0);

@@ -35,6 +35,12 @@ struct CapsuleMasses {
 };
 
 template <class Scalar>
+CapsuleMasses<Scalar> masses_of(Scalar radius, Scalar core, Scalar density) {
+  const Scalar disc = density * kPi<Scalar> * radius * radius;
+  return {disc * core, disc * radius * 4 / 3};
+}
+
+template <class Scalar>
 RevolutionMoments<Scalar> capsule_moments(const CapsuleMasses<Scalar>& m, Scalar radius,
                                           Scalar core) {
   const Scalar rr = radius * radius;
@@ -126,14 +132,19 @@ Axes<Scalar> eigen_axes(Mat3<Scalar> A) {
 }  // namespace
 
 template <class Scalar>
+Scalar detail::axial_moment(const Capsule<Scalar>& capsule, Scalar density) {
+  const Scalar core = length<Scalar>(capsule.axis.b - capsule.axis.a);
+  return capsule_moments(masses_of(capsule.radius, core, density), capsule.radius, core).axial;
+}
+
+template <class Scalar>
 Result<MassProperties<Scalar>> solid_capsule(const Capsule<Scalar>& capsule, Scalar density) {
   if (!is_valid(capsule) || !(density > Scalar(0))) {
     return failure<MassProperties<Scalar>>(Status::kInvalidArgument);
   }
   const Vec3<Scalar> along = capsule.axis.b - capsule.axis.a;
   const Scalar core = length(along);
-  const Scalar disc = density * kPi<Scalar> * capsule.radius * capsule.radius;
-  const CapsuleMasses<Scalar> masses = {disc * core, disc * capsule.radius * 4 / 3};
+  const CapsuleMasses<Scalar> masses = masses_of(capsule.radius, core, density);
   const RevolutionMoments<Scalar> moments = capsule_moments(masses, capsule.radius, core);
 
   MassProperties<Scalar> whole;
@@ -156,9 +167,10 @@ Result<MassProperties<Scalar>> point_mass(Scalar mass, const Vec3<Scalar>& posit
 
 template <class Scalar>
 MassProperties<Scalar> operator+(const MassProperties<Scalar>& P, const MassProperties<Scalar>& Q) {
+  if (!(Q.mass > Scalar(0))) return P;
+  if (!(P.mass > Scalar(0))) return Q;
   MassProperties<Scalar> sum = P;
   sum.mass = P.mass + Q.mass;
-  if (!(sum.mass > Scalar(0))) return sum;
   const Vec3<Scalar> apart = Q.center_S - P.center_S;
   const Scalar share = Q.mass / sum.mass;
   const Scalar reduced = P.mass * share;
@@ -186,6 +198,7 @@ PrincipalFrame<Scalar> principal_frame(const MassProperties<Scalar>& mass) {
 }
 
 #define BATUTA_INSTANTIATE(Scalar)                                                       \
+  template Scalar detail::axial_moment(const Capsule<Scalar>&, Scalar);                  \
   template Result<MassProperties<Scalar>> solid_capsule(const Capsule<Scalar>&, Scalar); \
   template Result<MassProperties<Scalar>> point_mass(Scalar, const Vec3<Scalar>&);       \
   template MassProperties<Scalar> operator+(const MassProperties<Scalar>&,               \

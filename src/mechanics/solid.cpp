@@ -44,7 +44,14 @@ OwnFrame<Scalar> own_frame(const Capsule<Scalar>& capsule_G) {
 template <class Scalar>
 Result<MassProperties<Scalar>> inertia_of(const Capsule<Scalar>& capsule_B, Scalar density) {
   constexpr Scalar kInfinity = std::numeric_limits<Scalar>::infinity();
-  if (density != kInfinity) return solid_capsule(capsule_B, density);
+  if (density != kInfinity) {
+    Result<MassProperties<Scalar>> made = solid_capsule(capsule_B, density);
+    for (int i = 0; i < 3; ++i) {  // Bound: 3; along one of the axes at most
+      if (capsule_B.axis.b[i] == Scalar(0)) continue;
+      made.value.inertia_S(i, i) = detail::axial_moment(capsule_B, density);
+    }
+    return made;
+  }
   MassProperties<Scalar> fixed;
   fixed.mass = kInfinity;
   fixed.inertia_S.diagonal().setConstant(kInfinity);
@@ -62,11 +69,12 @@ template <class Scalar>
 Result<SolidBody<Scalar>> solid_body(const Capsule<Scalar>& capsule_G, Scalar density,
                                      const Pose<Scalar>& X_WG, const Twist<Scalar>& twist) {
   auto refused = failure<SolidBody<Scalar>>(Status::kInvalidArgument);
-  if (!is_valid(capsule_G) || !is_finite(X_WG.p_W) || !is_finite(X_WG.q_WB)) return refused;
+  if (!is_valid(capsule_G) || !is_finite(X_WG.p_W) || !detail::points(X_WG.q_WB)) return refused;
   const OwnFrame<Scalar> own = own_frame(capsule_G);
   const auto mass = inertia_of(own.capsule_B, density);
   if (!mass.ok()) return refused;
-  const Pose<Scalar> X_WB = {to_world(X_WG, own.X_GB.p_W), X_WG.q_WB * own.X_GB.q_WB};
+  const Pose<Scalar> X_unit = {X_WG.p_W, detail::unit_of(X_WG.q_WB)};
+  const Pose<Scalar> X_WB = {to_world(X_unit, own.X_GB.p_W), X_unit.q_WB * own.X_GB.q_WB};
   const auto made = make_body(X_WB, mass.value.mass, mass.value.inertia_S.diagonal().eval());
   if (!made.ok()) return refused;
   SolidBody<Scalar> solid = {made.value, own.capsule_B};

@@ -33,10 +33,11 @@ Push<Scalar> push_along(const FrictionContact<Scalar>& touch, const Vec3<Scalar>
   return {d_W, moment_of(touch.lever_A, d_W), moment_of(touch.lever_B, d_W)};
 }
 
-/// x . K y
+/// x . K y. Impulses are made velocities first: the square of one may vanish.
 template <class Scalar>
 Scalar give(const FrictionContact<Scalar>& touch, const Push<Scalar>& x, const Push<Scalar>& y) {
-  const Scalar mass = (touch.A->inverse_mass + touch.B->inverse_mass) * x.d_W.dot(y.d_W);
+  const Scalar inverse_mass = touch.A->inverse_mass + touch.B->inverse_mass;
+  const Scalar mass = Vec3<Scalar>(inverse_mass * x.d_W).dot(y.d_W);
   const Scalar turn_A = touch.A->inverse_moments.cwiseProduct(x.moment_A).dot(y.moment_A);
   const Scalar turn_B = touch.B->inverse_moments.cwiseProduct(x.moment_B).dot(y.moment_B);
   return mass + turn_A + turn_B;

@@ -96,7 +96,8 @@ Result<Vec3<Scalar>> surface_normal(const Capsule<Scalar>& capsule, const Vec3<S
 template <class Scalar>
 Scalar support(const Capsule<Scalar>& capsule, const Vec3<Scalar>& direction);
 
-/// The smallest ball that holds the capsule, rounded outward so that it holds every point of it.
+/// The smallest ball that holds the capsule, rounded outward so that it holds every point of it,
+/// but for what is lost of coordinates below the normal numbers (1e-38 m in float).
 template <class Scalar>
 Sphere<Scalar> bounding_sphere(const Capsule<Scalar>& capsule);
 

@@ -143,7 +143,8 @@ Status apply(Body<Scalar>& body, const Vec3<Scalar>& force_W, const Vec3<Scalar>
 template <class Scalar>
 Status apply_impulse(Body<Scalar>& body, const Vec3<Scalar>& impulse_W, const Vec3<Scalar>& x_W);
 
-/// p.v/2 + b.w/2, J; 0 for a fixed body.
+/// p.v/2 + b.w/2, J; 0 for a fixed body. By the squares of the momenta: where these overflow or
+/// vanish (in float above 1e19 and below 1e-19 kg m/s), so does it, before its own value would.
 template <class Scalar>
 Scalar kinetic_energy(const Body<Scalar>& body);
 

@@ -33,6 +33,14 @@ struct PrincipalFrame {
 template <class Scalar>
 Result<MassProperties<Scalar>> solid_capsule(const Capsule<Scalar>& capsule, Scalar density);
 
+namespace detail {
+
+/// The axial moment of the same capsule, kg m^2, to a few u of itself. @pre as solid_capsule()
+template <class Scalar>
+Scalar axial_moment(const Capsule<Scalar>& capsule, Scalar density);
+
+}  // namespace detail
+
 /// A mass in one point: no inertia about its centre.
 /// @returns kOk | kInvalidArgument (mass not positive and finite, or position not finite)
 template <class Scalar>

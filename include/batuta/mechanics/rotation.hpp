@@ -77,11 +77,31 @@ Mat3<Scalar> left_jacobian(const Vec3<Scalar>& rotation_vector);
 template <class Scalar>
 inline constexpr Scalar kUnitWithin = Scalar(1) / 512;
 
+/// Of the squared length of a quaternion that the library has made: what rounding leaves.
+template <class Scalar>
+inline constexpr Scalar kUnitRounding = 32 * kRoundOff<Scalar>;
+
+/// How far the squared length of q is from 1.
+template <class Scalar>
+Scalar off_unit(const Quat<Scalar>& q) {
+  const Scalar square = (q.x() * q.x() + q.y() * q.y()) + (q.z() * q.z() + q.w() * q.w());
+  return std::abs(square - Scalar(1));
+}
 /// Whether q is one, to within kUnitWithin.
 template <class Scalar>
 bool is_turn(const Quat<Scalar>& q) {
-  const Scalar square = (q.x() * q.x() + q.y() * q.y()) + (q.z() * q.z() + q.w() * q.w());
-  return std::abs(square - Scalar(1)) <= kUnitWithin<Scalar>;
+  return off_unit(q) <= kUnitWithin<Scalar>;
+}
+/// Whether q has a direction: an orientation, of whatever length.
+template <class Scalar>
+bool points(const Quat<Scalar>& q) {
+  return is_finite(q) && !(q.coeffs().array() == Scalar(0)).all();
+}
+/// A quaternion of a caller's that points: of unit length as it is, to the last bit; any other
+/// renewed.
+template <class Scalar>
+Quat<Scalar> unit_of(const Quat<Scalar>& q) {
+  return off_unit(q) <= kUnitRounding<Scalar> ? q : renewed(q);
 }
 
 }  // namespace detail

@@ -17,7 +17,7 @@ struct SolidBody {
 
 /// Where the capsule lies along an axis of G, or is a ball, B has the axes of G; else z of B lies
 /// along the capsule, on the shortest way from z of G. Where it lies about the origin of G as well,
-/// B is G to the last bit.
+/// B is G, to the rounding of its orientation.
 /// @param density  kg/m^3; infinity: the body is fixed
 /// @param X_WG  where G is in W
 /// @param twist  of the body: velocity of the capsule's middle, and angular velocity; of a ball and

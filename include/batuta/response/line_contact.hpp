@@ -12,7 +12,8 @@ namespace batuta {
 /// event are then those of any other contact. The same for each of the closest points of parallel
 /// capsules, and continuous in the pose: with the tilt the line shrinks to `nearest`. Where the
 /// axes do not run along each other, where they are only points, or where no place on the line
-/// approaches: `nearest`, to the last bit; also for input that is not finite.
+/// approaches: `nearest`, to the last bit; also for capsules or velocities that are not finite.
+/// @pre finite inverse masses and slack
 /// @param A_W, B_W  the capsules at the instant of the contact
 /// @param nearest   the contact at their closest points; normal unit
 /// @param slack     m: a place whose gap exceeds that of `nearest` by half of it or less belongs to

@@ -31,8 +31,8 @@ struct Separation {
 /// fixed: no shift. Where a limit cuts one share short, the other one is cut by as much, and the
 /// common centre of mass stays. f(D) = max(min_duration, D / (2 max(|v_rel|, rest_speed))): the
 /// time in which a resting contact uses up half of D. A gap that is already D or more: no shift.
-/// @returns kOk | kInvalidArgument (an option out of range; contact or v_rel not finite, or shifts
-/// or f(D) beyond the numbers; negative inverse mass). Bound: no loop.
+/// @returns kOk | kInvalidArgument (an option out of range; normal, gap or v_rel not finite, or
+/// shifts or f(D) beyond the numbers; negative inverse mass). Bound: no loop.
 template <class Scalar>
 Result<Separation<Scalar>> separate(const Contact<Scalar>& contact, Scalar v_rel,
                                     Scalar inverse_mass_A, Scalar inverse_mass_B,

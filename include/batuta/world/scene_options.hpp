@@ -109,8 +109,9 @@ struct SceneOptions {
   // Searching.
   /// The axis along which a scene is longest, 0 ... 2: boxes are kept in order along it.
   detail::WholeNumber sweep_axis = 0;
-  /// Distance evaluations of one search, 1 ... 4096, or steps of Stepping; 0: the search's own
-  /// default. Where they do not suffice, the bodies go on together, and are counted.
+  /// Distance evaluations of one search, from its kLeastBudget to 4096; of Stepping what is beyond
+  /// 25 are steps. 0: the search's own default. Where they do not suffice, the bodies go on
+  /// together, and are counted.
   detail::WholeNumber budget = 0;
   // Where turn_per_step is stated, contact_tolerance follows from it and the budget by
   // detection/budget_law.hpp; where both are, a budget that does not suffice is refused.

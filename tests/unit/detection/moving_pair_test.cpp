@@ -167,5 +167,21 @@ TYPED_TEST(MovingPairOf, ScaleBeyondTheLargestCoordinate_IsRefused) {
   EXPECT_EQ(make_moving_pair(A, B).status, Status::kInvalidArgument);
 }
 
+/// A velocity that both have is in no length of the pair; where it leads beyond the numbers, no
+/// contact can be told.
+TYPED_TEST(MovingPairOf, MotionThatEndsBeyondTheNumbers_IsRefused) {
+  using S = TypeParam;
+  const S fast = std::numeric_limits<S>::max() / 2;
+  MovingCapsule<S> A;
+  A.capsule_B = {{{0, 0, -1}, {0, 0, 1}}, S(0.1)};
+  A.motion.twist.v_W = {fast, 0, 0};
+  A.motion.duration = 1;
+  MovingCapsule<S> B = A;
+  B.motion.X_WB.p_W = {1, 0, 0};
+  EXPECT_EQ(make_moving_pair(A, B).status, Status::kOk);
+  A.motion.duration = B.motion.duration = 10;
+  EXPECT_EQ(make_moving_pair(A, B).status, Status::kInvalidArgument);
+}
+
 }  // namespace
 }  // namespace batuta

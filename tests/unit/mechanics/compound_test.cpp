@@ -297,6 +297,8 @@ TYPED_TEST(CompoundBody, InvalidPartsAndCounts_AreRefused) {
   Pose<TypeParam> nowhere;
   nowhere.q_WB.x() = std::numeric_limits<TypeParam>::quiet_NaN();
   EXPECT_EQ(make_compound<TypeParam>({{good, 1}}, nowhere).status, Status::kInvalidArgument);
+  nowhere.q_WB.coeffs().setZero();
+  EXPECT_EQ(make_compound<TypeParam>({{good, 1}}, nowhere).status, Status::kInvalidArgument);
   nowhere = {{0, std::numeric_limits<TypeParam>::infinity(), 0}, Quat<TypeParam>::Identity()};
   EXPECT_EQ(make_compound<TypeParam>({{good, 1}}, nowhere).status, Status::kInvalidArgument);
 }
@@ -334,6 +336,23 @@ TYPED_TEST(CompoundBody, ImpossibleMassProperties_AreRefused) {
   EXPECT_EQ(
       (make_compound<TypeParam>({1, {0, 0, 0}, one}, {{good.axis, TypeParam(-1)}}, {}).status),
       Status::kInvalidArgument);
+}
+
+/// The direction of a quaternion is the orientation; its length is nobody's.
+TYPED_TEST(CompoundBody, OrientationOfAnyLength_IsTheOneOfItsDirection) {
+  using S = TypeParam;
+  const Capsule<S> far = {{{0, 0, 1}, {0, 0, 3}}, S(0.1)};
+  const Pose<S> X_WS = {{1, 2, 3}, Quat<S>(S(0.5), S(0.5), S(-0.5), S(0.5))};
+  const auto truth = make_compound<S>({{far, 1000}}, X_WS);
+  ASSERT_EQ(truth.status, Status::kOk);
+  for (const S length : {S(1.001), S(0.5), S(2), S(1e-3), S(1e6)}) {
+    Pose<S> scaled = X_WS;
+    scaled.q_WB.coeffs() *= length;
+    const auto made = make_compound<S>({{far, 1000}}, scaled);
+    ASSERT_EQ(made.status, Status::kOk);
+    EXPECT_LT((made.value.body.X_WB.p_W - truth.value.body.X_WB.p_W).norm(), 64 * kRoundOff<S>)
+        << length;
+  }
 }
 
 }  // namespace

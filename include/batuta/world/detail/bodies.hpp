@@ -285,6 +285,7 @@ bool Bodies<SceneT>::begin(std::size_t slot) {
     return false;
   }
   state.present = true;
+  Kinematics::make_unit(actor.body);
   const bool stayed = stood && Kinematics::is_at_start(actor.body, state.plan.motion);
   begin_motion(*this, slot);
   if constexpr (SceneT::kGravity) {

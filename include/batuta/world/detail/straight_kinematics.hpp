@@ -78,6 +78,7 @@ struct StraightKinematics {
   static bool is_addable(const BodyType& body) {
     return is_inverse(body.inverse_mass) && is_usable(body);
   }
+  static void make_unit(const BodyType& /*body*/) {}
   static bool may_turn(const BodyType& /*body*/) { return true; }
   static bool may_come(const ActorType& /*actor*/) { return true; }
   static void prepare(const ActorType& /*actor*/, BodyType& /*body*/) {}

@@ -58,6 +58,14 @@ struct TurningKinematics {
            pose + momenta + moments == Scalar(0) && body.inverse_moments.x() >= Scalar(0) &&
            body.inverse_moments.y() >= Scalar(0) && body.inverse_moments.z() >= Scalar(0);
   }
+  /// What a caller has put in place of its orientation may be off unit length by more than
+  /// rounding: no search knows of a capsule that a turn makes longer.
+  static void make_unit(BodyType& body) {
+    const Scalar off = off_unit(body.X_WB.q_WB);
+    if (off > kUnitRounding<Scalar> && off <= kUnitWithin<Scalar>) {
+      body.X_WB.q_WB = renewed(body.X_WB.q_WB);
+    }
+  }
   /// Whether the scene has what its turn asks for.
   static bool may_turn(const BodyType& body) { return SceneT::kBentTurns || !flies_bent(body); }
   /// The same of one that comes new: an orientation that is one, and masses that are finite.
@@ -66,9 +74,7 @@ struct TurningKinematics {
     for (int i = 0; i < 3; ++i) {  // Bound: 3
       has_inverses = has_inverses && is_inverse(body.inverse_moments[i]);
     }
-    const Quat<Scalar>& q = body.X_WB.q_WB;
-    const bool points = q.w() != Scalar(0) || !is_zero(Vec3<Scalar>(q.vec()));
-    return points && has_inverses && is_usable(body);
+    return points(body.X_WB.q_WB) && has_inverses && is_usable(body);
   }
   /// Whether one that comes new may turn as it will.
   [[gnu::cold]] static bool may_come([[maybe_unused]] const ActorType& actor) {
