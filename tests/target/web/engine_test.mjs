@@ -19,6 +19,9 @@ const kMostBack = 6.6, kMostForth = -0.375, kNear = 0.01;
 // A pad with two sticks: the second one walks.
 const pad = join(folder, "pad.events");
 writeFileSync(pad, padEvents());
+// Its clock is set back behind the first event for a while, and forward again.
+const back = join(folder, "back.events");
+writeFileSync(back, padEvents((i) => (i >= 100 && i < 150 ? i - 150 : i)));
 const touchpads = [[false, true], [true, true], [false, false]].map((how, i) => {
   const file = join(folder, `touchpad_${i}.events`);
   writeFileSync(file, fingersPad(...how));
@@ -27,11 +30,12 @@ const touchpads = [[false, true], [true, true], [false, false]].map((how, i) => 
 const kMostDuelKb = 90, kMostSiteKb = 400;
 const kSpeaks = 2000; // steps of a bout that need not come to its end
 
-function padEvents() {
+/** @param clock  what it tells, in hundredths of a second, at each of them */
+function padEvents(clock = (i) => i) {
   const lines = ["# EVEMU 1.3", "N: a pad", "I: 0003 0001 0002 0003", "P: 00 00 00 00 00 00 00 00", "B: 00 0b 00 00 00 00 00 00 00",
     "B: 03 1b 00 03 00 00 00 00 00", "A: 00 -100 100 0 0 0", "A: 01 -100 100 0 0 0", "A: 03 -10 10 0 0 0", "A: 04 -10 10 0 0 0"];
   for (let i = 1; i < 400; i += 1) { // 4 s
-    const at = (i / 100).toFixed(6);
+    const at = (60 + clock(i) / 100).toFixed(6);
     const event = (type, code, value) => lines.push(`E: ${at} ${type} ${code} ${Math.round(value)}`);
     event("0003", "0000", 100 * Math.sin(i / 20));
     event("0003", "0001", 100 * Math.sin(i / 33));
@@ -80,12 +84,12 @@ function fence(engine, touches, steps = Infinity) {
 function sameAsTheHost() {
   check(duel, "batuta-duel is built");
   const pairs = [["script:attack", "script:parry", 5], ["script:guard", "script:attack", 1], [device, "script:parry", 5], ["script:guard", device, 1],
-    ["script:master", "script:novice", 5], ["script:club", "script:attack", 2], [pad, "script:guard", 5],
+    ["script:master", "script:novice", 5], ["script:club", "script:attack", 2], [pad, "script:guard", 5], [back, "script:guard", 5],
     ...touchpads.map((file) => [file, "script:guard", 5])];
   for (const [left, right, touches] of pairs) {
     const engine = new Engine(bridge);
     [left, right].forEach((source, side) => {
-      if ([device, pad, ...touchpads].includes(source)) engine.loadStick(side, readFileSync(source, "utf8"));
+      if ([device, pad, back, ...touchpads].includes(source)) engine.loadStick(side, readFileSync(source, "utf8"));
       else engine.choose(side, source);
     });
     const bytes = Buffer.from(fence(engine, touches));

@@ -5,11 +5,43 @@
 import { FrameReader, frame, hello, kForce, kHello, kRefused, kReport, kSample, kStep, kWelcome, sampleAt, step } from "./link.js";
 
 const kPatienceMs = 250, kTries = 12;
+// For so long a line may take nothing, and a port may take to close: what has not ended by then never does.
+const kLongestMs = kTries * kPatienceMs;
+// How far apart a board's fencers are on guard, m: Salle::distance (fencing/fencer.hpp). No Hello tells it.
+export const kBoardApart = 2.25;
+// Bytes of a payload that are read here, at least; a message with fewer is none.
+const kLeastBytes = new Map([[kWelcome, 4], [kForce, 13], [kReport, 52]]), kLeastOfOthers = 5;
 const kWhyRefused = ["no session", "wrong mode", "wrong step", "the bout is over", "not ready"];
 
 export const kRow = 8; // numbers of a step that are compared
 
 export class BoardError extends Error {}
+
+/** Why a board cannot make a bout, or nothing. @param apart  how far apart its fencers began, m */
+export function whyNotOnBoard(apart) {
+  if (apart === kBoardApart) return "";
+  return `The fencers of this bout began ${apart} m apart, as those who see do; a board has its own ${kBoardApart} m: it cannot be compared.`;
+}
+
+/** Waits for the end of something, but no longer than the longest. What it fails with is thrown. @returns whether it has ended */
+async function endsInTime(promise) {
+  let timer = null;
+  const late = new Promise((resolve) => {
+    timer = setTimeout(resolve, kLongestMs, false);
+  });
+  try {
+    return await Promise.race([promise.then(() => true), late]);
+  } finally {
+    clearTimeout(timer);
+  }
+}
+
+function whyRefused(view) {
+  const why = view.byteLength > 0 ? kWhyRefused[view.getUint8(0)] : undefined;
+  return why ?? "it tells no reason that this page knows";
+}
+
+const isWhole = ({ type, view }) => view.byteLength >= (kLeastBytes.get(type) ?? kLeastOfOthers);
 
 /** The samples of every step of a recording (src/record/recorder.md). */
 export function stepsOf(bytes) {
@@ -51,7 +83,8 @@ export class Board {
   }
 
   async send(type, payload) {
-    await this.line.write(frame(type, this.number, payload));
+    const isTaken = await endsInTime(this.line.write(frame(type, this.number, payload)));
+    if (!isTaken) throw new BoardError("its line takes nothing any more");
     this.number += 1;
   }
 
@@ -77,7 +110,7 @@ export class Board {
       await this.send(kHello, hello(this.session, this.touches));
       const end = performance.now() + kPatienceMs;
       for (let message = await this.next(end); message; message = await this.next(end)) { // Bound: the patience
-        if (message.type === kWelcome && message.view.getUint32(0, true) === this.session) return;
+        if (message.type === kWelcome && isWhole(message) && message.view.getUint32(0, true) === this.session) return;
       }
     }
     const other = this.reader.otherVersion > 0 ? "; it speaks another version of the link" : "";
@@ -100,8 +133,8 @@ export class Board {
     const end = performance.now() + kPatienceMs;
     for (let message = await this.next(end); message; message = await this.next(end)) { // Bound: the patience
       const { type, view } = message;
-      if (type === kRefused) throw new BoardError(`the board refuses step ${number}: ${kWhyRefused[view.getUint8(0)]}`);
-      if (type === kWelcome || view.byteLength < 4 || view.getUint32(0, true) !== number) continue;
+      if (type === kRefused) throw new BoardError(`the board refuses step ${number}: ${whyRefused(view)}`);
+      if (type === kWelcome || !isWhole(message) || view.getUint32(0, true) !== number) continue;
       frames.add(type === kReport ? type : type * 256 + view.getUint8(4));
       if (type === kForce) forces[view.getUint8(4)] = [view.getFloat32(5, true), view.getFloat32(9, true)];
       if (type !== kReport) continue;
@@ -136,13 +169,15 @@ export async function openSerial(baud = 3000000) {
   const listening = (async () => {
     for (let got = await reader.read(); !got.done; got = await reader.read()) line.onBytes(got.value);
   })().catch(() => {}); // a line that is gone is silent, and silence is told
+  const ended = (promise) => endsInTime(promise.catch(() => {}));
   line.close = async () => {
-    await reader.cancel().catch(() => {});
-    await listening;
+    await ended(writer.abort()); // also of a write that a board has ceased to take
+    await ended(reader.cancel());
+    await ended(listening);
     // A port closes only where nobody holds its streams; one that was pulled out is closed already.
     reader.releaseLock();
     writer.releaseLock();
-    await port.close().catch(() => {});
+    await ended(port.close());
   };
   return line;
 }

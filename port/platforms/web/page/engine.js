@@ -5,7 +5,7 @@
 import { Playing } from "./bridge.js";
 import { readEvemu } from "./evemu.js";
 import { kRow } from "./board.js";
-import { forceAt, isOver, kAnnulled, kBout, kHalt, kTouches, kGap, kHasBlow, kImpulse, kBlow, kOk, kPlayback, kSize, kSteps, scoreAt, scoreOf, touchesOf } from "./layout.js";
+import { apartOf, forceAt, isOver, kAnnulled, kBout, kHalt, kTouches, kGap, kHasBlow, kImpulse, kBlow, kOk, kPlayback, kSize, kSteps, scoreAt, scoreOf, touchesOf } from "./layout.js";
 
 const kScripts = ["guard", "parry", "attack", "novice", "club", "master"].map((name) => `script:${name}`);
 // The past of a bout that a slow replay shows: every second step of the last 1.6 s.
@@ -31,7 +31,11 @@ class Memory {
   }
 }
 
-/** A stick whose samples come from an evemu recording: at any time the latest one up to then, as the host plays it. */
+// Of times modulo 2^32 us, as batuta::is_later() (port/clock.hpp).
+const isLater = (a, b) => ((a - b) | 0) > 0;
+
+/** A stick whose samples come from an evemu recording: at any time the last one up to then, as the host plays it (ReplayDevice). A
+ * sample of a clock that has stepped back is not later than now: it is passed like any other. */
 class RecordedStick {
   constructor({ samples, duration }) {
     this.samples = samples;
@@ -43,7 +47,7 @@ class RecordedStick {
   }
   at(now) {
     const first = this.next;
-    while (this.next < this.samples.length && this.samples[this.next].time <= now) this.next += 1;
+    while (this.next < this.samples.length && !isLater(this.samples[this.next].time, now)) this.next += 1; // Bound: the samples
     return this.next > first ? this.samples[this.next - 1] : null;
   }
 }
@@ -57,7 +61,7 @@ export class Engine {
     this.numbers = [0, 0];
     this.playing = null;
     this.memory = new Memory();
-    this.pieces = [];
+    this.pieces = []; // of the recording of the bout that is fenced here; none: there is no such bout
     this.blows = [];
     this.plot = [];
     this.over = true;
@@ -88,6 +92,7 @@ export class Engine {
     if (this.bridge.wasm.web_start(touches, 1) !== kOk) throw new Error("the bout could not begin");
     this.over = false;
     this.ended = false;
+    this.apart = apartOf(this.state);
     const longest = Math.max(0, ...this.recorded.map((stick) => stick?.duration ?? 0));
     this.limit = longest > 0 ? longest : kBoutSteps * 1e-3;
     this.pieces.push(this.bridge.takeRecorded());
@@ -148,15 +153,16 @@ export class Engine {
 
   /** The end mark: the recording can be saved. */
   finish() {
-    if (this.ended || this.playing) return;
+    if (this.ended || this.playing || this.pieces.length === 0) return;
     this.bridge.wasm.web_end();
     this.pieces.push(this.bridge.takeRecorded());
     this.ended = true;
     this.over = true;
   }
 
-  /** The recording of the bout so far; a bout that goes on ends here. */
+  /** The recording of the bout so far; a bout that goes on ends here. @returns null: no bout is there that was fenced here */
   recording() {
+    if (this.pieces.length === 0) return null;
     this.finish();
     const bytes = new Uint8Array(this.pieces.reduce((sum, piece) => sum + piece.length, 0));
     let at = 0;
@@ -167,16 +173,28 @@ export class Engine {
     return bytes;
   }
 
-  /** @param bytes  of a *.batuta file. @returns "ready", or what is wrong with it */
+  /** The bout that was fenced here is given up for a recording. What is wrong with a file leaves that bout, but ends the recording that
+   * was shown: its player has begun anew. @param bytes  of a *.batuta file. @returns "ready", or what is wrong with it */
   play(bytes) {
     const playing = new Playing(this.bridge, bytes);
     const answer = playing.begin();
-    if (answer !== 0) return kPlayback[answer];
+    if (answer !== 0) {
+      this.leave();
+      return kPlayback[answer];
+    }
     this.playing = playing;
+    this.pieces = [];
     this.verdict = null;
     this.forget();
     this.over = false;
     return "ready";
+  }
+
+  /** Nothing is played any more. */
+  leave() {
+    if (!this.playing) return;
+    this.playing = null;
+    this.over = true;
   }
 
   stepPlaying() {
@@ -192,15 +210,19 @@ export class Engine {
   }
 
   /** What each step of a recording comes to, as a board tells it: forces of both sides, bout, touches, score.
-   * @returns kRow floats a step */
+   * @returns kRow floats a step. @throws where it does not come to its end here: nothing could be held against it */
   expected(bytes) {
-    if (this.play(bytes) !== "ready") return new Float32Array();
+    const begun = this.play(bytes);
+    if (begun !== "ready") throw new Error(`its recording is not played: ${begun}`);
     const rows = [];
     while (this.stepPlaying()) { // Bound: the recording
       const { state } = this;
       rows.push(state[forceAt(0)], state[forceAt(0) + 1], state[forceAt(1)], state[forceAt(1) + 1], state[kBout], state[kTouches],
         state[scoreAt(0)], state[scoreAt(1)]);
     }
+    const { answer } = this.verdict;
+    this.leave();
+    if (answer !== "end") throw new Error(`its recording is played for ${rows.length / kRow} steps: ${answer}`);
     return new Float32Array(rows);
   }
 

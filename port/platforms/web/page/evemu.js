@@ -14,33 +14,72 @@ const kLongestGapUs = 30 * 60 * 1e6;
 const kFingers = [kAbs, 0x35, 0x36]; // where a device tells of fingers only
 const kCandidates = [[kRel, 0, 1], [kAbs, 0, 1], kFingers];
 const kFeet = [[3, 4], [16, 17]]; // a second stick, a hat
-const kEvent = /^E:\s+(\d{1,12})\.(\d{6})\s+([0-9a-fA-F]{1,4})\s+([0-9a-fA-F]{1,4})\s+(-?\d{1,10})(?:\s+#.*)?\s*$/;
+// Words and blanks as event_line.cpp takes them; what the numbers may be is looked at below.
+const kEvent = /^E:[ \t\r]*(\d+)\.(\d{6})[ \t\r]+([0-9a-fA-F]+)[ \t\r]+([0-9a-fA-F]+)[ \t\r]+(-?\d+)(?:[ \t\r]+#[^]*|[ \t\r]*)$/;
 const kRange = /^A:\s+([0-9a-fA-F]+)\s+(-?\d+)\s+(-?\d+)\s+(-?\d+)\s+(-?\d+)/;
+const kMostSeconds = 1e12, kMostCode = 0xffff;
+const kLeast = -(2 ** 31), kMost = 2 ** 31 - 1; // of a value
 
 export class EvemuError extends Error {}
 
+const isValue = (value) => value >= kLeast && value <= kMost;
+
+/** The line for a message, as the host quotes it: short, and with nothing but letters. */
+function quoted(line) {
+  const kLongest = 60;
+  const bare = line.slice(0, kLongest).replace(/[\t\r]/g, " ").replace(/[^ -~]/g, "?");
+  return `"${bare}${line.length > kLongest ? "..." : ""}"`;
+}
+
+/** @returns {seconds, micros, type, code, value}, or null: this is no event */
+function readEvent(line) {
+  const words = kEvent.exec(line);
+  if (!words) return null;
+  const [seconds, micros, value] = [words[1], words[2], words[5]].map(Number);
+  const [type, code] = [words[3], words[4]].map((word) => parseInt(word, 16));
+  const isEvent = seconds <= kMostSeconds && type <= kMostCode && code <= kMostCode && isValue(value);
+  return isEvent ? { seconds, micros, type, code, value } : null;
+}
+
+/** Times are from the first event's whole second on: a clock that counts from 1970 stays exact. @returns what is wrong, or nothing */
+function takeEvent({ seconds, micros, type, code, value }, lines) {
+  const { events } = lines;
+  lines.second ??= seconds;
+  const time = (seconds - lines.second) * 1e6 + micros;
+  if (events.length > 0 && Math.abs(time - lines.latest) > kLongestGapUs) return "the time stamp leaps by more than 30 minutes";
+  lines.latest = events.length > 0 ? Math.max(lines.latest, time) : time;
+  events.push({ time, type, code, value });
+  return "";
+}
+
+/** @returns what is wrong, or nothing */
+function takeRange(line, { ranges }) {
+  const words = kRange.exec(line);
+  if (!words) return "";
+  const [min, max, fuzz, flat] = words.slice(2).map(Number);
+  // No device tells such a range. libevemu reads these lines for the host, and what it takes this one for is anyone's guess.
+  if (![min, max, fuzz, flat].every(isValue)) return `the range of an axis is beyond 32 bits: ${quoted(line)}`;
+  ranges.set(parseInt(words[1], 16), { min, max, flat });
+  return "";
+}
+
+/** What one line adds. @returns what is wrong with it, or nothing */
+function takeLine(line, lines) {
+  if (/^[ \t\r]*(#|$)/.test(line)) return "";
+  const event = readEvent(line);
+  if (event) return takeEvent(event, lines);
+  if (/^[NIPBALS]:/.test(line)) return takeRange(line, lines);
+  return `neither an event, nor a description, nor a comment: ${quoted(line)}`;
+}
+
 function readLines(text) {
-  const events = [], ranges = new Map();
-  let latest = 0;
+  const lines = { events: [], ranges: new Map(), latest: 0, second: null };
   text.split("\n").forEach((line, i) => {
-    const bare = line.trim();
-    if (bare === "" || bare.startsWith("#")) return;
-    const event = kEvent.exec(bare);
-    if (event) {
-      const time = Number(event[1]) * 1e6 + Number(event[2]);
-      if (events.length > 0 && Math.abs(time - latest) > kLongestGapUs) {
-        throw new EvemuError(`line ${i + 1}: the time stamp leaps by more than 30 minutes`);
-      }
-      latest = events.length > 0 ? Math.max(latest, time) : time;
-      events.push({ time, type: parseInt(event[3], 16), code: parseInt(event[4], 16), value: Number(event[5]) });
-      return;
-    }
-    const range = kRange.exec(bare);
-    if (range) ranges.set(parseInt(range[1], 16), { min: Number(range[2]), max: Number(range[3]), flat: Number(range[5]) });
-    if (!/^[NIPBALS]:/.test(bare)) throw new EvemuError(`line ${i + 1}: neither an event, nor a description, nor a comment`);
+    const wrong = takeLine(line, lines);
+    if (wrong) throw new EvemuError(`line ${i + 1}: ${wrong}`);
   });
-  if (events.length === 0) throw new EvemuError("it holds no events");
-  return { events, ranges, latest };
+  if (lines.events.length === 0) throw new EvemuError("it holds no events");
+  return lines;
 }
 
 // Half of the widest stroke: a mouse with a fine grid would hit the rim with every twitch.
@@ -66,7 +105,7 @@ function observed(events, code) {
   const max = counts.reduce((a, b) => Math.max(a, b), -Infinity);
   if (min < max) return { min, max, flat: 0 };
   const only = min === max ? min : 0;
-  return { min: only - 1, max: only + 1, flat: 0 };
+  return { min: Math.max(only - 1, kLeast), max: Math.min(only + 1, kMost), flat: 0 };
 }
 
 const isRange = (range) => range && range.min < range.max;
@@ -100,7 +139,7 @@ class Fingers {
   mark(code) {
     if (code === kFingerReport) {
       this.isInTurn = true;
-      this.finger += 1;
+      if (this.finger < kMost) this.finger += 1; // a slot may have any number
     }
     if (code === kReport && this.isInTurn) this.finger = 0;
   }
@@ -144,7 +183,7 @@ export function readEvemu(text, bridge) {
     if (event.type === kSyn) fingers?.mark(event.code);
     if (event.type === kSyn && event.code === kDropped) wasm.web_event(0, 0);
     if (event.type === kSyn && event.code === kReport) {
-      const time = (event.time - start) >>> 0;
+      const time = (event.time - start) >>> 0; // modulo 2^32, as on the host: a clock may step back
       if (wasm.web_sync(time) === kOk) {
         const [x, y, feetX, feetY, buttons, sequence] = synced;
         samples.push({ time, x, y, feetX, feetY, buttons, sequence });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page of a bout: sticks go to the worker, states come back and are drawn when the browser draws.
 
-import { compare, Board, openSerial, stepsOf } from "./board.js";
+import { compare, Board, openSerial, stepsOf, whyNotOnBoard } from "./board.js";
 import { acceptDrops, readFile, save } from "./files.js";
 import { keyboard } from "./keyboard.js";
 import { Pads } from "./pads.js";
@@ -36,7 +36,8 @@ let latest = { state: null, blows: [], begun: 0, plot: null };
 let waiting = false;
 let spare = null;
 let lastPast = null;
-let lastBout = null; // {bytes, steps, touches}
+let lastBout = null; // {bytes, steps, touches, apart}
+let asked = null; // {resolve, reject}: what the steps of a bout come to
 let touches = 5; // to which the bout goes that is fenced now
 let played = null; // the recording that is shown
 let drawn = { at: performance.now(), count: 0 };
@@ -114,14 +115,19 @@ async function take(file) {
   }
 }
 
+/** Asks what each step of a bout comes to here. A worker that fails says so instead. */
+function askExpected({ bytes }) {
+  return new Promise((resolve, reject) => {
+    asked = { resolve, reject: (text) => reject(new Error(`this page cannot make the bout again: ${text}`)) };
+    send("expected", { bytes });
+  });
+}
+
 /** Has the board at a line make a bout, and says whether it agrees. */
 async function repeatOn(line, bout) {
   const board = new Board(line, bout.touches);
-  const rows = await new Promise((resolve) => {
-    kHeard.expected = ({ rows: found }) => resolve(found);
-    send("expected", { bytes: bout.bytes });
-  });
-  mode("over");
+  mode("over"); // whatever is fenced or plays here is given up for it
+  const rows = await askExpected(bout);
   const steps = stepsOf(bout.bytes);
   const differs = await compare(board, steps, rows, (at) => say(`The board has made ${at} of ${steps.length} steps.`));
   if (differs > 0) trouble(`The board parts from this page in step ${differs}.`);
@@ -131,6 +137,8 @@ async function repeatOn(line, bout) {
 /** The last bout, made once more by a board at a serial line: it feels what was felt, and has to agree. */
 async function onBoard() {
   if (!lastBout) return say("Fence a bout first: a board repeats the last one.");
+  const reason = whyNotOnBoard(lastBout.apart);
+  if (reason) return trouble(reason);
   let line = null;
   byId("board").disabled = true; // a port is opened once
   try {
@@ -146,6 +154,7 @@ async function onBoard() {
 }
 
 function tellPlayed(verdict, hash) {
+  if (!played) return; // a file that was refused has ended it meanwhile
   const { name, host } = played;
   document.body.dataset.verdict = verdict.answer;
   byId("hash").textContent = `hash here ${hash}` + (host ? `, hash of the machine that recorded it ${host.hash}` : "");
@@ -194,8 +203,8 @@ const kHeard = {
     byId("big").textContent = `${tellExchange(heard.bout)} ${isDecided ? tellResult(heard.bout) : ""}`;
     showScore(heard.bout.score);
     if (heard.verdict) tellPlayed(heard.verdict, heard.hash);
-    else {
-      lastBout = { bytes: heard.bytes, steps: heard.steps, touches };
+    else if (heard.bytes) {
+      lastBout = { bytes: heard.bytes, steps: heard.steps, touches, apart: heard.apart };
       byId("hash").textContent = `hash ${heard.hash} after ${heard.steps} steps`;
       say("Enter begins anew, R shows the last touch again, X saves the bout.");
     }
@@ -207,6 +216,12 @@ const kHeard = {
     mode("over");
     byId("hash").textContent = `hash ${hash} after ${steps} steps`;
     document.body.dataset.hash = hash;
+  },
+  unsaved() {
+    say("There is no bout to save: a recording is a file already.");
+  },
+  expected({ rows }) {
+    asked?.resolve(rows);
   },
   stick({ side, name, seconds, note }) {
     const select = byId(side === 0 ? "left" : "right");
@@ -228,11 +243,16 @@ const kHeard = {
   },
   problem({ text, task }) {
     document.body.dataset.problem = text;
-    trouble(task === "stick" ? `The recording cannot be used: ${text}.` : `Something is wrong: ${text}.`);
+    if (task === "expected") return asked?.reject(text);
+    return trouble(task === "stick" ? `The recording cannot be used: ${text}.` : `Something is wrong: ${text}.`);
   },
 };
 worker.onmessage = ({ data }) => kHeard[data.kind](data);
-worker.onerror = (event) => trouble(`The fight cannot run here: ${event.message ?? "its worker did not start"}.`);
+worker.onerror = (event) => {
+  const text = event.message ?? "its worker did not start";
+  trouble(`The fight cannot run here: ${text}.`);
+  asked?.reject(text);
+};
 
 function showScore([left, right]) {
   byId("left-score").textContent = left;
@@ -281,6 +301,14 @@ function picture(now) {
   }
 }
 
+/** Where all is over, no step is left: nothing would come of it. */
+function oneStep() {
+  if (document.body.dataset.mode === "over") return say("There is no step left. Enter begins a bout.");
+  send("one");
+  mode("paused");
+  return say("One step. Enter goes on.");
+}
+
 function saveBout() {
   if (!lastBout) return send("save");
   save(lastBout.bytes, `bout_${lastBout.steps}.batuta`);
@@ -306,11 +334,7 @@ function wire() {
   });
   press("begin", begin);
   press("pause", pause);
-  press("one", () => {
-    send("one");
-    mode("paused");
-    say("One step. Enter goes on.");
-  });
+  press("one", oneStep);
   press("save", saveBout);
   press("open", () => byId("file").click());
   press("again", replay);

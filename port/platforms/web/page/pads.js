@@ -45,9 +45,19 @@ export class Pads {
     this.say(`pad ${pad.index + 1} (${pad.id}) fences ${side === 0 ? "on the left" : "on the right"}`);
   }
 
+  /** A side that no hand fences any more gives its pad back, with all that it holds of it. */
+  release(side, stick) {
+    if (!this.held[side]) return;
+    this.held[side] = null;
+    this.lost[side] = false;
+    if (stick.leader === "pad") stick.put("none", 0, 0);
+    stick.feetBy.pad = 0;
+  }
+
   /** Hands what the pads say to the sticks. @param sides  those that a hand fences, in the order of the pads */
   poll(sides, sticks) {
     const pads = this.all();
+    for (const side of [0, 1]) if (!sides.includes(side)) this.release(side, sticks[side]);
     for (const side of sides) {
       if (!this.held[side]) {
         const free = pads.find((pad) => !this.held.some((held) => held && held.index === pad.index && held.id === pad.id));

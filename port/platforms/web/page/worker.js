@@ -24,7 +24,7 @@ function tellOver() {
   const past = engine.memory.all();
   const bytes = engine.playing ? null : engine.recording();
   say("over", {
-    past, bytes, blows: engine.blows, bout: engine.verdictOfBout(), hash: engine.bridge.hash(), steps: engine.state[0],
+    past, bytes, blows: engine.blows, bout: engine.verdictOfBout(), hash: engine.bridge.hash(), steps: engine.state[0], apart: engine.apart,
     verdict: engine.playing ? engine.verdict : null, plot: new Float32Array(engine.plot),
   }, [past.buffer]);
 }
@@ -99,8 +99,10 @@ const kTasks = {
   },
   save() {
     const bytes = engine.recording();
+    if (!bytes) return say("unsaved"); // what plays goes on
     say("saved", { bytes, hash: engine.bridge.hash(), steps: engine.state[0] }, [bytes.buffer]);
     go(false);
+    return undefined;
   },
   expected({ bytes }) {
     go(false);
