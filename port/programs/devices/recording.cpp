@@ -2,10 +2,15 @@
 
 #include "programs/devices/recording.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <system_error>
 
 #include "programs/devices/event_decoder.hpp"
 
@@ -102,22 +107,92 @@ LoadedRecording refuse(const std::string& error) {
   return {{}, error};
 }
 
-bool read_file(const std::filesystem::path& path, std::string& text) {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) return false;
-  std::ifstream file(path, std::ios::binary);
-  text.assign(std::istreambuf_iterator<char>(file), {});
-  return file.good() || file.eof();
+/// What a file holds, or why that is not known, in one line.
+struct Text {
+  std::string words;
+  std::string error;
+};
+
+Text unread(const std::string& path, int number) {
+  return {{}, path + ": cannot be read: " + std::generic_category().message(number)};
 }
 
-/// The first that there is.
-std::string description_beside(const std::string& path) {
-  std::string text;
+Text too_long(const std::string& path) {
+  return {{}, path + ": cannot be read: too long"};
+}
+
+/// By the system's own calls: a stream says of a failure neither where nor why.
+Text read_all(const std::string& path, int file, std::size_t most) {
+  constexpr std::size_t kAtOnce = 65536;
+  struct stat about = {};
+  const bool is_known = fstat(file, &about) == 0 && about.st_size > 0;
+  if (is_known && static_cast<std::uintmax_t>(about.st_size) > most) return too_long(path);
+  Text text;
+  std::vector<char> some(kAtOnce);
+  ssize_t count = 0;
+  while ((count = ::read(file, some.data(), some.size())) != 0) {  // Bound: `most` characters
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return unread(path, errno);
+    text.words.append(some.data(), static_cast<std::size_t>(count));
+    if (text.words.size() > most) return too_long(path);
+  }
+  return text;
+}
+
+Text read_file(const std::string& path, int flags, std::size_t most) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | flags);
+  if (file < 0 && errno == ENOENT) return {{}, path + ": no such file"};
+  if (file < 0) return unread(path, errno);
+  Text text = read_all(path, file, most);
+  ::close(file);
+  return text;
+}
+
+/// It may come through a pipe.
+Text read_recording(const std::string& path) {
+  constexpr std::size_t kLongest = std::size_t{1} << 30;  // days of a mouse
+  return read_file(path, 0, kLongest);
+}
+
+/// Nobody has named it: what is no plain file is not even opened, and what has become one since
+/// does not have the program wait.
+Text read_description(const std::string& path, const std::filesystem::file_status& status) {
+  constexpr std::size_t kLongest = std::size_t{1} << 20;  // real ones have some thousand characters
+  const bool may_be = status.type() == std::filesystem::file_type::regular ||
+                      status.type() == std::filesystem::file_type::none;  // then opening says why
+  if (!may_be) return {{}, path + ": cannot be read: no plain file"};
+  return read_file(path, O_NONBLOCK, kLongest);
+}
+
+/// The first that there is, also where it cannot be read: without it the device would have other
+/// ranges.
+Text description_beside(const std::string& path) {
   const std::vector<std::string> files = files_of_recording(path);
   for (std::size_t i = 1; i < files.size(); ++i) {  // Bound: three for each dot in the name
-    if (read_file(files[i], text)) return text;
+    std::error_code error;
+    const auto status = std::filesystem::status(files[i], error);
+    if (status.type() == std::filesystem::file_type::not_found) continue;
+    return read_description(files[i], status);
   }
   return {};
+}
+
+/// @param beside  what describes the device where the text does not
+LoadedRecording parse(std::string_view text, const std::string& name, const Text& beside) {
+  const Lines lines = read_lines(text, name);
+  if (!lines.error.empty()) return refuse(lines.error);
+  if (lines.events.empty()) return refuse(name + ": holds no events");
+  const bool inline_description = lines.description.find("N:") != std::string::npos;
+  if (!inline_description && !beside.error.empty()) return refuse(beside.error);
+  const std::string& words = inline_description ? lines.description : beside.words;
+  const std::optional<Description> device = Description::parse(words);
+  if (!words.empty() && !device) return refuse(name + ": its device description is not readable");
+  const std::optional<MotionAxes> axes = find_motion_axes(lines.events, device);
+  if (!axes) return refuse(name + ": holds no motion of a pointing device or stick");
+  LoadedRecording loaded{decode(lines, *axes), {}};
+  if (loaded.recording.samples.empty()) return refuse(name + ": holds no sync mark, so no sample");
+  if (device) loaded.recording.device = device->name();
+  return loaded;
 }
 
 }  // namespace
@@ -138,26 +213,13 @@ std::vector<std::string> files_of_recording(const std::string& path) {
 
 LoadedRecording parse_recording(std::string_view text, const std::string& name,
                                 const std::string& description) {
-  const Lines lines = read_lines(text, name);
-  if (!lines.error.empty()) return refuse(lines.error);
-  if (lines.events.empty()) return refuse(name + ": holds no events");
-  const bool inline_description = lines.description.find("N:") != std::string::npos;
-  const std::string& words = inline_description ? lines.description : description;
-  const std::optional<Description> device = Description::parse(words);
-  if (!words.empty() && !device) return refuse(name + ": its device description is not readable");
-  const std::optional<MotionAxes> axes = find_motion_axes(lines.events, device);
-  if (!axes) return refuse(name + ": holds no motion of a pointing device or stick");
-  LoadedRecording loaded{decode(lines, *axes), {}};
-  if (loaded.recording.samples.empty()) return refuse(name + ": holds no sync mark, so no sample");
-  if (device) loaded.recording.device = device->name();
-  return loaded;
+  return parse(text, name, {description, {}});
 }
 
 LoadedRecording load_recording(const std::string& path) {
-  std::string text;
-  if (!std::filesystem::exists(path)) return refuse(path + ": no such file");
-  if (!read_file(path, text)) return refuse(path + ": cannot be read");
-  return parse_recording(text, path, description_beside(path));
+  const Text text = read_recording(path);
+  if (!text.error.empty()) return refuse(text.error);
+  return parse(text.words, path, description_beside(path));
 }
 
 }  // namespace batuta::host

@@ -25,7 +25,7 @@ struct LoadedRecording {
 };
 
 /// Reads a file and, where the file holds no device description, the one beside it (.desc, .device
-/// or .prop).
+/// or .prop): a plain file of at most 1 MiB. One that is there and cannot be read is an error.
 LoadedRecording load_recording(const std::string& path);
 
 /// The file, and those beside it that may describe its device, whether they exist or not.

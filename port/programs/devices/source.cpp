@@ -73,12 +73,16 @@ OpenedSource open_here(const std::string& words) {
   if (starts_with(words, "script:")) return open_script(words);
   if (starts_with(words, kLive)) return open_live(words);
   std::error_code error;
-  if (!std::filesystem::exists(words, error)) {
+  const std::filesystem::file_status status = std::filesystem::status(words, error);
+  if (status.type() == std::filesystem::file_type::not_found) {
     const bool path = words.find_first_of("/.") != std::string::npos;
     return refuse(path ? words + ": no such file"
                        : words + ": unknown source; a source is " + kKnown);
   }
-  if (std::filesystem::is_character_file(words, error)) {  // it would be read without an end
+  if (status.type() == std::filesystem::file_type::none) {
+    return refuse(words + ": cannot be read: " + error.message());
+  }
+  if (std::filesystem::is_character_file(status)) {  // it would be read without an end
     return refuse(words + ": a device and no recording; write device:" + words +
                   " or serial:" + words);
   }

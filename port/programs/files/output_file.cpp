@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <csignal>
 #include <cstring>
 #include <filesystem>
 
@@ -91,31 +90,27 @@ void close_number(int file) {
   if (file >= 0) (void)close(file);
 }
 
-/// While there is one, no signal comes: not between making a file and noting that it is to go.
-class SignalsHeld {
- public:
-  SignalsHeld() {
-    sigset_t all;
-    (void)sigfillset(&all);
-    (void)pthread_sigmask(SIG_BLOCK, &all, &before_);
-  }
-  ~SignalsHeld() { (void)pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  SignalsHeld(const SignalsHeld&) = delete;
-  SignalsHeld& operator=(const SignalsHeld&) = delete;
-
- private:
-  sigset_t before_ = {};
-};
-
-/// @returns make_beside(); the file is removed when a signal ends the program
+/// @returns make_beside(); the file is removed when a signal ends the program. It is noted before
+/// it is there: a signal comes on any thread, and holding them back on this one holds none back.
 int make_watched(const std::string& beside, const path& place) {
-  const SignalsHeld held;
+  remove_when_ended(beside);
   const int file = make_beside(beside, place);
-  if (file >= 0) remove_when_ended(beside);
+  if (file < 0) keep_when_ended(beside);
   return file;
 }
 
+/// Another name of a file that is open: a name in a folder may be somebody else's link by now.
+/// Where the system has none (no /proc), the name that it was made by.
+std::string name_of_open(int file, const std::string& made_as) {
+  std::string name = "/dev/fd/" + std::to_string(file);
+  return access(name.c_str(), W_OK) == 0 ? name : made_as;
+}
+
 #else
+
+std::string name_of_open(int /*file*/, const std::string& made_as) {
+  return made_as;
+}
 
 int make_watched(const std::string& /*beside*/, const path& /*place*/) {
   return 0;
@@ -171,7 +166,7 @@ std::string OutputFile::open(const std::string& path) {
   const int file = make_watched(beside, place);
   if (file < 0) return system_words();
   beside_ = beside;
-  std::string problem = open_stream(beside_);
+  std::string problem = open_stream(name_of_open(file, beside_));
   if (problem.empty() && !keep_owners(file, place)) problem = system_words();
   close_number(file);
   if (!problem.empty()) discard();

@@ -10,9 +10,9 @@ namespace batuta::host {
 /// Names that fit at once; one beyond them, or one that is too long, stays where it is.
 inline constexpr int kMostUnfinished = 8;
 
-/// From now on a signal that ends the program removes this file first, but for SIGKILL and the
-/// signals that have a number alone. What has a handler of its own, or is ignored, is left so.
-/// Nothing of this on Windows.
+/// From now on a signal that ends the program removes this file first, once it is there, but for
+/// SIGKILL and the signals that have a number alone. What has a handler of its own, or is ignored,
+/// is left so. Nothing of this on Windows.
 void remove_when_ended(const std::string& path);
 
 /// It is whole, or gone: nothing removes it any more.

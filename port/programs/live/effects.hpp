@@ -16,6 +16,11 @@ struct Condition {
   float centre_y = 0;
 };
 
+/// An effect ends by itself after so long: of a program that is stopped (Ctrl-Z, a debugger) the
+/// kernel and the device keep what was told last. It is played again well before (ForcePump), so
+/// that a thread that is late does not interrupt it; longer than the silence that is taken for one.
+inline constexpr std::uint16_t kEffectLength_ms = 150;
+
 /// What a hand is to feel.
 struct Feel {
   float x = 0;     ///< share of the range, -1 ... 1, positive: pushes right

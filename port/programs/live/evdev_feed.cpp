@@ -13,7 +13,7 @@
 namespace batuta::host {
 namespace {
 
-/// Of the kernel's stamp, which is of the clock that HostClock reads.
+/// Of the kernel's stamp, where that is of the clock that HostClock reads.
 Microseconds time_of(const input_event& event) {
   const auto seconds = static_cast<std::uint64_t>(event.input_event_sec);
   const auto micros = static_cast<std::uint64_t>(event.input_event_usec);
@@ -123,7 +123,9 @@ bool EvdevFeed::decode(const input_event& event, InputSample& sample) {
   told.type = event.type;
   told.code = event.code;
   told.value = event.value;
-  const Result<InputSample> decoded = decoder_->decode(told, time_of(event));
+  // Modulo 2^32 a stamp of another clock lies as often in the past as in the future.
+  const Microseconds time = node_.has_clock() ? time_of(event) : HostClock().now();
+  const Result<InputSample> decoded = decoder_->decode(told, time);
   if (decoded.ok()) sample = decoded.value;
   return decoded.ok();
 }

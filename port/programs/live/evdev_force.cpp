@@ -153,7 +153,8 @@ MappedForce::Taken EvdevForce::shake(const Rumble& rumble) {
 }
 
 /// Uploads an effect, or changes it where that is done already, and sees to it that it plays. A
-/// driver that cannot change an effect may have it anew.
+/// driver that cannot change an effect may have it anew. Whether a change has an effect last anew
+/// differs between drivers (ff-memless: yes, hid-pidff: no); that it is played does so everywhere.
 MappedForce::Taken EvdevForce::update(Place place, const ff_effect& effect) {
   const bool was_there = slots_[place].uploaded;
   Taken taken = upload(place, effect);
@@ -176,7 +177,7 @@ MappedForce::Taken EvdevForce::upload(Place place, ff_effect effect) {
 
 MappedForce::Taken EvdevForce::play(Place place, bool on) {
   Slot& slot = slots_[place];
-  if (slot.playing == on) return Taken::kDone;
+  if (slot.playing == on && !(on && renews())) return Taken::kDone;
   input_event event{};
   event.type = EV_FF;
   event.code = static_cast<std::uint16_t>(slot.effect.id);

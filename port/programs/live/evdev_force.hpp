@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // Force feedback of the Linux input stack (linux/input.h, Documentation/input/ff.rst): effects are
-// uploaded once, played without an end, and from then on only changed. The kernel takes them back
-// when the file is closed, also that of a program that has crashed.
+// uploaded once, played, and from then on only changed, and played again before they end. The
+// kernel takes them back when the file is closed, also that of a program that has crashed; they end
+// by themselves where the program is stopped.
 
 #include <array>
 #include <memory>
@@ -32,7 +33,7 @@ class EvdevForce final : public MappedForce {
   struct Slot {
     ff_effect effect{};
     bool uploaded = false;
-    bool playing = false;
+    bool playing = false;  ///< it was told to, and not to stop; it may have ended since
   };
   using Features = std::array<unsigned char, FF_CNT / 8>;
 

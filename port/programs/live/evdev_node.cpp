@@ -36,11 +36,14 @@ std::string open_error_words(int error) {
 }
 
 EvdevNode::EvdevNode(EvdevNode&& other) noexcept
-    : file_(std::exchange(other.file_, -1)), device_(std::exchange(other.device_, nullptr)) {}
+    : file_(std::exchange(other.file_, -1)),
+      device_(std::exchange(other.device_, nullptr)),
+      has_clock_(other.has_clock_) {}
 
 EvdevNode& EvdevNode::operator=(EvdevNode&& other) noexcept {
   std::swap(file_, other.file_);
   std::swap(device_, other.device_);
+  std::swap(has_clock_, other.has_clock_);
   return *this;
 }
 
@@ -54,9 +57,8 @@ std::string EvdevNode::open(const std::string& path) {
     close();
     return open_error_words(-failure);
   }
-  // Old kernels refuse; their stamps are then of another clock, and FeedPump takes the time of
-  // reading where a stamp lies in the future.
-  (void)libevdev_set_clock_id(device_, CLOCK_MONOTONIC);
+  // Old kernels refuse: their stamps are of another clock, and of no use here.
+  has_clock_ = libevdev_set_clock_id(device_, CLOCK_MONOTONIC) == 0;
   return {};
 }
 

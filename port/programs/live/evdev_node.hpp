@@ -28,6 +28,8 @@ class EvdevNode {
   bool is_open() const { return device_ != nullptr; }
   int file() const { return file_; }
   libevdev* device() const { return device_; }
+  /// Whether its events are stamped by the clock that HostClock reads.
+  bool has_clock() const { return has_clock_; }
   std::string name() const;
   /// The axes that move a sword; none: it is a keyboard, a switch, a microphone's button.
   std::optional<MotionAxes> axes() const;
@@ -35,6 +37,7 @@ class EvdevNode {
  private:
   int file_ = -1;
   libevdev* device_ = nullptr;
+  bool has_clock_ = false;
 };
 
 /// What could have been opened, for a message: "/dev/input/event3 (Xbox pad), /dev/input/event5 (no

@@ -40,8 +40,11 @@ class ForceBackend {
   /// What the device can do, as far as it is known; kNone while it is closed, or after kRefused.
   virtual ForceKind kind() const = 0;
   /// Has the device render this from now on; what it does not take is rendered by the next best
-  /// effect, or left out.
+  /// effect, or left out. It ends by itself, kEffectLength_ms after it was played last.
   virtual Rendered render(const Feel& feel) = 0;
+  /// The next render() plays again what plays, and so it lasts anew. Not done by each of them: it
+  /// is one more call of the system for each effect.
+  virtual void renew() {}
   /// Whether the device that was opened is still there. If not, it is closed.
   virtual bool is_there() = 0;
   /// What was to be rendered since open(), and is not: the device refuses it, or does not know it.

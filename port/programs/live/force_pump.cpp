@@ -11,6 +11,11 @@ namespace {
 /// A motor that shakes takes some 50 ms to be felt: a blow fades over that time, not in one step.
 constexpr float kFade = 10000.0F / 50000.0F;  // of the range, for each rumble
 
+/// Also where a stopped program has slept for more than half of what two times may differ by.
+std::int64_t passed_us(Microseconds since, Microseconds now) {
+  return static_cast<Microseconds>(now - since);
+}
+
 bool same(const Rumble& a, const Rumble& b) {
   return a.strong == b.strong && a.weak == b.weak;
 }
@@ -54,6 +59,7 @@ bool ForcePump::attach(Microseconds now) {
   applied_ = false;
   busy_ = false;
   sent_at_ = now - kRumblePeriod_us;  // it need not wait
+  renewed_at_ = now - kRefresh_us;
   held_ = 0;
   hardest_ = 0.0F;
   return kind() != ForceKind::kNone;
@@ -97,14 +103,24 @@ bool ForcePump::has_changed(const Feel& feel) const {
          level_of(feel.damper.coefficient) != level_of(sent_.damper.coefficient);
 }
 
+bool ForcePump::is_felt(const Feel& feel) const {
+  if (kind() == ForceKind::kRumble) {
+    const Rumble motors = rumble_of(feel);
+    return motors.strong + motors.weak > 0;
+  }
+  return level_of(feel.x) != 0 || level_of(feel.y) != 0 || feel.spring.coefficient > 0 ||
+         feel.damper.coefficient > 0;
+}
+
+/// What is not felt may end.
+bool ForcePump::is_to_renew(const Feel& feel, Microseconds now) const {
+  return is_felt(feel) && passed_us(renewed_at_, now) >= kRefresh_us;
+}
+
 bool ForcePump::is_due(const Feel& feel, Microseconds now) const {
   if (is_off() && has_changed(feel)) return true;
-  const std::int32_t since_us = elapsed_us(sent_at_, now);
-  const bool rumble = kind() == ForceKind::kRumble;
-  if (rumble && since_us < kRumblePeriod_us) return false;
-  const Rumble motors = rumble_of(feel);
-  const bool shakes = rumble && motors.strong + motors.weak > 0;
-  return has_changed(feel) || (shakes && since_us >= kRefresh_us);
+  if (kind() == ForceKind::kRumble && passed_us(sent_at_, now) < kRumblePeriod_us) return false;
+  return has_changed(feel) || is_to_renew(feel, now);
 }
 
 /// Switched off, which is more than a force that happens to be zero: nothing fades, nothing waits.
@@ -114,6 +130,8 @@ bool ForcePump::is_off() const {
 
 void ForcePump::send(const Feel& feel, Microseconds now) {
   const bool changed = has_changed(feel);
+  const bool renewed = is_to_renew(feel, now);
+  if (renewed) backend_->renew();
   const Rendered rendered = backend_->render(feel);
   tried_ = now;
   if (rendered != Rendered::kDone) {
@@ -127,6 +145,7 @@ void ForcePump::send(const Feel& feel, Microseconds now) {
   measure(changed, now);
   sent_ = feel;
   sent_at_ = now;
+  if (renewed) renewed_at_ = now;
   applied_ = true;
   fresh_ = false;
   held_ = std::max(0.0F, held_ - kFade);
@@ -163,8 +182,9 @@ void ForcePump::stall(Microseconds now) {
 
 /// A device that is plugged in anew must not wait for the next blow to be noticed.
 void ForcePump::look_after(Microseconds now) {
-  // Kept young: after half an hour without a word, the difference of two wrapping times is another.
-  if (elapsed_us(sent_at_, now) > kSilence_us) sent_at_ = now - kSilence_us;
+  // Kept young: after an hour without a word, the difference of two wrapping times is another.
+  if (passed_us(sent_at_, now) > kSilence_us) sent_at_ = now - kSilence_us;
+  if (passed_us(renewed_at_, now) > kSilence_us) renewed_at_ = now - kSilence_us;
   if (elapsed_us(tried_, now) < kRetry_us) return;
   tried_ = now;
   if (!backend_->is_there()) lose();

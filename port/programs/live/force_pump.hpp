@@ -41,11 +41,14 @@ class ForcePump {
   /// Shaking motors hear nothing faster, and some drivers block for the whole transfer: SDL's own
   /// rumble thread and others keep to the same 10 ms.
   static constexpr std::int32_t kRumblePeriod_us = 10000;
-  /// A device that forgets is told again; half of what a rumble of SDL lasts.
+  /// What is felt is played again so often, since it ends by itself: half of what a rumble of SDL
+  /// lasts, a third of an effect's length.
   static constexpr std::int32_t kRefresh_us = 50000;
   /// Without a command for so long, there is no force; nor is there one that the device has kept
   /// for so long because it was too busy for the next.
   static constexpr std::int32_t kSilence_us = 100000;
+  static_assert(kSilence_us < kEffectLength_ms * 1000,
+                "a held force ends by a word of the program");
   /// A device is looked for so often while it is away, and looked after while it has nothing to do.
   static constexpr std::int32_t kRetry_us = 250000;
 
@@ -93,6 +96,8 @@ class ForcePump {
   Feel feel() const;
   bool is_due(const Feel& feel, Microseconds now) const;
   bool has_changed(const Feel& feel) const;
+  bool is_felt(const Feel& feel) const;
+  bool is_to_renew(const Feel& feel, Microseconds now) const;
   void send(const Feel& feel, Microseconds now);
   void look_after(Microseconds now);
   void lose();
@@ -115,8 +120,9 @@ class ForcePump {
   Command command_;
   Feel sent_;
   Microseconds sent_at_ = 0;
-  Microseconds tried_ = 0;  ///< the last time that the device answered, or did not
-  float held_ = 0;          ///< what is left of the last blow for the rumble
+  Microseconds renewed_at_ = 0;  ///< since when what plays has not been played again
+  Microseconds tried_ = 0;       ///< the last time that the device answered, or did not
+  float held_ = 0;               ///< what is left of the last blow for the rumble
   Microseconds busy_since_ = 0;
   bool busy_ = false;
   bool given_up_ = false;  ///< the device is there, and takes nothing

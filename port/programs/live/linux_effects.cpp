@@ -5,11 +5,11 @@
 namespace batuta::host {
 namespace {
 
-ff_effect endless(std::uint16_t type) {
+ff_effect new_effect(std::uint16_t type) {
   ff_effect effect{};
   effect.type = type;
   effect.id = -1;
-  effect.replay.length = 0;  // without an end
+  effect.replay.length = kEffectLength_ms;
   return effect;
 }
 
@@ -26,21 +26,21 @@ ff_condition_effect condition(const ConditionNumbers& numbers) {
 }  // namespace
 
 ff_effect linux_constant(std::uint16_t direction, std::int16_t level) {
-  ff_effect effect = endless(FF_CONSTANT);
+  ff_effect effect = new_effect(FF_CONSTANT);
   effect.direction = direction;
   effect.u.constant.level = level;
   return effect;
 }
 
 ff_effect linux_condition(std::uint16_t type, const ConditionPair& pair) {
-  ff_effect effect = endless(type);
+  ff_effect effect = new_effect(type);
   effect.u.condition[0] = condition(pair.x);
   effect.u.condition[1] = condition(pair.y);
   return effect;
 }
 
 ff_effect linux_rumble(const Rumble& rumble) {
-  ff_effect effect = endless(FF_RUMBLE);
+  ff_effect effect = new_effect(FF_RUMBLE);
   effect.u.rumble.strong_magnitude = rumble.strong;
   effect.u.rumble.weak_magnitude = rumble.weak;
   return effect;

@@ -2,7 +2,7 @@
 #pragma once
 // The effects as the Linux input stack takes them. A direction there says where a force pushes: 0
 // down, 0x4000 left, 0x8000 up, 0xC000 right (linux/input.h, struct ff_effect); a level below zero
-// turns it round. All play without an end; `id` is left to the caller.
+// turns it round. All end by themselves after kEffectLength_ms; `id` is left to the caller.
 
 #include <linux/input.h>
 

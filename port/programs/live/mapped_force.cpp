@@ -60,6 +60,7 @@ Rendered MappedForce::render(const Feel& feel) {
   if (taken != Taken::kGone) note_left_out(feel);
   switch (taken) {
     case Taken::kDone:
+      renews_ = false;
       return Rendered::kDone;
     case Taken::kLater:
       return Rendered::kLater;

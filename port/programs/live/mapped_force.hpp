@@ -15,6 +15,7 @@ class MappedForce : public ForceBackend {
  public:
   ForceKind kind() const final { return kind_; }
   Rendered render(const Feel& feel) final;
+  void renew() final { renews_ = true; }
   EffectSet left_out() const final { return left_out_; }
   std::string problem() const final { return problem_; }
 
@@ -33,10 +34,12 @@ class MappedForce : public ForceBackend {
   ForceKind begin(const Abilities& abilities);
   /// It has been closed. @param problem  why, as problem() says it
   void end(const std::string& problem);
+  /// Whether an effect that was played is to be played again.
+  bool renews() const { return renews_; }
 
  private:
-  // Each uploads the effect of a place, or changes it, and sees to it that it plays. One that is
-  // refused is not on the device afterwards.
+  // Each uploads the effect of a place, or changes it, and sees to it that it plays; where
+  // it is to renews(), from now on. One that is refused is not on the device afterwards.
   virtual Taken push_axis(Place axis, std::int16_t level) = 0;
   virtual Taken push_both(float x, float y) = 0;                          ///< in place kX
   virtual Taken resist(Place place, const ConditionPair& condition) = 0;  ///< kSpring or kDamper
@@ -56,6 +59,7 @@ class MappedForce : public ForceBackend {
   EffectSet overlaid_;  ///< of spring and damper, those on the device
   std::string problem_;
   ForceKind kind_ = ForceKind::kNone;
+  bool renews_ = false;
 };
 
 }  // namespace batuta::host

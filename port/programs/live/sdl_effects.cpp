@@ -8,7 +8,7 @@ namespace {
 SDL_HapticEffect constant(Sint32 from_x, Sint32 from_y, std::int16_t level) {
   SDL_HapticEffect effect{};
   effect.constant.type = SDL_HAPTIC_CONSTANT;
-  effect.constant.length = SDL_HAPTIC_INFINITY;
+  effect.constant.length = kEffectLength_ms;
   effect.constant.direction.type = SDL_HAPTIC_CARTESIAN;
   effect.constant.direction.dir[0] = from_x;
   effect.constant.direction.dir[1] = from_y;
@@ -40,7 +40,7 @@ SDL_HapticEffect sdl_constant(float x, float y) {
 SDL_HapticEffect sdl_condition(std::uint16_t type, const ConditionPair& pair) {
   SDL_HapticEffect effect{};
   effect.condition.type = type;
-  effect.condition.length = SDL_HAPTIC_INFINITY;
+  effect.condition.length = kEffectLength_ms;
   effect.condition.direction.type = SDL_HAPTIC_CARTESIAN;
   set(effect.condition, 0, pair.x);
   set(effect.condition, 1, pair.y);

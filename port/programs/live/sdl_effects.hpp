@@ -2,7 +2,8 @@
 #pragma once
 // The effects as SDL takes them. A direction there says where a force comes from (SDL_haptic.h,
 // SDL_HapticDirection): one that pushes to the right comes from the west, one that pushes up, away
-// from the user, from the south. A level below zero turns it round. All play without an end.
+// from the user, from the south. A level below zero turns it round. All end by themselves after
+// kEffectLength_ms.
 
 #include <SDL.h>
 

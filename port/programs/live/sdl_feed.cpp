@@ -52,6 +52,7 @@ News SdlFeed::look(InputSample& sample) {
     stick_->close();
     return News::kGone;
   }
+  stick_->note_others();
   return sample_now(handle.get(), sample) ? News::kSample : News::kNone;
 }
 

@@ -95,15 +95,21 @@ MappedForce::Taken SdlForce::shake(const Rumble& rumble) {
   return judge(kX, answer == 0);
 }
 
-/// Has an effect play, or changes the one that plays. One that cannot be changed is made anew.
+bool SdlForce::run(int id) {
+  constexpr Uint32 kOnce = 1;
+  return SDL_HapticRunEffect(haptic_, id, kOnce) == 0;
+}
+
+/// Has an effect play, or changes the one that plays. One that cannot be changed, or not be run
+/// again, is made anew.
 MappedForce::Taken SdlForce::update(Place place, SDL_HapticEffect effect) {
   if (!has_hold()) return Taken::kGone;
   int& id = effects_[place];
-  if (id != kNone && SDL_HapticUpdateEffect(haptic_, id, &effect) == 0) return judge(place, true);
+  const bool changed = id != kNone && SDL_HapticUpdateEffect(haptic_, id, &effect) == 0;
+  if (changed && (!renews() || run(id))) return judge(place, true);
   remove(place);
   id = std::max(SDL_HapticNewEffect(haptic_, &effect), kNone);
-  constexpr Uint32 kOnce = 1;  // it has no end
-  const bool plays = id != kNone && SDL_HapticRunEffect(haptic_, id, kOnce) == 0;
+  const bool plays = id != kNone && run(id);
   if (!plays) remove(place);
   return judge(place, plays);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Force through SDL: endless constant effects of SDL_Haptic, of which only the level changes; where
-// the device has none, rumble.
+// Force through SDL: constant effects of SDL_Haptic, of which only the level changes, and which are
+// run again before they end; where the device has none, rumble.
 
 #include <array>
 #include <memory>
@@ -42,6 +42,7 @@ class SdlForce final : public MappedForce {
   void shut();
   bool has_hold() const;
   Taken update(Place place, SDL_HapticEffect effect);
+  bool run(int id);
   Taken judge(Place place, bool done);
 
   SdlSession session_;

@@ -53,6 +53,11 @@ bool same(const SDL_JoystickGUID& a, const SDL_JoystickGUID& b) {
   return std::memcmp(a.data, b.data, sizeof a.data) == 0;
 }
 
+std::string serial_of(SDL_Joystick* stick) {
+  const char* const serial = SDL_JoystickGetSerial(stick);
+  return serial == nullptr ? "" : serial;
+}
+
 }  // namespace
 
 SdlSession::SdlSession() {
@@ -76,8 +81,29 @@ SdlSession::~SdlSession() {
   if (open_) SDL_QuitSubSystem(SDL_INIT_JOYSTICK | SDL_INIT_GAMECONTROLLER);
 }
 
+/// A stick that is plugged in anew has a new number: one of its kind that was there beside it is
+/// another one. Its path says no more: a twin may have it by now.
+bool SdlStick::may_be_back(int index) const {
+  const SDL_JoystickID instance = SDL_JoystickGetDeviceInstanceID(index);
+  const bool is_new = instance == instance_ || instance > latest_;
+  return is_new && same(SDL_JoystickGetDeviceGUID(index), guid_);
+}
+
+bool SdlStick::is_back(SDL_Joystick* stick) const {
+  const std::string serial = serial_of(stick);
+  return serial.empty() || serial_.empty() || serial == serial_;
+}
+
+void SdlStick::note_others() {
+  const ListLock lock;
+  const int count = SDL_NumJoysticks();
+  for (int i = 0; i < count; ++i) {  // Bound: the sticks that SDL sees
+    latest_ = std::max(latest_, SDL_JoystickGetDeviceInstanceID(i));
+  }
+}
+
 bool SdlStick::is_chosen(int index) const {
-  if (known_) return same(SDL_JoystickGetDeviceGUID(index), guid_);
+  if (known_) return may_be_back(index);
   if (choice_.empty()) return true;
   const std::optional<int> place = place_of(choice_);
   if (place) return index == *place;
@@ -103,6 +129,10 @@ bool SdlStick::open_at(int index) {
     problem_ = name_at(index) + ": " + SDL_GetError();
     return false;
   }
+  if (known_ && !is_back(handle.get())) {
+    problem_ = name_at(index) + " is another one";
+    return false;
+  }
   if (SDL_JoystickNumAxes(handle.get()) < 2) {
     problem_ = name_at(index) + " has too few axes";
     return false;
@@ -118,7 +148,10 @@ bool SdlStick::open_at(int index) {
 void SdlStick::take(int index, const Handle& handle) {
   name_ = name_at(index);
   guid_ = SDL_JoystickGetDeviceGUID(index);
+  serial_ = serial_of(handle.get());
+  instance_ = SDL_JoystickGetDeviceInstanceID(index);
   known_ = true;
+  note_others();
   if (SDL_IsGameController(index) == SDL_TRUE) {
     pad_.reset(SDL_GameControllerOpen(index), [](SDL_GameController* pad) {
       if (pad != nullptr) SDL_GameControllerClose(pad);

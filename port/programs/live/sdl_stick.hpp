@@ -42,10 +42,15 @@ class SdlStick {
   SdlStick& operator=(const SdlStick&) = delete;
   ~SdlStick() { close(); }
 
-  /// The first time: as chosen. Later: the same device, wherever it is plugged in now.
+  /// The first time: as chosen. Later: the same device, wherever it is plugged in now: by its
+  /// serial number, and one of its kind that has come since it went. Twins that tell no serial
+  /// number, and are both plugged in anew, are not told apart.
   /// @returns whether it is there
   bool open();
   void close();
+  /// While it is there: what else is there, too, is not the same one when that has gone. Of the
+  /// thread that opens.
+  void note_others();
 
   /// Null: it is away. Of any thread.
   Handle handle() const;
@@ -57,13 +62,18 @@ class SdlStick {
 
  private:
   bool is_chosen(int index) const;
+  bool may_be_back(int index) const;
+  bool is_back(SDL_Joystick* stick) const;
   bool open_at(int index);
   void take(int index, const Handle& handle);
 
   std::string choice_;
   std::string name_;
-  SDL_JoystickGUID guid_{};
-  bool known_ = false;  ///< guid_ is that of the device
+  bool known_ = false;       ///< those below are the device's
+  SDL_JoystickGUID guid_{};  ///< of its kind: twins have the same
+  std::string serial_;       ///< empty: it tells none
+  SDL_JoystickID instance_ = 0;
+  SDL_JoystickID latest_ = 0;  ///< of all that were there with it; SDL counts them up
   Claim claim_;
   std::string problem_;
   std::shared_ptr<SDL_GameController> pad_;

@@ -59,6 +59,9 @@ std::string reason(int error) {
 /// least one byte a read: so that "nothing yet" (EAGAIN) and "gone" (0) are told apart.
 termios raw_settings(termios settings, speed_t rate) {
   cfmakeraw(&settings);
+  // What it leaves on: the line would be stopped by bytes 0x11 and 0x13, and bytes would be judged
+  // by a parity that they do not have.
+  settings.c_iflag &= ~static_cast<tcflag_t>(IXOFF | IXANY | INPCK);
   settings.c_cflag |= CLOCAL | CREAD;
   settings.c_cflag &= ~static_cast<tcflag_t>(CSTOPB | CRTSCTS);
   settings.c_cc[VMIN] = 1;
@@ -66,6 +69,27 @@ termios raw_settings(termios settings, speed_t rate) {
   cfsetispeed(&settings, rate);
   cfsetospeed(&settings, rate);
   return settings;
+}
+
+int baud_of(speed_t code) {
+  const auto* const rate = std::find_if(kRates.begin(), kRates.end(),
+                                        [code](const Rate& known) { return known.code == code; });
+  return rate == kRates.end() ? 0 : rate->baud;
+}
+
+/// tcsetattr() succeeds where the line could do anything of what was asked for.
+/// @returns an empty text | what it does not do
+std::string not_done(int descriptor, int baud) {
+  termios now{};
+  if (tcgetattr(descriptor, &now) != 0) return reason(errno);
+  const std::string rate = std::to_string(baud) + " baud";
+  const int out = baud_of(cfgetospeed(&now));
+  if (out != baud || baud_of(cfgetispeed(&now)) != baud) {
+    const std::string instead = out > 0 && out != baud ? "; it is at " + std::to_string(out) : "";
+    return "the line cannot do " + rate + instead;
+  }
+  const bool plain = (now.c_cflag & CSIZE) == CS8 && (now.c_cflag & (PARENB | CSTOPB)) == 0;
+  return plain ? "" : "the line cannot do eight bits without parity at " + rate;
 }
 
 bool would_block(int error) {
@@ -87,6 +111,8 @@ OpenedSerialPort SerialPort::open(const std::string& path, int baud) {
   std::unique_ptr<SerialPort> port(new SerialPort(descriptor, before));
   const termios raw = raw_settings(before, *rate);
   if (tcsetattr(descriptor, TCSANOW, &raw) != 0) return {nullptr, path + ": " + reason(errno)};
+  const std::string lacking = not_done(descriptor, baud);
+  if (!lacking.empty()) return {nullptr, path + ": " + lacking};
   // Best effort, both: a line that cannot do so is a line all the same.
   static_cast<void>(ioctl(descriptor, TIOCEXCL));
   static_cast<void>(tcflush(descriptor, TCIFLUSH));

@@ -19,7 +19,8 @@ struct OpenedSerialPort {
 };
 
 /// Rates that open() knows, baud: 9600 doubled up to 38400, 57600 doubled up to 921600, and 1, 2, 3
-/// and 4 million. A pty and a USB line take any of them, and go as fast as they go.
+/// and 4 million. A pty and a USB line take any of them, and go as fast as they go; a line that
+/// cannot do one of them is refused.
 inline constexpr int kDefaultBaud = 115200;
 
 /// Its own for as long as it lives: a second program is refused where the system can do so. What

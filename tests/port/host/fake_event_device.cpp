@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdarg>
-#include <cstdlib>
 #include <cstring>
 #include <utility>
 
@@ -144,12 +143,6 @@ void FakeEventDevice::bytes(const void* data, std::size_t count) {
   }
 }
 
-void FakeEventDevice::forget_effects() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  effects_.clear();
-  playing_.clear();
-}
-
 void FakeEventDevice::unplug() {
   const std::lock_guard<std::mutex> lock(mutex_);
   there_ = false;
@@ -178,9 +171,9 @@ void FakeEventDevice::refuse_writing(int error) {
   writing_refusal_ = error;
 }
 
-void FakeEventDevice::refuse_effects(int error, unsigned type) {
+void FakeEventDevice::refuse_clock() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  effect_refusals_[type] = error;
+  has_clocks_ = false;
 }
 
 int FakeEventDevice::open_file(int flags) {
@@ -239,6 +232,7 @@ int FakeEventDevice::control(int file, unsigned long request, void* argument) {
   const std::size_t size = _IOC_SIZE(request);
   constexpr unsigned kBits = 0x20;
   constexpr unsigned kAxes = 0x40;
+  if (request == EVIOCSCLOCKID && !has_clocks_) return fail(EINVAL);
   if (request == EVIOCSFF) return upload(*static_cast<ff_effect*>(argument));
   if (request == EVIOCGEFFECTS) return copy(argument, sizeof(int), &room_, sizeof room_) - 4;
   if (request == EVIOCRMFF) {
@@ -267,63 +261,6 @@ int FakeEventDevice::control(int file, unsigned long request, void* argument) {
   if (number >= kBits && number < kBits + EV_CNT) return bits(number - kBits, argument, size);
   if (_IOC_DIR(request) == _IOC_READ) std::memset(argument, 0, size);
   return 0;  // the driver's version, the clock, and the like
-}
-
-void FakeEventDevice::drain_writes(int file) {
-  const auto found = files_.find(file);
-  if (found == files_.end()) return;
-  input_event event{};
-  while (::syscall(SYS_read, found->second, &event, sizeof event) == sizeof event) {
-    if (event.type != EV_FF) continue;
-    if (event.code >= FF_GAIN) {
-      properties_[event.code] = event.value;
-    } else if (event.value != 0) {
-      playing_.insert(event.code);
-    } else {
-      playing_.erase(event.code);
-    }
-  }
-}
-
-std::vector<ff_effect> FakeEventDevice::effects() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  std::vector<ff_effect> all;
-  for (const auto& [id, effect] : effects_) all.push_back(effect);
-  return all;
-}
-
-bool FakeEventDevice::is_playing(int effect) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  for (const auto& [file, end] : files_) drain_writes(file);
-  return playing_.count(effect) == 1;
-}
-
-int FakeEventDevice::property(unsigned code) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  for (const auto& [file, end] : files_) drain_writes(file);
-  const auto found = properties_.find(code);
-  return found == properties_.end() ? -1 : found->second;
-}
-
-int FakeEventDevice::uploads() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return uploads_;
-}
-
-std::vector<ff_effect> FakeEventDevice::removed() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return removed_;
-}
-
-int FakeEventDevice::strongest(unsigned type) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return strongest_[type];
-}
-
-int strength(const ff_effect& effect) {
-  if (effect.type == FF_CONSTANT) return std::abs(int{effect.u.constant.level});
-  if (effect.type == FF_RUMBLE) return effect.u.rumble.strong_magnitude;
-  return std::abs(int{effect.u.condition[0].right_coeff});
 }
 
 int FakeEventDevice::openings() {

@@ -52,12 +52,18 @@ class FakeEventDevice {
   void refuse_writing(int error);
   /// Uploading an effect fails with this; 0: it does not. @param type  of these effects alone
   void refuse_effects(int error, unsigned type = 0);
+  /// The kernel is an old one: its stamps are of the time of day, whatever it is told.
+  void refuse_clock();
   /// Another device gets its name; this one is not there any more under it.
   void give_name_to(FakeEventDevice& other);
 
   // What was done to it.
   std::vector<ff_effect> effects();
   bool is_playing(int effect);
+  /// The device's time goes on; what was told before was told before.
+  void pass(std::int32_t microseconds);
+  /// Times that an effect was told to play.
+  int plays();
   /// Of FF_GAIN and the like; -1: not set.
   int property(unsigned code);
   int uploads();
@@ -80,6 +86,7 @@ class FakeEventDevice {
   int bits(unsigned type, void* data, std::size_t size) const;
   int upload(ff_effect& effect);
   void drain_writes(int file);
+  void play(int effect, int times);
 
   std::mutex mutex_;
   std::vector<std::string> paths_;
@@ -92,6 +99,7 @@ class FakeEventDevice {
   bool there_ = true;
   int refusal_ = 0;
   int writing_refusal_ = 0;
+  bool has_clocks_ = true;
   std::map<unsigned, int> effect_refusals_;
   int room_ = 0;
   int real_room_ = FF_MAX;
@@ -100,7 +108,9 @@ class FakeEventDevice {
   std::map<unsigned, int> strongest_;
   int openings_ = 0;
   std::map<int, ff_effect> effects_;
-  std::set<int> playing_;
+  std::map<int, std::int64_t> playing_;  ///< its end, us of the device's time
+  std::int64_t time_us_ = 0;
+  int plays_ = 0;
   std::map<unsigned, int> properties_;
 };
 

@@ -72,11 +72,21 @@ TEST(LinuxConstant, EachAxis_PushesToItsPositiveSide) {
   EXPECT_EQ(right.type, FF_CONSTANT);
   EXPECT_EQ(right.direction, 0xC000) << "right";
   EXPECT_EQ(right.u.constant.level, 8192);
-  EXPECT_EQ(right.replay.length, 0) << "without an end";
+  EXPECT_EQ(right.replay.length, kEffectLength_ms);
   EXPECT_EQ(right.id, -1) << "new";
   const ff_effect up = linux_constant(kPushUp, level_of(-0.25F));
   EXPECT_EQ(up.direction, 0x8000) << "up";
   EXPECT_EQ(up.u.constant.level, -8192) << "and so it pushes down";
+}
+
+TEST(LinuxEffects, AllEndByThemselves_SoonAfterSilenceWouldEndThem) {
+  const ConditionPair pair = condition_numbers(Condition{0.5F, 0, 0});
+  for (const ff_effect& effect : {linux_constant(kPushRight, 1), linux_condition(FF_SPRING, pair),
+                                  linux_condition(FF_DAMPER, pair), linux_rumble(Rumble{1, 1})}) {
+    EXPECT_GT(effect.replay.length, 100) << effect.type << ": 0 has no end";
+    EXPECT_LE(effect.replay.length, 200) << effect.type;
+    EXPECT_EQ(effect.replay.delay, 0) << effect.type;
+  }
 }
 
 TEST(LinuxConstant, BothForms_AreTheSameForce) {

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cerrno>
+#include <memory>
+#include <optional>
 
 #include "fake_stick.hpp"
+#include "held_force.hpp"
 #include "programs/live/evdev_feed.hpp"
 #include "programs/live/evdev_force.hpp"
 
@@ -15,7 +18,7 @@ using test::FakeEventDevice;
 using test::kPath;
 using Stick = test::FakeStick;
 
-TEST(EvdevForce, TwoEffects_PlayWithoutAnEnd_AndOnlyTheirLevelsChange) {
+TEST(EvdevForce, TwoEffects_Play_AndOnlyTheirLevelsChange) {
   Stick stick;
   stick.has(EV_FF, FF_CONSTANT).has(EV_FF, FF_GAIN).has(EV_FF, FF_AUTOCENTER).room_for_effects(16);
   {
@@ -29,7 +32,7 @@ TEST(EvdevForce, TwoEffects_PlayWithoutAnEnd_AndOnlyTheirLevelsChange) {
     ASSERT_EQ(effects.size(), 2U);
     EXPECT_EQ(effects[0].direction, 0xC000) << "right";
     EXPECT_EQ(effects[0].u.constant.level, 16384);
-    EXPECT_EQ(effects[0].replay.length, 0);
+    EXPECT_EQ(effects[0].replay.length, kEffectLength_ms);
     EXPECT_EQ(effects[1].direction, 0x8000) << "up";
     EXPECT_EQ(effects[1].u.constant.level, -8192);
     EXPECT_TRUE(stick.is_playing(0));
@@ -234,6 +237,100 @@ TEST(EvdevForce, RumbleAtZero_IsStopped_AndPlaysAgain) {
   EXPECT_EQ(stick.effects()[0].u.rumble.strong_magnitude, 0);
   ASSERT_EQ(force.render(push_right(0.25F)), Rendered::kDone);
   EXPECT_TRUE(stick.is_playing(0));
+}
+
+constexpr int kSeconds = 1000;  // turns of the pump
+
+/// What is told is told by a pump, and the device's effects end by the device's time.
+class EndingEffects : public testing::Test {
+ protected:
+  void begin() {
+    force_.emplace(std::make_unique<EvdevForce>(kPath), options_,
+                   [this](std::int32_t time_us) { stick_.pass(time_us); });
+  }
+  bool all_play(int effects) {
+    for (int i = 0; i < effects; ++i) {
+      if (!stick_.is_playing(i)) return false;
+    }
+    return true;
+  }
+  bool none_plays(int effects) {
+    for (int i = 0; i < effects; ++i) {
+      if (stick_.is_playing(i)) return false;
+    }
+    return true;
+  }
+  /// Holds a force for seconds, and then the program is stopped.
+  void hold_and_stop(int effects) {
+    begin();
+    EXPECT_EQ(hold(*force_, 0.5F, -0.25F, 5 * kSeconds, [&] { return all_play(effects); }), 0);
+    ASSERT_EQ(static_cast<int>(stick_.effects().size()), effects);
+    EXPECT_GT(test::strength(stick_.effects()[0]), 0);
+    stick_.pass(kEffectLength_ms * 1000);
+    EXPECT_TRUE(none_plays(effects)) << "nobody is there to take it away";
+  }
+
+  Stick stick_;
+  ForceOptions options_;
+  std::optional<test::HeldForce> force_;
+};
+
+TEST_F(EndingEffects, AForceNeverDropsOut_AndEndsWhereTheProgramIsStopped) {
+  stick_.has(EV_FF, FF_CONSTANT).room_for_effects(16);
+  hold_and_stop(2);
+}
+
+TEST_F(EndingEffects, AForceThatTurnsDoesTheSame) {
+  stick_.has(EV_FF, FF_CONSTANT).room_for_effects(1);
+  hold_and_stop(1);
+}
+
+TEST_F(EndingEffects, SpringAndDamperDoTheSame) {
+  stick_.has(EV_FF, FF_CONSTANT).has(EV_FF, FF_SPRING).has(EV_FF, FF_DAMPER).room_for_effects(16);
+  options_.spring.coefficient = options_.damper.coefficient = 0.5F;
+  hold_and_stop(4);
+}
+
+TEST_F(EndingEffects, ARumbleDoesTheSame) {
+  stick_.has(EV_FF, FF_RUMBLE).room_for_effects(16);
+  hold_and_stop(1);
+}
+
+TEST_F(EndingEffects, ASpringWithoutAForce_IsPlayedOn) {
+  stick_.has(EV_FF, FF_CONSTANT).has(EV_FF, FF_SPRING).room_for_effects(16);
+  options_.spring.coefficient = 0.5F;
+  begin();
+  EXPECT_EQ(hold(*force_, 0, 0, kSeconds, [&] { return stick_.is_playing(2); }), 0);
+}
+
+TEST_F(EndingEffects, AfterAPauseInWhichAllHasEnded_ABlowIsFelt) {
+  stick_.has(EV_FF, FF_CONSTANT).room_for_effects(16);
+  begin();
+  for (int blow = 0; blow < 5; ++blow) {
+    force_->command(0.5F, 0);
+    force_->pass(ForcePump::kTurn_us);
+    force_->turn();
+    EXPECT_TRUE(stick_.is_playing(0)) << blow;
+    EXPECT_EQ(stick_.effects()[0].u.constant.level, 16384) << blow;
+    (void)hold(*force_, 0, 0, kSeconds, [] { return true; });
+    EXPECT_TRUE(none_plays(2)) << "what is zero need not play";
+  }
+}
+
+TEST_F(EndingEffects, AreTold_OnceMoreEachFiftyMilliseconds_AndNoOftener) {
+  stick_.has(EV_FF, FF_CONSTANT).room_for_effects(16);
+  begin();
+  const auto step = [this](float force) {
+    force_->command(force, 0);
+    force_->pass(ForcePump::kTurn_us);
+    force_->turn();
+  };
+  for (int i = 0; i < kSeconds; ++i) step(0.5F);
+  EXPECT_EQ(stick_.uploads(), 2) << "its level is the same";
+  EXPECT_LE(stick_.plays(), 2 + 2 * 20) << "two effects, twenty times a second";
+  const int before = stick_.plays();
+  for (int i = 0; i < kSeconds; ++i) step(i % 2 == 0 ? 0.0F : 0.001F * static_cast<float>(i));
+  EXPECT_LE(stick_.plays() - before, 2 * 20) << "also where the force comes and goes";
 }
 
 TEST(EvdevForce, ReadableButNotWritable_SaysSo_UnlessItHasNoForceAnyway) {

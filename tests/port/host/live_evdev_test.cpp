@@ -7,6 +7,7 @@
 #include <cerrno>
 
 #include "fake_stick.hpp"
+#include "platforms/host/clock.hpp"
 #include "programs/devices/source.hpp"
 #include "programs/live/evdev_feed.hpp"
 
@@ -58,6 +59,24 @@ TEST(EvdevFeed, AxesHaveTheDevicesRangeAndDeadZone_AndUpIsUp) {
   stick.sync();
   ASSERT_EQ(feed.look(sample), News::kSample);
   EXPECT_FLOAT_EQ(sample.x, 0.5F / 112.5F) << "half a count beyond the dead zone";
+}
+
+TEST(EvdevFeed, StampsOfAnotherClock_AreNotTaken_TheTimeIsThatOfTheLook) {
+  Stick stick;
+  stick.refuse_clock();
+  EvdevFeed feed(kPath);
+  ASSERT_EQ(feed.open(), "");
+  HostClock clock;
+  for (const std::int64_t off_s : {-1000, 1000, 2000, 3000}) {  // modulo 2^32 us: 4295 s
+    InputSample sample;
+    (void)feed.look(sample);
+    const Microseconds before = clock.now();
+    stick.event(EV_ABS, ABS_X, off_s < 0 ? 0 : static_cast<int>(off_s / 100));
+    stick.sync(static_cast<std::uint64_t>((std::int64_t{1} << 40) + before + off_s * 1000000));
+    ASSERT_EQ(feed.look(sample), News::kSample);
+    EXPECT_FALSE(is_later(before, sample.time)) << off_s;
+    EXPECT_FALSE(is_later(sample.time, clock.now())) << off_s;
+  }
 }
 
 TEST(EvdevFeed, SecondStick_IsForTheFeet_FromItsOpeningOn) {

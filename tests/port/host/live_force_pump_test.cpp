@@ -32,6 +32,7 @@ class ScriptedBackend final : public ForceBackend {
     feels_.push_back(feel);
     return Rendered::kDone;
   }
+  void renew() override { ++renewed; }
   void close() override { ++closed; }
   ForceKind kind() const override { return kind_; }
   EffectSet left_out() const override { return lost; }
@@ -50,6 +51,7 @@ class ScriptedBackend final : public ForceBackend {
   bool there = true;
   bool busy = false;
   int opened = 0;
+  int renewed = 0;
 
  private:
   ForceKind kind_;
@@ -94,11 +96,25 @@ TEST(ForcePump, Silence_TakesTheForceAway) {
   EXPECT_EQ(rig.feels.back().x, 1.0F);
   rig.turns(1);
   EXPECT_EQ(rig.feels.back().x, 0.0F);
-  EXPECT_EQ(rig.feels.size(), 2U);
+  EXPECT_EQ(rig.feels.size(), 3U) << "the force, once more before it ends by itself, and zero";
   rig.pump.put(1, 0);
   rig.turns(1);
   EXPECT_EQ(rig.feels.back().x, 1.0F) << "and life brings it back";
   EXPECT_EQ(rig.pump.report().silences, 1U);
+}
+
+TEST(ForcePump, WhatIsHeld_IsToPlayAgain_EvenAfterASleepOfAnHour) {
+  ForceRig rig(ForceKind::kForce);
+  const auto turn = [&rig] {
+    rig.pump.put(1, 0);
+    rig.turns(1);
+  };
+  for (int i = 0; i < 100; ++i) turn();
+  const int before = rig.backend->renewed;
+  EXPECT_EQ(before, 2) << "with the first word, and 50 ms later";
+  rig.clock.time += 40U * 60U * 1000000U;  // two times are compared to 35 minutes
+  turn();
+  EXPECT_EQ(rig.backend->renewed, before + 1);
 }
 
 TEST(ForcePump, SilenceWithoutAForce_IsNone) {

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Forces through SDL. Its virtual joystick knows none: a fake takes the place of its functions.
+#include <iterator>
+#include <limits>
 #include <map>
+#include <memory>
 
+#include "held_force.hpp"
 #include "programs/live/sdl_force.hpp"
 #include "virtual_stick.hpp"
 
@@ -18,15 +22,26 @@ struct FakeHaptic {
   int room = 16;
   int axes = 2;
   bool fails = false;
+  bool refuses_reruns = false;
   unsigned refused = 0;  ///< types of effects
   std::map<int, SDL_HapticEffect> effects;
-  std::map<int, bool> playing;
+  std::map<int, std::int64_t> ends;  ///< of those that play, by its time
+  std::map<int, int> runs_of;        ///< each, since it was made
+  std::int64_t time_us = 0;
+  int runs = 0;
   int made = 0;
   int updates = 0;
   int gain = -1;
   int autocentre = -1;
   bool open = false;
   const char* path = nullptr;  ///< of the stick's file
+  void pass(std::int32_t microseconds) {
+    time_us += microseconds;
+    for (auto end = ends.begin(); end != ends.end();) {
+      end = end->second <= time_us ? ends.erase(end) : std::next(end);
+    }
+  }
+  bool plays(int effect) const { return ends.count(effect) == 1; }
 };
 FakeHaptic haptic;
 
@@ -35,7 +50,7 @@ class LiveSdlForce : public test::LiveSdl {
   LiveSdlForce() { haptic = {}; }
 };
 
-TEST_F(LiveSdlForce, AForce_IsTwoEndlessEffects_OfWhichOnlyTheLevelsChange) {
+TEST_F(LiveSdlForce, AForce_IsTwoEffects_OfWhichOnlyTheLevelsChange) {
   haptic.there = true;
   VirtualStick stick("Stick");
   const Opened opened;
@@ -51,7 +66,7 @@ TEST_F(LiveSdlForce, AForce_IsTwoEndlessEffects_OfWhichOnlyTheLevelsChange) {
     ASSERT_EQ(haptic.effects.size(), 2U);
     const SDL_HapticConstant& right = haptic.effects[0].constant;
     EXPECT_EQ(right.type, SDL_HAPTIC_CONSTANT);
-    EXPECT_EQ(right.length, SDL_HAPTIC_INFINITY);
+    EXPECT_EQ(right.length, kEffectLength_ms);
     EXPECT_EQ(right.direction.type, SDL_HAPTIC_CARTESIAN);
     EXPECT_EQ(right.direction.dir[0], -1) << "from the west";
     EXPECT_EQ(right.direction.dir[1], 0);
@@ -60,7 +75,7 @@ TEST_F(LiveSdlForce, AForce_IsTwoEndlessEffects_OfWhichOnlyTheLevelsChange) {
     EXPECT_EQ(up.direction.dir[0], 0);
     EXPECT_EQ(up.direction.dir[1], 1) << "from the south, the user's side";
     EXPECT_EQ(up.level, 8192);
-    EXPECT_TRUE(haptic.playing[0] && haptic.playing[1]);
+    EXPECT_TRUE(haptic.plays(0) && haptic.plays(1));
     feel.x = -1;
     ASSERT_EQ(force.render(feel), Rendered::kDone);
     EXPECT_EQ(haptic.effects[0].constant.level, -32767);
@@ -71,7 +86,7 @@ TEST_F(LiveSdlForce, AForce_IsTwoEndlessEffects_OfWhichOnlyTheLevelsChange) {
     haptic.fails = false;
     EXPECT_EQ(force.render(feel), Rendered::kDone);
     EXPECT_EQ(haptic.effects[0].constant.level, -32767);
-    EXPECT_TRUE(haptic.playing[0]);
+    EXPECT_TRUE(haptic.plays(0));
     stick.detach();
     SDL_JoystickUpdate();
     haptic.fails = true;
@@ -157,6 +172,76 @@ TEST_F(LiveSdlForce, AStickThatIsReadThroughItsEventDevice_IsTaken) {
   const Opened opened;
   EXPECT_TRUE(opened.there);
   EXPECT_FALSE(other.take(number_at("/dev/null")));
+}
+
+constexpr int kSeconds = 1000;  // turns of the pump
+
+/// A pump on the stick, and haptics whose time goes on.
+test::HeldForce held_by(const std::shared_ptr<SdlStick>& stick, const ForceOptions& options = {}) {
+  return {std::make_unique<SdlForce>(stick), options,
+          [](std::int32_t time_us) { haptic.pass(time_us); }};
+}
+
+TEST_F(LiveSdlForce, AHeldForce_NeverDropsOut_AndEndsWhereTheProgramIsStopped) {
+  haptic.there = true;
+  haptic.features |= SDL_HAPTIC_SPRING | SDL_HAPTIC_DAMPER;
+  VirtualStick stick("Stick");
+  const Opened opened;
+  ForceOptions options;
+  options.spring.coefficient = options.damper.coefficient = 0.5F;
+  test::HeldForce force = held_by(opened.stick, options);
+  EXPECT_EQ(hold(force, 0.5F, -0.25F, 5 * kSeconds, [] { return haptic.ends.size() == 4; }), 0);
+  EXPECT_EQ(haptic.effects[0].constant.level, 16384);
+  EXPECT_EQ(haptic.made, 4) << "none of them anew";
+  haptic.pass(kEffectLength_ms * 1000);
+  EXPECT_TRUE(haptic.ends.empty()) << "nobody is there to take it away";
+}
+
+TEST_F(LiveSdlForce, AfterAPauseInWhichAllHasEnded_ABlowIsFelt) {
+  haptic.there = true;
+  VirtualStick stick("Stick");
+  const Opened opened;
+  test::HeldForce force = held_by(opened.stick);
+  for (int blow = 0; blow < 5; ++blow) {
+    force.command(0, 0.5F);
+    force.pass(ForcePump::kTurn_us);
+    force.turn();
+    EXPECT_TRUE(haptic.plays(1)) << blow;
+    EXPECT_EQ(haptic.effects[1].constant.level, 16384) << blow;
+    (void)hold(force, 0, 0, kSeconds, [] { return true; });
+    EXPECT_TRUE(haptic.ends.empty()) << "what is zero need not play";
+  }
+}
+
+TEST_F(LiveSdlForce, EffectsAreRun_OnceMoreEachFiftyMilliseconds_AndNoOftener) {
+  haptic.there = true;
+  VirtualStick stick("Stick");
+  const Opened opened;
+  test::HeldForce force = held_by(opened.stick);
+  for (int i = 0; i < kSeconds; ++i) {
+    force.command(0.001F * static_cast<float>(i), 0);
+    force.pass(ForcePump::kTurn_us);
+    force.turn();
+  }
+  EXPECT_LE(haptic.runs, 2 + 2 * 20) << "two effects, twenty times a second";
+}
+
+TEST_F(LiveSdlForce, AnEffectThatCannotBeRunAgain_IsMadeAnew) {
+  haptic.there = true;
+  VirtualStick stick("Stick");
+  const Opened opened;
+  SdlForce force(opened.stick);
+  ASSERT_EQ(force.open(), ForceKind::kForce);
+  Feel feel;
+  feel.x = 0.5F;
+  ASSERT_EQ(force.render(feel), Rendered::kDone);
+  haptic.refuses_reruns = true;
+  haptic.pass(kEffectLength_ms * 1000);
+  force.renew();
+  ASSERT_EQ(force.render(feel), Rendered::kDone);
+  EXPECT_TRUE(haptic.plays(0) && haptic.plays(1));
+  EXPECT_EQ(haptic.effects.size(), 2U);
+  EXPECT_EQ(haptic.made, 4);
 }
 
 /// Renders until the device has taken it, or has not.
@@ -282,12 +367,24 @@ int SDL_HapticUpdateEffect(SDL_Haptic* /*device*/, int id, SDL_HapticEffect* eff
   ++haptic.updates;
   return 0;
 }
-int SDL_HapticRunEffect(SDL_Haptic* /*device*/, int id, Uint32 /*iterations*/) {
-  haptic.playing[id] = true;
-  return haptic.fails ? -1 : 0;
+int SDL_HapticRunEffect(SDL_Haptic* /*device*/, int id, Uint32 iterations) {
+  const auto found = haptic.effects.find(id);
+  if (haptic.fails || found == haptic.effects.end()) return -1;
+  if (haptic.refuses_reruns && haptic.runs_of[id] > 0) return -1;
+  ++haptic.runs_of[id];
+  constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
+  const bool constant = found->second.type == SDL_HAPTIC_CONSTANT;
+  const Uint32 length_ms =
+      constant ? found->second.constant.length : found->second.condition.length;
+  const std::int64_t once_us = std::int64_t{length_ms} * 1000;
+  haptic.ends[id] =
+      length_ms == SDL_HAPTIC_INFINITY ? kNever : haptic.time_us + iterations * once_us;
+  ++haptic.runs;
+  return 0;
 }
 void SDL_HapticDestroyEffect(SDL_Haptic* /*device*/, int id) {
   haptic.effects.erase(id);
-  haptic.playing.erase(id);
+  haptic.ends.erase(id);
+  haptic.runs_of.erase(id);
 }
 }

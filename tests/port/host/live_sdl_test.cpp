@@ -2,6 +2,9 @@
 // Sticks and pads through SDL, and their rumble.
 #include <gmock/gmock.h>
 
+#include <map>
+#include <string>
+
 #include "batuta/haptics/output_stage.hpp"
 #include "programs/devices/source.hpp"
 #include "programs/live/live_force.hpp"
@@ -20,7 +23,25 @@ using test::VirtualStick;
 using testing::HasSubstr;
 using testing::Not;
 
-class LiveSdl : public test::LiveSdl {};
+/// What sticks tell of themselves, by SDL's number; the virtual ones have none.
+std::map<SDL_JoystickID, std::string> serials;
+
+class LiveSdl : public test::LiveSdl {
+ protected:
+  LiveSdl() { serials.clear(); }
+};
+
+/// Of the stick that it has; -1: none.
+SDL_JoystickID instance_of(const Opened& opened) {
+  const SdlStick::Handle handle = opened.stick->handle();
+  return handle == nullptr ? -1 : SDL_JoystickInstanceID(handle.get());
+}
+
+/// As the thread of the device looks. @returns whether it has the stick
+bool look(SdlFeed& feed) {
+  InputSample sample;
+  return feed.look(sample) != News::kGone;
+}
 
 TEST_F(LiveSdl, WithoutAStick_TheListSaysNone) {
   const OpenedSource opened = open_source("device:sdl");
@@ -157,6 +178,61 @@ TEST_F(LiveSdl, Unplugged_ItIsGone_AndTheSameOneComesBack) {
   EXPECT_NEAR(static_cast<double>(sample.x), 0.5, 1e-4);
 }
 
+TEST_F(LiveSdl, ATwinThatLiesThere_DoesNotTakeItsPlace_WheneverItWasPluggedIn) {
+  for (const bool first : {true, false}) {
+    VirtualStick early("Twin");
+    VirtualStick late("Twin");
+    const Opened opened(first ? "0" : "1");
+    ASSERT_TRUE(opened.there);
+    SdlFeed feed(opened.stick);
+    VirtualStick latest("Twin");
+    ASSERT_TRUE(look(feed));
+    VirtualStick& mine = first ? early : late;
+    mine.detach();
+    EXPECT_FALSE(look(feed));
+    EXPECT_FALSE(feed.reopen()) << "nobody has chosen one of those";
+    EXPECT_FALSE(feed.reopen());
+    mine.attach();
+    ASSERT_TRUE(feed.reopen());
+    mine.move(16384, 0);
+    InputSample sample;
+    ASSERT_EQ(feed.look(sample), News::kSample);
+    EXPECT_GT(sample.x, 0.4F) << "and it is the one in the hand";
+  }
+}
+
+TEST_F(LiveSdl, PulledAndPluggedInBetweenTwoLooks_ItIsBack) {
+  VirtualStick stick("Twin");
+  VirtualStick twin("Twin");
+  const Opened opened("0");
+  SdlFeed feed(opened.stick);
+  ASSERT_TRUE(look(feed));
+  stick.detach();
+  stick.attach();
+  EXPECT_FALSE(look(feed));
+  EXPECT_TRUE(feed.reopen());
+}
+
+TEST_F(LiveSdl, ATwinThatComesInstead_IsKnownByItsSerialNumber) {
+  VirtualStick stick("Twin");
+  serials[SDL_JoystickGetDeviceInstanceID(0)] = "mine";
+  const Opened opened;
+  ASSERT_TRUE(opened.there);
+  const SDL_JoystickID before = instance_of(opened);
+  SdlFeed feed(opened.stick);
+  stick.detach();
+  EXPECT_FALSE(look(feed));
+  VirtualStick twin("Twin");
+  serials[SDL_JoystickGetDeviceInstanceID(0)] = "another";
+  EXPECT_FALSE(feed.reopen());
+  EXPECT_EQ(opened.stick->problem(), "Twin is another one");
+  stick.attach();
+  serials[SDL_JoystickGetDeviceInstanceID(1)] = "mine";
+  ASSERT_TRUE(feed.reopen());
+  EXPECT_EQ(instance_of(opened), SDL_JoystickGetDeviceInstanceID(1));
+  EXPECT_NE(instance_of(opened), before);
+}
+
 TEST_F(LiveSdl, FromTheStickToTheBout_AndBackIntoTheHand) {
   VirtualStick stick("Stick");
   {
@@ -222,3 +298,9 @@ TEST_F(LiveSdl, WithoutForceAndRumble_ThereIsNone) {
 
 }  // namespace
 }  // namespace batuta::host
+
+// The linker takes this instead of SDL's.
+extern "C" const char* SDL_JoystickGetSerial(SDL_Joystick* stick) {
+  const auto found = batuta::host::serials.find(SDL_JoystickInstanceID(stick));
+  return found == batuta::host::serials.end() ? nullptr : found->second.c_str();
+}

@@ -4,9 +4,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 namespace batuta::host {
 namespace {
@@ -254,6 +259,90 @@ TEST(LoadRecording, DescriptionBesideTheFile_IsFound) {
   EXPECT_THAT(load_recording((folder / "none.events").string()).error, HasSubstr("no such file"));
   EXPECT_THAT(load_recording(folder.string()).error, HasSubstr("cannot be read"));
   std::filesystem::remove_all(folder);
+}
+
+/// A folder with a recording, and with what stands beside it.
+class Beside : public testing::Test {
+ protected:
+  Beside() {
+    std::string name = testing::TempDir() + "batuta_beside_XXXXXX";
+    folder_ = ::mkdtemp(name.data());
+    recording_ = folder_ / "stick.events";
+    description_ = folder_ / "stick.desc";
+    std::ofstream(recording_) << kStickEvents;
+  }
+  ~Beside() override { std::filesystem::remove_all(folder_); }
+
+  /// The message names the file, and says `why`.
+  void expect_refused(const std::filesystem::path& file, const std::string& why) const {
+    EXPECT_EQ(load_recording(recording_.string()).error,
+              file.string() + ": cannot be read: " + why);
+  }
+
+  std::filesystem::path folder_;
+  std::filesystem::path recording_;
+  std::filesystem::path description_;
+};
+
+TEST_F(Beside, ADescriptionThatIsNoPlainFile_IsToldAndNotWaitedFor) {
+  ASSERT_EQ(::mkfifo(description_.c_str(), 0600), 0);
+  expect_refused(description_, "no plain file");
+  std::filesystem::remove(description_);
+  std::filesystem::create_symlink("/dev/zero", description_);
+  expect_refused(description_, "no plain file");
+  std::filesystem::remove(description_);
+  std::filesystem::create_directory(description_);
+  expect_refused(description_, "no plain file");
+}
+
+TEST_F(Beside, ADescriptionThatCannotBeRead_IsTold) {
+  std::filesystem::create_symlink(description_.filename(), description_);
+  expect_refused(description_, "Too many levels of symbolic links");
+  std::filesystem::remove(description_);
+  std::filesystem::create_symlink("/proc/self/mem", description_);
+  expect_refused(description_, "Input/output error");
+  std::filesystem::remove(description_);
+  std::ofstream(description_) << kStick;
+  std::filesystem::permissions(description_, std::filesystem::perms::none);
+  if (::geteuid() != 0) expect_refused(description_, "Permission denied");
+}
+
+TEST_F(Beside, ADescriptionWithoutAnEnd_IsTold) {
+  std::ofstream(description_) << kStick;
+  std::filesystem::resize_file(description_, std::uintmax_t{1} << 40);  // of nothing but holes
+  expect_refused(description_, "too long");
+}
+
+TEST_F(Beside, WhereTheRecordingHasItsOwn_ItDoesNotMatter) {
+  std::filesystem::create_directory(description_);
+  std::ofstream(recording_) << kStick + kStickEvents;
+  const LoadedRecording loaded = load_recording(recording_.string());
+  EXPECT_EQ(loaded.error, "");
+  expect_stick(loaded.recording);
+}
+
+TEST_F(Beside, ARecordingThatCannotBeRead_IsToldWithItsPath) {
+  std::filesystem::remove(recording_);
+  std::filesystem::create_symlink("/proc/self/mem", recording_);
+  expect_refused(recording_, "Input/output error");
+  std::filesystem::remove(recording_);
+  std::filesystem::create_symlink(recording_.filename(), recording_);
+  expect_refused(recording_, "Too many levels of symbolic links");
+  std::filesystem::remove(recording_);
+  std::ofstream(recording_).close();
+  std::filesystem::resize_file(recording_, std::uintmax_t{1} << 40);
+  expect_refused(recording_, "too long");
+}
+
+/// As "<(zcat recording.events.gz)" of a shell.
+TEST_F(Beside, ARecordingMayComeThroughAPipe) {
+  std::filesystem::remove(recording_);
+  ASSERT_EQ(::mkfifo(recording_.c_str(), 0600), 0);
+  std::thread writer([this] { std::ofstream(recording_) << kStick + kStickEvents; });
+  const LoadedRecording loaded = load_recording(recording_.string());
+  writer.join();
+  EXPECT_EQ(loaded.error, "");
+  expect_stick(loaded.recording);
 }
 
 struct Expected {

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -96,6 +97,24 @@ TEST(OpenSource, ASerialLine_HasTheRateOfItsWords_OrTheBoards) {
     EXPECT_EQ(opened.baud, 115200);
   }
   EXPECT_THAT(open_source("serial:/dev/a@fast").error, HasSubstr("BAUD is a number"));
+}
+
+/// In the system's words: it is not known whether the file is there.
+TEST(OpenSource, WhatMayNotBeLookedAt_IsNotToldToBeMissing) {
+  const std::filesystem::path folder = testing::TempDir() + "batuta_closed_folder";
+  std::filesystem::create_directories(folder);
+  const std::filesystem::path round = folder / "round.events";
+  std::filesystem::remove(round);
+  std::filesystem::create_symlink(round.filename(), round);
+  EXPECT_EQ(open_source(round.string()).error,
+            round.string() + ": cannot be read: Too many levels of symbolic links");
+  std::filesystem::permissions(folder, std::filesystem::perms::none);
+  const std::string closed = (folder / "stick.events").string();
+  const bool may_look = ::geteuid() == 0;
+  EXPECT_EQ(open_source(closed).error,
+            closed + (may_look ? ": no such file" : ": cannot be read: Permission denied"));
+  std::filesystem::permissions(folder, std::filesystem::perms::owner_all);
+  std::filesystem::remove_all(folder);
 }
 
 TEST(OpenSource, GuessedCalibration_IsNoted) {

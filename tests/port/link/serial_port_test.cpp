@@ -3,6 +3,7 @@
 
 #include "programs/serial/serial_port.hpp"
 
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -18,6 +19,13 @@
 
 namespace batuta::host {
 namespace {
+
+/// A line that keeps what it cannot do, and succeeds, as termios(3) has it.
+struct WeakLine {
+  speed_t fastest = B4000000;
+  bool has_seven_bits = false;
+};
+WeakLine weak_line;
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -160,6 +168,44 @@ TEST(SerialPort, LinesSettings_ArePutBack) {
   ::close(watcher);
 }
 
+/// On top of what cfmakeraw() clears: what a modem's or a terminal's program may have left on.
+TEST(SerialPort, NoByteStopsTheLine_WhateverItWasLeftWith) {
+  const Pty pty;
+  const int watcher = ::open(pty.path().c_str(), O_RDWR | O_NOCTTY);
+  termios line{};
+  ASSERT_EQ(tcgetattr(watcher, &line), 0);
+  const tcflag_t left_on = IXOFF | IXON | IXANY | INPCK;
+  line.c_iflag |= left_on;
+  ASSERT_EQ(tcsetattr(watcher, TCSANOW, &line), 0);
+  {
+    const OpenedSerialPort opened = SerialPort::open(pty.path());
+    ASSERT_NE(opened.port, nullptr) << opened.error;
+    ASSERT_EQ(tcgetattr(watcher, &line), 0);
+    EXPECT_EQ(line.c_iflag & left_on, 0U);
+  }
+  ASSERT_EQ(tcgetattr(watcher, &line), 0);
+  EXPECT_EQ(line.c_iflag & left_on, left_on) << "put back";
+  ::close(watcher);
+}
+
+TEST(SerialPort, ARateThatTheLineCannotDo_IsRefused) {
+  const Pty pty;
+  const auto error_of = [&](int baud) { return SerialPort::open(pty.path(), baud).error; };
+  weak_line.fastest = B115200;
+  EXPECT_EQ(error_of(115200), "");
+  EXPECT_EQ(error_of(3000000), pty.path() + ": the line cannot do 3000000 baud; it is at 115200");
+  weak_line = {};
+  EXPECT_EQ(error_of(3000000), "");
+}
+
+TEST(SerialPort, BitsThatTheLineCannotDo_AreRefused) {
+  const Pty pty;
+  weak_line.has_seven_bits = true;
+  EXPECT_EQ(SerialPort::open(pty.path()).error,
+            pty.path() + ": the line cannot do eight bits without parity at 115200 baud");
+  weak_line = {};
+}
+
 TEST(SerialPort, WhatIsNoSerialLine_IsRefusedWithAReason) {
   EXPECT_EQ(SerialPort::open("/nowhere/tty").error, "/nowhere/tty: no such file");
   EXPECT_EQ(SerialPort::open("/dev/null").error, "/dev/null: not a serial line");
@@ -181,3 +227,22 @@ TEST(SerialPort, NoPermission_IsRefusedWithAReason) {
 
 }  // namespace
 }  // namespace batuta::host
+
+// The linker takes these instead of the C library's.
+extern "C" int tcsetattr(int file, int /*when*/, const termios* settings) noexcept {
+  using batuta::host::weak_line;
+  termios able = *settings;
+  if (cfgetospeed(&able) > weak_line.fastest) cfsetspeed(&able, weak_line.fastest);
+  const auto really =
+      reinterpret_cast<int (*)(int, int, const termios*)>(::dlsym(RTLD_NEXT, "tcsetattr"));
+  return really(file, TCSANOW, &able);
+}
+extern "C" int tcgetattr(int file, termios* settings) noexcept {
+  const auto really = reinterpret_cast<int (*)(int, termios*)>(::dlsym(RTLD_NEXT, "tcgetattr"));
+  const int answer = really(file, settings);
+  // The kernel's ptys have eight bits whatever they are told.
+  if (batuta::host::weak_line.has_seven_bits) {
+    settings->c_cflag = (settings->c_cflag & ~static_cast<tcflag_t>(CSIZE)) | CS7;
+  }
+  return answer;
+}

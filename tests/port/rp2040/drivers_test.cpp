@@ -92,39 +92,60 @@ TEST_F(Rp2040Force, ForceOff_NeedsNoObject) {
   EXPECT_EQ(levels(), kLow);
 }
 
-/// @returns the status of the last of `readings`
-Status read(PicoStick& stick, int readings, InputSample& sample) {
-  Status status = Status::kOk;
-  for (int i = 0; i < readings; ++i)
-    status = stick.read(static_cast<Microseconds>(1000 * i), sample);
-  return status;
-}
+/// A stick that is read each millisecond.
+struct TickedStick {
+  /// @returns the status of the last of `readings`
+  Status read(int readings, InputSample& sample) {
+    Status status = Status::kOk;
+    for (int i = 0; i < readings; ++i) status = stick.read(now += 1000, sample);
+    return status;
+  }
+  PicoStick stick;
+  Microseconds now = 0;
+};
 
 TEST(Rp2040Stick, Deflection_IsThatOfTheWipers) {
   fake_pico() = {};
-  PicoStick stick;
-  ASSERT_EQ(stick.start(kStickAxis), Status::kOk);
+  TickedStick ticked;
+  ASSERT_EQ(ticked.stick.start(kStickAxis), Status::kOk);
   InputSample sample;
   fake_pico().counts = {4031, 64, 0, 0};  // the ends of what is a stick
-  EXPECT_EQ(read(stick, 99, sample), Status::kUnavailable) << "not for a loose contact";
-  ASSERT_EQ(read(stick, 1, sample), Status::kOk);
+  EXPECT_EQ(ticked.read(99, sample), Status::kUnavailable) << "not for a loose contact";
+  ASSERT_EQ(ticked.read(1, sample), Status::kOk);
   EXPECT_EQ(sample.x, 1.0F);
   EXPECT_EQ(sample.y, -1.0F);
   fake_pico().counts = {2048, 2048, 0, 0};
-  ASSERT_EQ(read(stick, 1, sample), Status::kOk);
+  ASSERT_EQ(ticked.read(1, sample), Status::kOk);
   EXPECT_EQ(sample.x, 0.0F) << "in the dead zone";
 }
 
 TEST(Rp2040Stick, WiperThatIsOff_IsNoStick) {
   fake_pico() = {};
-  PicoStick stick;
-  ASSERT_EQ(stick.start(kStickAxis), Status::kOk);
+  TickedStick ticked;
+  ASSERT_EQ(ticked.stick.start(kStickAxis), Status::kOk);
   InputSample sample;
   fake_pico().counts = {2048, 2048, 0, 0};
-  ASSERT_EQ(read(stick, 100, sample), Status::kOk);
+  ASSERT_EQ(ticked.read(100, sample), Status::kOk);
   fake_pico().counts = {2048, 4095, 0, 0};
-  EXPECT_EQ(read(stick, 1, sample), Status::kUnavailable);
-  EXPECT_FALSE(stick.is_connected());
+  EXPECT_EQ(ticked.read(1, sample), Status::kUnavailable);
+  EXPECT_FALSE(ticked.stick.is_connected());
+}
+
+TEST(Rp2040Stick, SameTime_IsConvertedOnce_AndTheNextIsTheNextSample) {
+  fake_pico() = {};
+  fake_pico().counts = {2048, 2048, 0, 0};
+  TickedStick ticked;
+  ASSERT_EQ(ticked.stick.start(kStickAxis), Status::kOk);
+  InputSample first;
+  ASSERT_EQ(ticked.read(150, first), Status::kOk);
+  const int conversions = fake_pico().conversions;
+  InputSample again = first;
+  EXPECT_EQ(ticked.stick.read(ticked.now, again), Status::kUnavailable);
+  EXPECT_EQ(fake_pico().conversions, conversions);
+  InputSample next;
+  ASSERT_EQ(ticked.read(1, next), Status::kOk);
+  EXPECT_EQ(next.sequence, first.sequence + 1);
+  EXPECT_EQ(fake_pico().conversions, conversions + 32) << "2 us each";
 }
 
 TEST(Rp2040Rhythm, LateTicksAreDroppedAndTheRhythmIsKept) {

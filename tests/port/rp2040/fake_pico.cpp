@@ -23,6 +23,7 @@ void adc_select_input(unsigned input) {
   fake_pico().input = input;
 }
 uint16_t adc_read(void) {
+  ++fake_pico().conversions;
   return fake_pico().counts.at(fake_pico().input);
 }
 

@@ -14,6 +14,7 @@ struct FakePico {
   bool loop_closed = true;                 ///< of the emergency stop
   std::uint16_t wrap = 0;
   unsigned input = 0;
+  int conversions = 0;
 };
 
 /// There is one, as there is one chip.

@@ -18,6 +18,9 @@ Status PicoStick::start(const AxisCalibration& axis) {
 
 /// The two channels in turn, as close together as they can be.
 Status PicoStick::do_read(Microseconds now, InputSample& sample) {
+  if (has_read_ && now == read_at_) return Status::kUnavailable;
+  has_read_ = true;
+  read_at_ = now;
   std::uint16_t counts[drivers::kWindowCounts];
   for (int i = 0; i < drivers::kWindowCounts; ++i) {  // Bound: kWindowCounts
     adc_select_input((i % drivers::kAxes == 0 ? kStickXPin : kStickYPin) - kFirstAdcPin);

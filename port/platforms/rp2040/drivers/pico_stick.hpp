@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Two potentiometers on the RP2040's ADC, read when asked: 32 conversions of 2 us.
+// Two potentiometers on the RP2040's ADC, read when asked: a read takes as long as its 32
+// conversions of 2 us, 64 us in all, and waits for nothing else. At the time of the last read there
+// is nothing new, and nothing is converted.
 
 #include "batuta/port/clock.hpp"
 #include "batuta/port/sample_builder.hpp"
@@ -21,6 +23,8 @@ class PicoStick final : public InputDevice {
 
   SampleBuilder builder_;
   drivers::Connection connection_;
+  Microseconds read_at_ = 0;  ///< of the last conversions
+  bool has_read_ = false;
 };
 
 }  // namespace batuta::rp2040

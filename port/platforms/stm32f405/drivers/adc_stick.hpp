@@ -45,7 +45,8 @@ class AdcStick final : public InputDevice {
   /// From the interrupt of the ADC: a conversion was lost, DMA has stopped (RM0090 13.8.1).
   void on_overrun();
 
-  /// False: no stick is wired, its wires are off, or nothing converts at all.
+  /// False: no stick is wired, its wires are off, or nothing has been converted yet. As the last
+  /// reading said: where conversions stop later it stays, and read() has nothing new.
   bool is_connected() const { return connected_.load(std::memory_order_relaxed); }
   /// Readings that were lost or thrown away: late interrupts, errors of ADC and DMA.
   std::uint32_t faults() const { return faults_.load(std::memory_order_relaxed); }
