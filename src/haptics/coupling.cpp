@@ -92,9 +92,9 @@ Status validate(const CouplingSettings<Scalar>& settings) {
 }
 
 template <class Scalar>
-Wrench<Scalar> detail::coupling_pull(const CouplingSettings<Scalar>& settings,
-                                     const MovingFrame<Scalar>& commanded,
-                                     const MovingFrame<Scalar>& actual) {
+Wrench<Scalar> raw_coupling_wrench(const CouplingSettings<Scalar>& settings,
+                                   const MovingFrame<Scalar>& commanded,
+                                   const MovingFrame<Scalar>& actual) {
   const Stretch<Scalar> stretch = stretch_of(commanded, actual);
   return within_limits<Scalar>(
       settings, {settings.stiffness * stretch.shift_W + settings.damping * stretch.v_W,
@@ -105,7 +105,7 @@ template <class Scalar>
 Wrench<Scalar> coupling_wrench(const CouplingSettings<Scalar>& settings,
                                const MovingFrame<Scalar>& commanded,
                                const MovingFrame<Scalar>& actual) {
-  const Wrench<Scalar> wrench = detail::coupling_pull(settings, commanded, actual);
+  const Wrench<Scalar> wrench = raw_coupling_wrench(settings, commanded, actual);
   return is_finite_wrench(wrench) ? wrench : Wrench<Scalar>{};
 }
 
@@ -146,14 +146,14 @@ Result<Wrench<Scalar>> couple(const CouplingSettings<Scalar>& settings,
   return success(Wrench<Scalar>{-pull.force_W, -pull.moment_W});
 }
 
-#define BATUTA_INSTANTIATE(S)                                                                 \
-  template Status validate(const CouplingSettings<S>&);                                       \
-  template Wrench<S> detail::coupling_pull(const CouplingSettings<S>&, const MovingFrame<S>&, \
-                                           const MovingFrame<S>&);                            \
-  template Wrench<S> coupling_wrench(const CouplingSettings<S>&, const MovingFrame<S>&,       \
-                                     const MovingFrame<S>&);                                  \
-  template bool is_at_limit(const CouplingSettings<S>&, const Wrench<S>&);                    \
-  template S stored_energy(const CouplingSettings<S>&, const Pose<S>&, const Pose<S>&);       \
+#define BATUTA_INSTANTIATE(S)                                                               \
+  template Status validate(const CouplingSettings<S>&);                                     \
+  template Wrench<S> raw_coupling_wrench(const CouplingSettings<S>&, const MovingFrame<S>&, \
+                                         const MovingFrame<S>&);                            \
+  template Wrench<S> coupling_wrench(const CouplingSettings<S>&, const MovingFrame<S>&,     \
+                                     const MovingFrame<S>&);                                \
+  template bool is_at_limit(const CouplingSettings<S>&, const Wrench<S>&);                  \
+  template S stored_energy(const CouplingSettings<S>&, const Pose<S>&, const Pose<S>&);     \
   template Result<Wrench<S>> couple(const CouplingSettings<S>&, const MovingFrame<S>&, Body<S>&, S);
 BATUTA_FOR_EACH_SCALAR(BATUTA_INSTANTIATE)
 #undef BATUTA_INSTANTIATE

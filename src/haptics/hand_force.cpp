@@ -43,7 +43,7 @@ Wrench<Scalar> HandForce<Scalar>::pull(const HandState<Scalar>& state, Scalar dt
     if (started_) frame.twist = motion_between(before, now, dt).twist;
     return frame;
   };
-  const Wrench<Scalar> whole = detail::coupling_pull(
+  const Wrench<Scalar> whole = raw_coupling_wrench(
       coupling_, moving(commanded_W_, state.commanded.X_WH), moving(held_W_, state.held_W));
   limited_ = is_at_limit(coupling_, whole);
   return {state.hold * whole.force_W, state.hold * whole.moment_W};

@@ -45,16 +45,12 @@ Wrench<Scalar> coupling_wrench(const CouplingSettings<Scalar>& settings,
                                const MovingFrame<Scalar>& commanded,
                                const MovingFrame<Scalar>& actual);
 
-namespace detail {
-
-/// As coupling_wrench(), but not finite where a number is not, so that who asks can tell that from
-/// a coupling that is slack.
+/// As coupling_wrench(), but not finite where a number is not: who asks can tell that from a
+/// coupling that is slack. @pre as coupling_wrench()
 template <class Scalar>
-Wrench<Scalar> coupling_pull(const CouplingSettings<Scalar>& settings,
-                             const MovingFrame<Scalar>& commanded,
-                             const MovingFrame<Scalar>& actual);
-
-}  // namespace detail
+Wrench<Scalar> raw_coupling_wrench(const CouplingSettings<Scalar>& settings,
+                                   const MovingFrame<Scalar>& commanded,
+                                   const MovingFrame<Scalar>& actual);
 
 /// Whether a wrench of coupling_wrench() is held at one of the two limits, or fits it exactly: to
 /// rounding, they are the same. Bound: no loop.
