@@ -30,7 +30,8 @@ def functions_of(header, with_detail=False):
         if line.startswith("namespace detail"):
             in_detail = True
         elif line.startswith("}"):
-            in_class = hidden = in_detail = False
+            in_class = hidden = False
+            in_detail = in_detail and line == line.rstrip()  # behind a namespace's there was a comment
         elif re.match(r"(template <.*> )?(class|struct) [^;]*$", line):
             in_class, hidden = not line.rstrip().endswith("}"), False
         elif re.match(r" (private|protected):", line):

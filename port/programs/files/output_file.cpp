@@ -232,6 +232,14 @@ std::string clash_of(const NamedFile& out, const std::vector<NamedFile>& inputs,
   return {};
 }
 
+/// Where what is complained goes to one of these files, nothing is from now on.
+void keep_out_of(const std::vector<NamedFile>& inputs) {
+  const bool is_told_there = std::any_of(inputs.begin(), inputs.end(), [](const NamedFile& in) {
+    return is_stream(kStandardError, in.path);
+  });
+  if (is_told_there) (void)std::freopen("/dev/null", "w", stderr);
+}
+
 }  // namespace
 
 bool is_standard_input(const std::string& path) {
@@ -239,15 +247,13 @@ bool is_standard_input(const std::string& path) {
 }
 
 std::string clash_of(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
-  const bool would_be_told_there =
-      std::any_of(inputs.begin(), inputs.end(),
-                  [](const NamedFile& in) { return is_stream(kStandardError, in.path); });
-  if (would_be_told_there) (void)std::freopen("/dev/null", "w", stderr);
   const auto read = std::find_if(inputs.begin(), inputs.end(),
                                  [](const NamedFile& in) { return is_printed_to(in.path); });
-  if (read != inputs.end())
+  if (read != inputs.end()) {
+    keep_out_of(inputs);
     return "what is printed goes to what " + read->option +
            " reads: it would be lost, or have no end";
+  }
   for (std::size_t i = 0; i < outputs.size(); ++i) {  // Bound: outputs
     std::string clash = clash_of(outputs[i], inputs, outputs, i);
     if (!clash.empty()) return clash;

@@ -51,7 +51,10 @@ TEST(MakeActor, WhereBodiesTurn_IsTheSolidBody) {
   EXPECT_NEAR(1 / body.inverse_mass, mass_of(kRod), 1e-5F * mass_of(kRod));
   const Twist<float> moves = twist_of(body);
   EXPECT_LT((moves.v_W - twist.v_W).norm(), 1e-5F);
-  EXPECT_LT((moves.w_W - twist.w_W).norm(), 1e-5F);
+  // Its spin about the rod comes back from a momentum that is rounded as a whole, most of which
+  // turns the rod about its other axes.
+  const float unlike = body.inverse_moments.maxCoeff() / body.inverse_moments.minCoeff();
+  EXPECT_LT((moves.w_W - twist.w_W).norm(), kRoundOff<float> * unlike * twist.w_W.norm());
   const Capsule<float> shape_W = to_world(body.X_WB, made.value.capsule_B);
   EXPECT_LT((shape_W.axis.a - to_world(kPlace, kRod.axis.a)).norm(), kNear);
   EXPECT_LT((shape_W.axis.b - to_world(kPlace, kRod.axis.b)).norm(), kNear);
