@@ -237,7 +237,7 @@ void keep_out_of(const std::vector<NamedFile>& inputs) {
   const bool is_told_there = std::any_of(inputs.begin(), inputs.end(), [](const NamedFile& in) {
     return is_stream(kStandardError, in.path);
   });
-  // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): the stream stays the system's
+  // NOLINTNEXTLINE(cppcoreguidelines-owning-memory) deviation: standard-error
   if (is_told_there) (void)std::freopen("/dev/null", "w", stderr);
 }
 
