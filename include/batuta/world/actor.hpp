@@ -84,7 +84,8 @@ using FeatureIf = std::conditional_t<kIsOn, Feature, Absent<kNumber>>;
 /// The caller may read or change it between steps. Call World::get() again after each step: what is
 /// changed through a pointer that was kept is not noticed. What becomes unusable (not finite, or
 /// too far away to hold its size) is left out of the steps, and counted in
-/// StepReport::plans_invalid.
+/// StepReport::plans_invalid. An orientation whose length is off 1 by more than rounding is renewed
+/// at the start of a step; by more than a thousandth, it is none.
 template <class SceneT>
 struct Actor
     : detail::ShapeOf<typename detail::SceneVerdict<SceneT>::Seen>,
