@@ -101,7 +101,8 @@ bool points(const Quat<Scalar>& q) {
 /// renewed.
 template <class Scalar>
 Quat<Scalar> unit_of(const Quat<Scalar>& q) {
-  return off_unit(q) <= kUnitRounding<Scalar> ? q : renewed(q);
+  const bool is_unit = off_unit(q) <= kUnitRounding<Scalar>;
+  return is_unit ? q : renewed(q);
 }
 
 }  // namespace detail
