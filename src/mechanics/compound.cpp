@@ -107,8 +107,8 @@ Result<Body<Scalar>> detail::place_compound(const MassProperties<Scalar>& mass,
   const bool possible = are_of_a_body(frame.moments) && detail::points(X_WS.q_WB) &&
                         move_to_body(X_SB, capsules, count);
   if (!possible) return failure<Body<Scalar>>(kRefused);
-  const Pose<Scalar> X_unit = {X_WS.p_W, unit_of(X_WS.q_WB)};
-  const Pose<Scalar> X_WB = {to_world(X_unit, X_SB.p_W), X_unit.q_WB * X_SB.q_WB};
+  const Pose<Scalar> X_WS_unit = {X_WS.p_W, unit_of(X_WS.q_WB)};
+  const Pose<Scalar> X_WB = {to_world(X_WS_unit, X_SB.p_W), X_WS_unit.q_WB * X_SB.q_WB};
   auto body = make_body(X_WB, mass.mass, frame.moments);
   if (!body.ok()) return body;
   const bool movable = body.value.inverse_mass > Scalar(0);

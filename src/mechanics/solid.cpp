@@ -73,8 +73,8 @@ Result<SolidBody<Scalar>> solid_body(const Capsule<Scalar>& capsule_G, Scalar de
   const OwnFrame<Scalar> own = own_frame(capsule_G);
   const auto mass = inertia_of(own.capsule_B, density);
   if (!mass.ok()) return refused;
-  const Pose<Scalar> X_unit = {X_WG.p_W, detail::unit_of(X_WG.q_WB)};
-  const Pose<Scalar> X_WB = {to_world(X_unit, own.X_GB.p_W), X_unit.q_WB * own.X_GB.q_WB};
+  const Pose<Scalar> X_WG_unit = {X_WG.p_W, detail::unit_of(X_WG.q_WB)};
+  const Pose<Scalar> X_WB = {to_world(X_WG_unit, own.X_GB.p_W), X_WG_unit.q_WB * own.X_GB.q_WB};
   const auto made = make_body(X_WB, mass.value.mass, mass.value.inertia_S.diagonal().eval());
   if (!made.ok()) return refused;
   SolidBody<Scalar> solid = {made.value, own.capsule_B};

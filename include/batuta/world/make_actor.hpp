@@ -8,7 +8,7 @@
 
 namespace batuta {
 
-/// A body of one solid capsule, with the exact mass and moments of solid_capsule(). The capsule may
+/// A body of one solid capsule, with mass and moments to rounding (solid_body()). The capsule may
 /// lie anywhere in G: the body's own frame B has its origin in the capsule's middle, and
 /// solid_body() says how its axes lie. Without rotation the body is turned once, here.
 /// @param capsule_G  of length 0 where the search is Spheres
