@@ -54,6 +54,9 @@ CPPCHECK = ["cppcheck", "--enable=warning,style,performance,portability", "--inl
             *(f"--suppress={name}" for name in SUPPRESSED)]
 # Without it the analyzer passes over what a bundle includes, and says nothing of it; the canary's leak would tell.
 INCLUDED_TOO = " -Xclang -analyzer-opt-analyze-headers"
+INCLUDED = '#include "{name}"  // NOLINT(bugprone-suspicious-include)\n'  # a file of a bundle
+INCLUDED_PROGRAM = f"#define main main_{{number}}  // NOLINT\n{INCLUDED}#undef main\n"  # one bundle may hold several
+LONGEST = 5  # units of clang-tidy, whose times are told
 COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 
 
@@ -87,6 +90,12 @@ def for_clang(command):
     kept = shlex.split(GCC_ONLY.sub("", command))[1:]
     system = [word for folder in search_path(command) for word in ("-isystem", folder)]
     return shlex.join(["clang++", CROSS_TARGET, "-nostdlibinc", *kept[:-4], *system, *kept[-4:]])  # -o, -c at the end
+
+
+def included(name, number):
+    """What a bundle has of a file."""
+    is_program = re.search(r"^int main\(", pathlib.Path(name).read_text(encoding="utf-8"), re.M)
+    return (INCLUDED_PROGRAM if is_program else INCLUDED).format(name=name, number=number)
 
 
 class Analysis:
@@ -146,7 +155,7 @@ class Analysis:
         for number, ((parent, flags), members) in enumerate(sorted(bundles.items())):
             names = sorted(unit["file"] for unit in members)
             bundle = folder / f"{number:02}_{'_'.join(parent.relative_to(self.source).parts)}.cpp"
-            bundle.write_text("".join(f'#include "{name}"  // NOLINT(bugprone-suspicious-include)\n' for name in names))
+            bundle.write_text("".join(included(name, place) for place, name in enumerate(names)))
             self.bundles[bundle] = names
             self.commands[bundle] = f"{flags} -c {bundle}"
             yield {"directory": str(self.build), "file": str(bundle), "command": self.commands[bundle] + INCLUDED_TOO}
@@ -220,7 +229,7 @@ class Analysis:
             if canary.name.startswith("target_") and not self.cross:
                 say("left out, as said above")
                 continue
-            code, output = self.cppcheck([canary]) if "cppcheck" in canary.name else run(self.tidy([canary]))
+            code, output = self.cppcheck([canary]) if "cppcheck" in canary.name else self.tidy([canary])
             missing = {name for name in expected if f"[{name}" not in output}
             if code == 0 or missing or not expected or "clang-diagnostic-error" in output:
                 self.fail(f"{canary.name}: not reported: {', '.join(sorted(missing)) or 'by exit code'}", output)
@@ -240,9 +249,24 @@ class Analysis:
         return worst, told
 
     def tidy(self, files):
-        tool = shutil.which("run-clang-tidy") or shutil.which("run-clang-tidy-14") or "run-clang-tidy"
-        return [tool, "-quiet", f"-j{os.cpu_count() or 1}", f"-p={self.database}",
-                *(f"^{re.escape(name)}$" for name in self.bundled(files))]
+        """What takes long comes first, or one core waits for another's last unit."""
+        tool = shutil.which("clang-tidy") or "clang-tidy"
+        names = sorted(self.bundled(files), key=self.size_of, reverse=True)
+
+        def look(name):
+            start = time.monotonic()
+            code, output = run([tool, "--quiet", f"-p={self.database}", name])
+            return time.monotonic() - start, name, code, output
+
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            looked = list(pool.map(look, names))
+        for seconds, name, _, _ in sorted(looked, reverse=True)[:LONGEST]:
+            say(f"{seconds:.0f} s for {pathlib.Path(name).name}")
+        return max((code for _, _, code, _ in looked), default=0), "".join(output for _, _, _, output in looked)
+
+    def size_of(self, name):
+        """Bytes of the sources of a unit."""
+        return sum(os.path.getsize(member) for member in self.bundles.get(pathlib.Path(name), [name]))
 
     def check_cppcheck(self):
         units = self.units_in(ANALYZED)
@@ -254,7 +278,7 @@ class Analysis:
     def check_tidy(self):
         units = self.units_in(ANALYZED)
         say(f"clang-tidy: {len(units)} units")
-        code, output = run(self.tidy(units))
+        code, output = self.tidy(units)
         findings = sorted(set(re.findall(r"^/\S+:\d+:\d+: (?:error|warning): .*$", output, re.M)))
         if code != 0 or not units:
             self.fail("clang-tidy", "\n".join(findings) or output)

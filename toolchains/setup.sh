@@ -8,7 +8,7 @@ set -u
 # What batuta-duel is built with; with the window of --view, which is SDL's.
 DUEL_PACKAGES="g++ cmake ninja-build pkg-config libeigen3-dev libevdev-dev libevemu-dev libsdl2-dev libcli11-dev nlohmann-json3-dev"
 HOST_PACKAGES="$DUEL_PACKAGES libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev \
-xvfb gnuplot-nox libbullet-dev libfcl-dev libode-dev libccd-dev \
+xvfb gnuplot-nox valgrind libbullet-dev libfcl-dev libode-dev libccd-dev \
 cppcheck clang clang-tidy clang-format libclang-rt-dev gcovr doxygen doxygen-awesome-css make python3 git"
 TARGET_PACKAGES="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm qemu-user \
 g++-aarch64-linux-gnu g++-arm-linux-gnueabihf g++-riscv64-linux-gnu"

@@ -21,15 +21,15 @@ struct LawFeatures {
   int parts = 1;
   int bodies = 80;
 };
-constexpr LawFeatures kFloating = {};
-constexpr LawFeatures kFalling = {true};
-constexpr LawFeatures kSleeping = {true, true};
-constexpr LawFeatures kRolling = {true, true, true};
-constexpr LawFeatures kRollingAwake = {true, false, true};
-constexpr LawFeatures kSleepingParts = {true, true, false, 3};
-constexpr LawFeatures kHeaps = {true, false, true, 3};
-constexpr LawFeatures kCompound = {false, false, false, 3, 4};
-constexpr LawFeatures kFallingCompound = {true, false, false, 3, 4};
+inline constexpr LawFeatures kFloating = {};
+inline constexpr LawFeatures kFalling = {true};
+inline constexpr LawFeatures kSleeping = {true, true};
+inline constexpr LawFeatures kRolling = {true, true, true};
+inline constexpr LawFeatures kRollingAwake = {true, false, true};
+inline constexpr LawFeatures kSleepingParts = {true, true, false, 3};
+inline constexpr LawFeatures kHeaps = {true, false, true, 3};
+inline constexpr LawFeatures kCompound = {false, false, false, 3, 4};
+inline constexpr LawFeatures kFallingCompound = {true, false, false, 3, 4};
 
 template <RestingContact kRests, const LawFeatures& kFeatures>
 constexpr SceneOptions law_options() {
@@ -197,3 +197,26 @@ double smallest_gap(const World<SceneT>& world) {
 }
 
 }  // namespace batuta::test
+
+namespace batuta {
+
+/// The steps of scenes that several files look at: most of what these files would compile, and
+/// compiled once, in law_steps_*.cpp.
+#define BATUTA_LAW_STEP(declared, S, ...) \
+  declared template Status detail::GeneralWorld<test::LawScene<S, __VA_ARGS__>>::step(S);
+#define BATUTA_STEPS_WITH_BLOWS(declared, S)                           \
+  BATUTA_LAW_STEP(declared, S, RestingContact::kNone, test::kFloating) \
+  BATUTA_LAW_STEP(declared, S, RestingContact::kNone, test::kFalling)  \
+  BATUTA_LAW_STEP(declared, S, RestingContact::kSeparation, test::kFalling)
+#define BATUTA_STEPS_THAT_SETTLE(declared, S)                              \
+  BATUTA_LAW_STEP(declared, S, RestingContact::kSettling, test::kFloating) \
+  BATUTA_LAW_STEP(declared, S, RestingContact::kSettling, test::kFalling)  \
+  BATUTA_LAW_STEP(declared, S, RestingContact::kSettling, test::kSleeping) \
+  BATUTA_LAW_STEP(declared, S, RestingContact::kSettling, test::kRolling)  \
+  BATUTA_LAW_STEP(declared, S, RestingContact::kSettling, test::kHeaps)
+BATUTA_STEPS_WITH_BLOWS(extern, float)
+BATUTA_STEPS_WITH_BLOWS(extern, double)
+BATUTA_STEPS_THAT_SETTLE(extern, float)
+BATUTA_STEPS_THAT_SETTLE(extern, double)
+
+}  // namespace batuta

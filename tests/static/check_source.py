@@ -27,6 +27,9 @@ FORBIDDEN = [
     ("jump", r"\bgoto\b|\bsetjmp\b"),
     ("reserved name", r"\b_[A-Z]\w*|\b(?!__builtin_)\w*__\w*(?<!__)\b"),
 ]
+# Eigen is set up, alike for all, by the one header that includes it.
+EIGEN_HEADER = "detail/eigen.hpp"
+INCLUDES_EIGEN = re.compile(r"\s*#\s*include\s*[<\"]Eigen/")
 FLOAT_LITERAL = re.compile(r"(?<![\w.])(?:\d+\.\d*|\.\d+|\d+(?=[eE]))(?:[eE][+-]?\d+)?(?![\w.])")
 DEVIATION = re.compile(r"\bdeviation: ([\w-]+)")
 SUPPRESSION = re.compile(r"NOLINT|cppcheck-suppress")
@@ -166,7 +169,8 @@ def check_words(root):
             findings.append(f"{where}:1: does not begin with the licence line")
         if path.suffix in (".hpp", ".h") and "#pragma once" not in lines[1:2]:
             findings.append(f"{where}:2: is not #pragma once")
-        conditional = "/".join(path.parts[-2:]) in PREPROCESSOR_FILES
+        name = "/".join(path.parts[-2:])
+        conditional = name in PREPROCESSOR_FILES
         code = code_only(text)
         findings += [f"{where}:{number}: double literal: {literal}" for number, literal in double_literals(code)]
         for number, line in enumerate(code.splitlines(), 1):
@@ -177,6 +181,8 @@ def check_words(root):
                     findings.append(f"{where}:{number}: {what}: {word.strip()}")
             if not conditional and re.match(r"\s*#\s*(?:if|ifdef|ifndef)\b", line):
                 findings.append(f"{where}:{number}: preprocessor condition")
+            if name != EIGEN_HEADER and INCLUDES_EIGEN.match(line):
+                findings.append(f"{where}:{number}: includes Eigen past core/{EIGEN_HEADER}")
     return findings
 
 

@@ -112,6 +112,11 @@ class Words(Tree):
         self.put("include/batuta/core/config.hpp", "#pragma once\n#if 1\n#endif\n")
         self.assert_found(self.check(), "a.cpp:2: preprocessor condition")
 
+    def test_eigen_is_included_in_one_place(self):
+        self.put("src/core/a.cpp", '#include <Eigen/Core>\n#include <Eigenvalues>\n')
+        self.put("include/batuta/core/detail/eigen.hpp", '#pragma once\n#include <Eigen/Core>\n')
+        self.assert_found(self.check(), "a.cpp:2: includes Eigen past core/detail/eigen.hpp")
+
     def test_long_file_licence_and_guard_are_found(self):
         self.put("include/batuta/core/a.hpp", "#pragma once\n" + "\n" * 400)
         (self.root / "include/batuta/core/b.hpp").write_text("#ifndef B\n")
