@@ -53,6 +53,18 @@ bool read_event(std::string_view fields, DeviceEvent& event) {
   return true;
 }
 
+/// Whether an axis's numbers fit in 32 bits: libevemu takes those that do not for other ones.
+bool are_numbers_of_an_axis(std::string_view fields) {
+  std::string_view word = next_word(fields);
+  while (!word.empty() && word.front() != '#') {  // Bound: words of the line
+    std::int32_t number = 0;
+    const auto read = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (read.ec == std::errc::result_out_of_range) return false;
+    word = next_word(fields);
+  }
+  return true;
+}
+
 }  // namespace
 
 LineKind read_line(std::string_view line, DeviceEvent& event) {
@@ -62,6 +74,7 @@ LineKind read_line(std::string_view line, DeviceEvent& event) {
   if (line[0] == 'E') {
     return read_event(line.substr(2), event) ? LineKind::kEvent : LineKind::kMalformed;
   }
+  if (line[0] == 'A' && !are_numbers_of_an_axis(line.substr(2))) return LineKind::kMalformed;
   constexpr std::string_view kDescription = "NIPBALS";
   const bool known = kDescription.find(line[0]) != std::string_view::npos;
   return known ? LineKind::kDescription : LineKind::kMalformed;

@@ -101,6 +101,15 @@ TEST(EventLine, DescriptionLines) {
   }
 }
 
+TEST(EventLine, AxisBeyond32Bits_IsMalformed) {
+  EXPECT_EQ(kind_of("A: 00 -2147483648 2147483647 0 0 0"), LineKind::kDescription);
+  EXPECT_EQ(kind_of("A: 00 0 255 0 15 # 99999999999"), LineKind::kDescription);
+  for (const char* line : {"A: 00 0 2147483648 0 15", "A: 3f -2147483649 255 0 15",
+                           "A: 00 0 255 0 15 99999999999999999999"}) {
+    EXPECT_EQ(kind_of(line), LineKind::kMalformed) << line;
+  }
+}
+
 /// Reads every line with libevemu as well. @returns how many events there were
 int compare_all(std::istream& lines) {
   int compared = 0;
