@@ -97,6 +97,14 @@ class Ways(unittest.TestCase):
     def test_subfolder_with_eigen_as_a_target(self):
         self.expect_lean(Configured(TARGET + SUBFOLDER, NO_PACKAGE), [])
 
+    def test_install_rules_with_eigen_as_a_target(self):
+        way = Configured(TARGET + SUBFOLDER, NO_PACKAGE, "-DBATUTA_INSTALL=ON")
+        self.assertEqual(way.code, 0, way.told[-3000:])
+
+    def test_own_port_with_a_slash_behind_its_path(self):
+        way = Configured(TARGET + SUBFOLDER, NO_PACKAGE, f"-DBATUTA_PORT={SOURCE}/port/template/")
+        self.assertEqual(way.code, 0, way.told[-3000:])
+
     def test_subfolder_with_eigen_as_a_package(self):
         self.expect_lean(Configured(SUBFOLDER), ["Eigen3"])
 

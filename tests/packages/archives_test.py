@@ -265,15 +265,26 @@ def cmsis():
     build("plain", folder, **values)
 
 
+def links_lead_somewhere(folder):
+    """Pages and pictures to which the front page and the pages of docs/ lead are there."""
+    for page in (folder / "README.md", *sorted((folder / "docs").glob("*.md"))):
+        targets = re.findall(r"\]\(([^)#:]+[.](?:md|svg|hpp|cpp|h))(?:#[^)]*)?\)", page.read_text(encoding="utf-8"))
+        lost = [target for target in targets if not (page.parent / target).resolve().exists()]
+        check(not lost, f"{page.name} leads to {lost}, which the archive does not have")
+        print(page.name, len(targets), "links")
+
+
 def release():
     """One folder, as the README says to use it: the project that uses it is that of tests/consumer."""
     ending = f"{PROJECT.name}-{PROJECT.version}"
     folder = unpacked(f"{ending}.tar.gz") / ending
     run("cmake", "-DMODE=subfolder", f"-DSOURCE={folder}", f"-DWORK={WORK / NAME / 'consumer'}", "-DGENERATOR=Ninja", f"-DEIGEN={EIGEN}",
         "-DCOMPILER=c++", "-DFLAGS=", "-P", SOURCE / "tests/consumer/consume.cmake")
+    links_lead_somewhere(folder)
     # It configures by itself as well, and asks for no test library.
     hidden = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{package}=ON" for package in ("GTest", "rapidcheck", "benchmark", "CLI11", "PkgConfig")]
     run("cmake", "-S", folder, "-B", WORK / NAME / "alone", "-G", "Ninja", "-DBATUTA_BUILD_PROGRAMS=OFF", *hidden)
+    check((folder / "tests/consumer/project/CMakeLists.txt").is_file(), "README.md's lines build tests/consumer/project")
     # The contract suite of a port is whole: docs/porting.md begins with these files.
     for file in ("tests/port/template_test.cpp", "tests/port/contract_on_board.hpp", "tests/support/heap_trap.cpp",
                  "tests/support/heap_trap_of_board.cpp"):

@@ -5,6 +5,7 @@ all, which is that of the newest heading of CHANGELOG.md with a date, or the fir
 import datetime
 import gzip
 import io
+import os
 import re
 import tarfile
 import zipfile
@@ -103,9 +104,20 @@ def release_tree(project):
     suite = ["contract.cmake", "contract_checks.hpp", "contract_on_board.hpp", "contract_suite.hpp", "template_rigs.hpp", "template_test.cpp"]
     support = ["heap_trap.cpp", "heap_trap.hpp", "heap_trap_of_board.cpp", "plain_force.hpp"]
     tests = [f"tests/port/{name}" for name in suite] + [f"tests/support/{name}" for name in support]
+    tests += below(project, "tests/consumer/project")  # README.md, "Install it"
     top = ["CMakeLists.txt", "CMakePresets.json", "CHANGELOG.md", *manifests.committed(project)]
     folders = [name for folder in ("include", "src", "port", "toolchains", "zephyr", "docs", "examples") for name in below(project, folder)]
-    return read(project, dict.fromkeys(LICENCE + top + tests + folders))
+    files = read(project, dict.fromkeys(LICENCE + top + tests + folders))
+    return files | read(project, dict.fromkeys(pictures(project, files)))
+
+
+def pictures(project, files):
+    """What the pages among some files show, wherever it lies."""
+    for page in filter(lambda name: name.endswith(".md"), files):
+        for target in re.findall(r"\]\(([^)#]+[.]svg)\)", files[page].decode("utf-8")):
+            path = os.path.normpath(os.path.join(os.path.dirname(page), target))
+            if (project.root / path).is_file():
+                yield path
 
 
 def write_zip(path, folder, files, day):

@@ -31,7 +31,8 @@ enum class [[nodiscard]] Playback : std::uint8_t{
 /// Nothing of the source is believed. Allocates: never. From one context at a time.
 class Player {
  public:
-  /// A buffer of this size takes the start of a run, and inputs of no more bytes than that.
+  /// A buffer of this size takes the start of a run, and inputs of 11 bytes less: number and check
+  /// sum go with them.
   template <class State>
   static constexpr int kRoom = kSnapshotRoom<State>;
 

@@ -156,5 +156,12 @@ TEST(EigenDeathTest, OwnChecks_ReachTheTrap) {
   EXPECT_DEATH(v(index) = 1.0F, "assert");
 }
 
+/// A user's own matrices may be of any size: the core alone does without memory.
+TEST(Types, MatrixOfAUser_MayBeOfAnySize) {
+  Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic> own(40, 40);
+  own.setIdentity();
+  EXPECT_EQ((own * own).sum(), 40);
+}
+
 }  // namespace
 }  // namespace batuta

@@ -24,7 +24,8 @@
 #ifndef EIGEN_NO_IO
 #define EIGEN_NO_IO
 #endif
-#ifndef EIGEN_NO_MALLOC
+// Of the core alone: a user's own matrices may be of any size, here and in files without batuta.
+#if defined(BATUTA_BUILDING_CORE) && !defined(EIGEN_NO_MALLOC)
 #define EIGEN_NO_MALLOC
 #endif
 #ifndef EIGEN_MPL2_ONLY

@@ -33,7 +33,9 @@ constexpr EventKind last_of(EventKind) {
 }
 
 template <class Scalar>
-void archive(Archive& /*ar*/, Fixed<Scalar>& /*controller*/) {}
+void archive(Archive& ar, Fixed<Scalar>& /*controller*/) {
+  ar.constant(1);  // which FreeFlight has not
+}
 
 template <class Scalar>
 void archive(Archive& /*ar*/, FreeFlight<Scalar>& /*controller*/) {}

@@ -187,6 +187,12 @@ class Bodies : public Proxies<SceneT> {
       return false;
     }
   }
+  /// The caller has it, and may change it: it is compared with all others. Where bodies sleep, a
+  /// sum tells whether anything was changed.
+  void look_again(std::size_t slot) {
+    states[slot].boxed = false;
+    if constexpr (!SceneT::kSleep) states[slot].stands = false;
+  }
   bool is_asleep(std::size_t slot) const { return SceneT::kSleep && states[slot].asleep; }
   /// Nothing that happens to it changes how it moves.
   bool is_led(std::size_t slot) const {

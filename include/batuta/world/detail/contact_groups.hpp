@@ -63,6 +63,11 @@ class ContactGroups {
     const int i = contacts.find(pair);
     return i != kNone && contacts[i].is_solved && is_loaded(contacts[i]);
   }
+  /// The touch of a pair has ended: where its contact presses again, that is a begin.
+  void tell_again(ProxyPair pair) {
+    const int i = contacts.find(pair);
+    if (i != kNone) contacts[i].is_told = false;
+  }
   /// Forgets the contacts of a body.
   void remove(std::size_t slot);
   void copy(const ContactGroups& saved) { *this = saved; }
@@ -182,11 +187,15 @@ typename ContactGroups<SceneT>::Contact* ContactGroups<SceneT>::add(const Bodies
   return &contact;
 }
 
-/// Pairs of which neither moves were not looked at, and stay as they are.
+/// Pairs of which neither moves were not looked at, and stay as they are. Who stands because there
+/// was no room for its contact was.
 template <class SceneT>
 void drop_far(const Bodies<SceneT>& bodies, ContactList<SceneT>& contacts) {
+  using Kinematics = typename Bodies<SceneT>::Kinematics;
   const auto rests = [&bodies](std::size_t slot) {
-    return bodies.states[slot].asleep || bodies.is_wall(slot);
+    const auto& state = bodies.states[slot];
+    return state.asleep || (Kinematics::is_still(state.plan.motion) &&
+                            Kinematics::is_immovable(bodies.actor(slot).body));
   };
   contacts.remove_if([&](const LastingContactOf<SceneT>& contact) {
     const bool sleeps = rests(a_of<SceneT>(contact)) && rests(b_of<SceneT>(contact));
@@ -194,8 +203,23 @@ void drop_far(const Bodies<SceneT>& bodies, ContactList<SceneT>& contacts) {
   });
 }
 
+/// The list is full, maybe of contacts that are no more: forgets those of pairs that are not near,
+/// among them those that have not been looked at yet. Bound: kMaxPairs.
+template <class SceneT>
+void make_room(const Bodies<SceneT>& bodies, Pairs<SceneT>& pairs, ContactList<SceneT>& contacts) {
+  for (int i = 0; i < pairs.candidates.size(); ++i) {  // Bound: kMaxPairs
+    const ProxyPair pair = pairs.candidates[i].pair;
+    const int k = contacts.find(pair);
+    if (k == ContactList<SceneT>::kNone || contacts[k].is_kept) continue;
+    NearPair<Scalar_of<SceneT>> near;
+    contacts[k].is_kept = is_near(bodies, pairs, pair, rest_gap(bodies, pair), near);
+  }
+  drop_far(bodies, contacts);
+}
+
 template <class SceneT>
 void ContactGroups<SceneT>::find_near(BodiesT& bodies, PairsT& pairs) {
+  bool is_room_made = false;
   for (int i = 0; i < contacts.size(); ++i) contacts[i].is_kept = false;  // Bound: kMaxContacts
   for (int i = 0; i < pairs.candidates.size(); ++i) {                     // Bound: kMaxPairs
     const ProxyPair pair = pairs.candidates[i].pair;
@@ -210,6 +234,11 @@ void ContactGroups<SceneT>::find_near(BodiesT& bodies, PairsT& pairs) {
       bodies.report.deepest_overlap = max_of(bodies.report.deepest_overlap, -gap);
     }
     Contact* contact = add(bodies, pair, D);
+    if (contact == nullptr && !is_room_made) {
+      make_room(bodies, pairs, contacts);
+      is_room_made = true;
+      contact = add(bodies, pair, D);
+    }
     if (contact == nullptr) {
       ++bodies.report.contacts_dropped;
       bodies.weld(a, b, bodies.dt);

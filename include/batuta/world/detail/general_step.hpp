@@ -242,12 +242,13 @@ void GeneralWorld<SceneT>::end_step() {
     give_back_moments(bodies_, groups_);
     touches_.end_step(
         bodies_, [this](ProxyPair pair) { return rest_gap(bodies_, pair); },
-        [this](ProxyPair pair) { return groups_.presses(pair) || rests(pair); });
+        [this](ProxyPair pair) { return groups_.presses(pair) || rests(pair); },
+        [this](ProxyPair pair) { groups_.tell_again(pair); });
     groups_.end_step();
   } else if constexpr (SceneT::kMaxEvents > 0) {
     touches_.end_step(
         bodies_, [this](ProxyPair) { return bodies_.settings.separation; },
-        [](ProxyPair) { return false; });
+        [](ProxyPair) { return false; }, [](ProxyPair) {});
   }
   if constexpr (SceneT::kSleep) sleep_.end_step(bodies_, groups_);
 }

@@ -83,7 +83,7 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   /// this again after each step.
   ActorType* get(BodyId id) {
     const int slot = bodies_.actors.index_of(id);
-    if (slot != PoolBase::kNoIndex) bodies_.states[static_cast<std::size_t>(slot)].boxed = false;
+    if (slot != PoolBase::kNoIndex) bodies_.look_again(static_cast<std::size_t>(slot));
     return bodies_.actors.get(id);
   }
   /// The body to read, or null for a stale, foreign or null id.

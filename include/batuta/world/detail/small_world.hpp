@@ -51,6 +51,8 @@ class SmallWorld {
     report_ = saved.report_;
   }
 
+  /// kInvalidArgument as well where the speed is beyond the numbers: GeneralWorld lets such a body
+  /// stand, and tells it in each step.
   Result<BodyId> add(const ActorType& actor) {
     const bool is_usable =
         is_inverse(actor.body.inverse_mass) && step_mass(actor) == actor.body.inverse_mass;
@@ -72,6 +74,7 @@ class SmallWorld {
   /// Lists what is saved of a world (record/archive.hpp).
   template <class Archive>
   void archive(Archive& ar) {
+    archive_scene<SceneT>(ar);
     ar(settings_, actors_, report_);
   }
 

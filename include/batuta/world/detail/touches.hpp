@@ -34,9 +34,9 @@ class Touches : private EventsOf<SceneT> {
   void record_lasting(BodiesT& bodies, ProxyPair pair, const Contact<Scalar>& contact,
                       Scalar impulse);
   /// Ends the touches of pairs that have opened beyond twice D. Bound: kMaxPairs.
-  /// @param stays  whether a pair is known not to have opened
-  template <class GapOf, class Stays>
-  void end_step(BodiesT& bodies, const GapOf& rest_gap, const Stays& stays);
+  /// @param stays  whether a pair is known not to have opened  @param ended  is told each that ends
+  template <class GapOf, class Stays, class Ended>
+  void end_step(BodiesT& bodies, const GapOf& rest_gap, const Stays& stays, const Ended& ended);
   /// Ends those of a body without an event. Bound: kMaxPairs.
   void remove(std::size_t slot);
   void copy(const Touches& saved) { this->copy_events(saved); }
@@ -46,7 +46,7 @@ class Touches : private EventsOf<SceneT> {
  private:
   ContactEvent<Scalar> event_of(ProxyPair pair, const Nearest<Scalar>& nearest) const;
   void tell(BodiesT& bodies, ContactEvent<Scalar>& event, ProxyPair pair);
-  void end_if_open(BodiesT& bodies, int i, Scalar rest_gap);
+  bool end_if_open(BodiesT& bodies, int i, Scalar rest_gap);
   static bool is_there(const BodiesT& bodies, ProxyPair pair);
   static bool has_part(const BodiesT& bodies, int proxy) {
     const std::size_t slot = BodiesT::body_of(proxy);
@@ -137,31 +137,33 @@ bool Touches<SceneT>::is_there([[maybe_unused]] const BodiesT& bodies,
   }
 }
 
-/// The end of a touch, if it has opened far enough.
+/// The end of a touch, if it has opened far enough. @returns whether it has
 template <class SceneT>
-void Touches<SceneT>::end_if_open(BodiesT& bodies, int i, Scalar rest_gap) {
+bool Touches<SceneT>::end_if_open(BodiesT& bodies, int i, Scalar rest_gap) {
   const ProxyPair pair = this->touch(i);
   const Nearest<Scalar> now = nearest(bodies, pair);
-  if (!(now.contact.gap > Scalar(2) * rest_gap)) return;
+  if (!(now.contact.gap > Scalar(2) * rest_gap)) return false;
   ContactEvent<Scalar> event = event_of(pair, now);
   event.kind = EventKind::kEnd;
   event.contact_kind = ContactKind::kReceding;
   event.time = bodies.dt;
   if (!this->push(event)) ++bodies.report.events_dropped;
   this->end_touch(i);
+  return true;
 }
 
 /// Also those that began in the step.
 template <class SceneT>
-template <class GapOf, class Stays>
-void Touches<SceneT>::end_step(BodiesT& bodies, const GapOf& rest_gap, const Stays& stays) {
+template <class GapOf, class Stays, class Ended>
+void Touches<SceneT>::end_step(BodiesT& bodies, const GapOf& rest_gap, const Stays& stays,
+                               const Ended& ended) {
   if constexpr (SceneT::kMaxEvents > 0) {
     for (int i = this->touches() - 1; i >= 0; --i) {  // Bound: kMaxPairs
       const ProxyPair pair = this->touch(i);
       if (!is_there(bodies, pair)) {
         this->end_touch(i);
-      } else if (!stays(pair)) {
-        end_if_open(bodies, i, rest_gap(pair));
+      } else if (!stays(pair) && end_if_open(bodies, i, rest_gap(pair))) {
+        ended(pair);
       }
     }
   }
