@@ -11,6 +11,7 @@
 #include "batuta/record/recorder.hpp"
 #include "batuta/record/snapshot.hpp"
 #include "batuta/record/world.hpp"
+#include "batuta/world/scenes.hpp"
 #include "scenes.hpp"
 
 namespace batuta {
@@ -213,17 +214,50 @@ TEST(WorldArchive, SavedWhileItLies_GoesOnWithTheSameBits) {
   }
 }
 
+template <class SceneT>
+Bytes saved_empty() {
+  Bytes bytes(65536);
+  const auto size =
+      save(*std::make_unique<World<SceneT>>(), bytes.data(), static_cast<int>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(size.value));
+  return bytes;
+}
+template <class SceneT>
+Restored taken(const Bytes& bytes) {
+  return restore(*std::make_unique<World<SceneT>>(), bytes.data(), static_cast<int>(bytes.size()));
+}
+
 TEST(WorldArchive, OtherFeaturesOrScalar_AreRefused) {
-  auto plain = std::make_unique<World<test::FlightScene<float>>>();
-  const auto size_of = [](const auto& world, Bytes& bytes) {
-    bytes.resize(65536);
-    return save(world, bytes.data(), static_cast<int>(bytes.size())).value;
-  };
-  Bytes bytes;
-  const int full = size_of(*std::make_unique<World<FullScene<float>>>(), bytes);
-  EXPECT_EQ(restore(*plain, bytes.data(), full), Restored::kOtherScene);
-  const int precise = size_of(*std::make_unique<World<test::FlightScene<double>>>(), bytes);
-  EXPECT_EQ(restore(*plain, bytes.data(), precise), Restored::kOtherScalar);
+  using Plain = test::FlightScene<float>;
+  EXPECT_EQ(taken<Plain>(saved_empty<Plain>()), Restored::kOk);
+  EXPECT_EQ(taken<Plain>(saved_empty<FullScene<float>>()), Restored::kOtherScene);
+  EXPECT_EQ(taken<Plain>(saved_empty<test::FlightScene<double>>()), Restored::kOtherScalar);
+}
+
+template <int kContacts>
+constexpr SceneOptions small_options() {
+  SceneOptions scene = straight_spheres();
+  scene.max_contacts = kContacts;
+  return scene;
+}
+template <int kContacts>
+using Small = Scene<small_options<kContacts>, Spheres<float>>;
+
+TEST(WorldArchive, SmallWorldOfOtherConstants_IsRefused) {
+  const Bytes bytes = saved_empty<Small<4>>();
+  EXPECT_EQ(taken<Small<4>>(bytes), Restored::kOk);
+  EXPECT_EQ(taken<Small<5>>(bytes), Restored::kOtherScene);
+}
+
+constexpr SceneOptions plain_options() {
+  return {};
+}
+
+TEST(WorldArchive, AnotherController_IsRefused) {
+  using Flying = Scene<plain_options, Advancement<float>, FreeFlight<float>>;
+  using Standing = Scene<plain_options, Advancement<float>, Fixed<float>>;
+  EXPECT_EQ(taken<Standing>(saved_empty<Standing>()), Restored::kOk);
+  EXPECT_EQ(taken<Flying>(saved_empty<Standing>()), Restored::kOtherScene);
 }
 
 }  // namespace
