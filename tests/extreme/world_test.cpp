@@ -198,6 +198,7 @@ TYPED_TEST(HostileWorld, IdsThatNameNothing_AreRefused) {
   for (const Id id : {Id{}, Id{1, 0, 77}, Id{65535, 0, 1}, Id{3, 0, 1}, Id{1, 9, 1}}) {
     EXPECT_EQ(world->remove(id), Status::kStaleHandle);
     EXPECT_EQ(world->get(id), nullptr);
+    EXPECT_EQ(world->steer(id), nullptr);
     EXPECT_FALSE(world->is_asleep(id));
   }
   for (const std::uint16_t slot : {std::uint16_t{2}, std::uint16_t{4}, std::uint16_t{65535}}) {

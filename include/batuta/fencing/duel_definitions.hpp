@@ -131,14 +131,14 @@ Status Duel<SceneT>::move_blades() {
   if constexpr (Played::kTargets) {
     std::array<Steel<Scalar>, 2> steel;
     for (const Side side : {Side::kLeft, Side::kRight}) {  // Bound: 2
-      auto& blade = *world_.get(at(side).blade);
+      auto& blade = *world_.steer(at(side).blade);
       steel[index_of(side)] = scoring_.steel_for(side, blade, dt_);
       blade.controller.steel = &steel[index_of(side)];
     }
     const Status status = world_.step(dt_);
     std::array<const Actor<SceneType>*, 2> blades{};
     for (const Side side : {Side::kLeft, Side::kRight}) {  // Bound: 2
-      auto& blade = *world_.get(at(side).blade);
+      auto& blade = *world_.steer(at(side).blade);
       blade.controller.steel = nullptr;
       blades[index_of(side)] = &blade;
     }
@@ -213,7 +213,7 @@ void Duel<SceneT>::move_hand(Side side, const MapPlace<Scalar>& asked) {
   DuelSide& place = at(side);
   place.hand = hand_at(asked, X_WF(side));
 
-  auto& actor = *world_.get(place.blade);
+  auto& actor = *world_.steer(place.blade);
   if constexpr (Played::kTargets) {
     scoring_.follow(side, {X_WF(side), place.hand.X_WH}, actor, dt_);
   }
@@ -227,7 +227,8 @@ void Duel<SceneT>::carry_blades() {
   if constexpr (Played::kTargets) {
     for (const Side side : {Side::kLeft, Side::kRight}) {  // Bound: 2
       const Vec3<Scalar> way_W = scoring_.way_out(side, blade_of(side));
-      for (DuelSide& place : places_) world_.get(place.blade)->body.X_WB.p_W += way_W;  // Bound: 2
+      for (DuelSide& place : places_)
+        world_.steer(place.blade)->body.X_WB.p_W += way_W;  // Bound: 2
     }
   }
 }

@@ -169,6 +169,13 @@ TYPED_TEST(Still, OneThatIsMadeLarger_IsSeenInTheOther) {
   EXPECT_NEAR(this->world.report().deepest_overlap, 0.3F, 1e-5F);
 }
 
+TYPED_TEST(Still, OneThatIsSteered_IsSeenWhereItIsPut) {
+  this->world.steer(this->grown)->body.X_WB.p_W.y() = 0.9F;
+  ASSERT_EQ(this->world.step(1e-3F), Status::kOk);
+  EXPECT_GE(this->world.report().overlaps_at_start, 1);
+  EXPECT_NEAR(this->world.report().deepest_overlap, 0.1F, 1e-5F);
+}
+
 /// Larger, but it meets nobody; then it does.
 TYPED_TEST(Still, OneWhoseFilterChanges_IsSeenInTheOther) {
   auto& actor = *this->world.get(this->grown);

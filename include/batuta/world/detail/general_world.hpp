@@ -86,6 +86,13 @@ class GeneralWorld : private RepeatsOf<SceneT> {
     if (slot != PoolBase::kNoIndex) bodies_.look_again(static_cast<std::size_t>(slot));
     return bodies_.actors.get(id);
   }
+  /// As get(), to change pose, momenta and controller alone, in each step: a body that stands where
+  /// it stood is not compared with others that do.
+  ActorType* steer(BodyId id) {
+    const int slot = bodies_.actors.index_of(id);
+    if (slot != PoolBase::kNoIndex) bodies_.states[static_cast<std::size_t>(slot)].boxed = false;
+    return bodies_.actors.get(id);
+  }
   /// The body to read, or null for a stale, foreign or null id.
   const ActorType* get(BodyId id) const { return bodies_.actors.get(id); }
   /// The id of the body in a slot, as events name it; null id if there is none.

@@ -80,6 +80,7 @@ class RefusedWorld {
   Result<BodyId> add(const ActorType& actor);
   Status remove(BodyId id);
   ActorType* get(BodyId id);
+  ActorType* steer(BodyId id);
   const ActorType* get(BodyId id) const;
   BodyId id_at(std::uint16_t slot) const;
   int size() const;

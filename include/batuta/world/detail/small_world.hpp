@@ -60,6 +60,7 @@ class SmallWorld {
   }
   Status remove(BodyId id) { return actors_.remove(id); }
   ActorType* get(BodyId id) { return actors_.get(id); }
+  ActorType* steer(BodyId id) { return actors_.get(id); }
   const ActorType* get(BodyId id) const { return actors_.get(id); }
   BodyId id_at(std::uint16_t slot) const { return actors_.handle_at(slot); }
   int size() const { return actors_.size(); }
