@@ -227,8 +227,9 @@ void Duel<SceneT>::carry_blades() {
   if constexpr (Played::kTargets) {
     for (const Side side : {Side::kLeft, Side::kRight}) {  // Bound: 2
       const Vec3<Scalar> way_W = scoring_.way_out(side, blade_of(side));
-      for (DuelSide& place : places_)
-        world_.steer(place.blade)->body.X_WB.p_W += way_W;  // Bound: 2
+      for (DuelSide& place : places_) {  // Bound: 2
+        world_.steer(place.blade)->body.X_WB.p_W += way_W;
+      }
     }
   }
 }
