@@ -187,15 +187,11 @@ typename ContactGroups<SceneT>::Contact* ContactGroups<SceneT>::add(const Bodies
   return &contact;
 }
 
-/// Pairs of which neither moves were not looked at, and stay as they are. Who stands because there
-/// was no room for its contact was.
+/// Pairs of which neither moves were not looked at, and stay as they are.
 template <class SceneT>
 void drop_far(const Bodies<SceneT>& bodies, ContactList<SceneT>& contacts) {
-  using Kinematics = typename Bodies<SceneT>::Kinematics;
   const auto rests = [&bodies](std::size_t slot) {
-    const auto& state = bodies.states[slot];
-    return state.asleep || (Kinematics::is_still(state.plan.motion) &&
-                            Kinematics::is_immovable(bodies.actor(slot).body));
+    return bodies.states[slot].asleep || bodies.is_wall(slot);
   };
   contacts.remove_if([&](const LastingContactOf<SceneT>& contact) {
     const bool sleeps = rests(a_of<SceneT>(contact)) && rests(b_of<SceneT>(contact));
