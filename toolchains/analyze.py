@@ -53,9 +53,14 @@ CPPCHECK = ["cppcheck", "--enable=warning,style,performance,portability", "--inl
             "--std=c++17", "--quiet", "--template={file}:{line}: {severity}: {message} [{id}]",
             *(f"--suppress={name}" for name in SUPPRESSED)]
 # Without it the analyzer passes over what a bundle includes, and says nothing of it; the canary's leak would tell.
-INCLUDED_TOO = " -Xclang -analyzer-opt-analyze-headers"
+INCLUDED_TOO = ("-Xclang", "-analyzer-opt-analyze-headers")
+# Of the graph that clang's analyzer makes of a function. Some functions of a World fill any; its own limit is 225,000, which the
+# target analyze-deep has, for the night.
+MAX_NODES = 50_000
 INCLUDED = '#include "{name}"  // NOLINT(bugprone-suspicious-include)\n'  # a file of a bundle
 INCLUDED_PROGRAM = f"#define main main_{{number}}  // NOLINT\n{INCLUDED}#undef main\n"  # one bundle may hold several
+NO_CODE = re.compile(r"-O\S|-f(function|data)-sections|-fno-math-errno")  # changes code, and nothing that clang-tidy looks at
+BUNDLE_BYTES = 100_000  # of sources: fewer bundles read headers less often, more of them keep all cores at work
 LONGEST = 5  # units of clang-tidy, whose times are told
 COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 
@@ -98,19 +103,41 @@ def included(name, number):
     return (INCLUDED_PROGRAM if is_program else INCLUDED).format(name=name, number=number)
 
 
+def same_for_clang_tidy(flags):
+    """Flags but for those of code that nobody generates here, in one order."""
+    kept = [word for word in shlex.split(flags)[1:] if not NO_CODE.fullmatch(word)]
+    return tuple(sorted(word if not word.startswith("-I") else f"-I{os.path.normpath(word[2:])}" for word in kept))
+
+
+def filled(group):
+    """What is compiled alike, in bundles of at most BUNDLE_BYTES; one file may be larger."""
+    bundle = []
+    for name in sorted(group):
+        if bundle and size_of([*bundle, name]) > BUNDLE_BYTES:
+            yield bundle
+            bundle = []
+        bundle.append(name)
+    yield bundle
+
+
+def size_of(bundle):
+    """Bytes of its sources."""
+    return sum(map(os.path.getsize, bundle))
+
+
 class Analysis:
-    def __init__(self, source, build, under=""):
+    def __init__(self, source, build, under, max_nodes):
         self.source = source
         self.build = build
         self.under = str(source / under)  # what is analysed begins with it
+        self.limits = ("-Xclang", "-analyzer-config", "-Xclang", f"max-nodes={max_nodes}")
         self.failed = []
         self.units = json.loads((build / "compile_commands.json").read_text())
         known = {unit["file"] for unit in self.units}
         # Only what no host compiles: a unit is analysed once, with the flags of the machine it is tested on.
         self.cross = [unit for unit in self.cross_units() if unit["file"] not in known]
         self.cross_files = {unit["file"] for unit in self.cross}
-        self.bundles = {}   # path of the bundle: its files
-        self.commands = {}  # path of the bundle: how it is compiled
+        self.flags = {}  # file: what clang compiles it with
         self.database = self.write_database()
 
     def cross_units(self):
@@ -141,40 +168,9 @@ class Analysis:
         boards = [unit for unit in self.cross if unit["file"] in wanted]
         (folder / "cross" / "compile_commands.json").write_text(json.dumps(boards, indent=1))
         units.update((unit["file"], dict(unit, command=for_clang(unit["command"]))) for unit in boards)
-        entries = [*units.values(), *self.write_bundles(folder, units.values())]
-        (folder / "compile_commands.json").write_text(json.dumps(entries, indent=1))
+        self.flags = {name: re.sub(r" -o \S+ -c \S+$", "", unit["command"]) for name, unit in units.items()}
+        (folder / "compile_commands.json").write_text(json.dumps(list(units.values()), indent=1))
         return folder
-
-    def write_bundles(self, folder, units):
-        """One source file for all units of a folder with the same flags. clang-tidy spends nine tenths of its time in
-        the headers of Eigen and the library, which a bundle reads once."""
-        bundles = {}
-        for unit in units:
-            flags = re.sub(r" -o \S+ -c \S+$", "", unit["command"])
-            bundles.setdefault((pathlib.Path(unit["file"]).parent, flags), []).append(unit)
-        for number, ((parent, flags), members) in enumerate(sorted(bundles.items())):
-            names = sorted(unit["file"] for unit in members)
-            bundle = folder / f"{number:02}_{'_'.join(parent.relative_to(self.source).parts)}.cpp"
-            bundle.write_text("".join(included(name, place) for place, name in enumerate(names)))
-            self.bundles[bundle] = names
-            self.commands[bundle] = f"{flags} -c {bundle}"
-            yield {"directory": str(self.build), "file": str(bundle), "command": self.commands[bundle] + INCLUDED_TOO}
-
-    def bundled(self, names):
-        """What to hand to clang-tidy for these files: their bundle, or the file itself where it is alone in one. A
-        bundle whose files use one name for different things does not compile: they are then taken one by one."""
-        wanted = {str(name) for name in names}
-        bundles = {bundle: members for bundle, members in self.bundles.items() if wanted.intersection(members)}
-        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            fit = dict(zip(bundles, pool.map(self.compiles, bundles)))
-        return [name for bundle, members in bundles.items()
-                for name in ([str(bundle)] if fit[bundle] else sorted(wanted.intersection(members)))]
-
-    def compiles(self, bundle):
-        if len(self.bundles[bundle]) == 1:
-            return False
-        command = [*shlex.split(self.commands[bundle]), "-w", "-fsyntax-only"]
-        return subprocess.run(command, cwd=self.build, capture_output=True, check=False).returncode == 0
 
     def fail(self, what, output=""):
         print(output, end="" if output.endswith("\n") else "\n")
@@ -249,24 +245,33 @@ class Analysis:
         return worst, told
 
     def tidy(self, files):
-        """What takes long comes first, or one core waits for another's last unit."""
-        tool = shutil.which("clang-tidy") or "clang-tidy"
-        names = sorted(self.bundled(files), key=self.size_of, reverse=True)
-
-        def look(name):
-            start = time.monotonic()
-            code, output = run([tool, "--quiet", f"-p={self.database}", name])
-            return time.monotonic() - start, name, code, output
-
+        """Many units as one source file: clang-tidy spends nine tenths of its time in the headers of Eigen and the library,
+        which a bundle reads once. The largest comes first, or one core waits for another's last one."""
+        groups = {}  # flags without what they do not change for clang-tidy: files
+        for name in map(str, files):
+            groups.setdefault(same_for_clang_tidy(self.flags[name]), []).append(name)
+        bundles = sorted((bundle for group in groups.values() for bundle in filled(group)), key=size_of, reverse=True)
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            looked = list(pool.map(look, names))
-        for seconds, name, _, _ in sorted(looked, reverse=True)[:LONGEST]:
-            say(f"{seconds:.0f} s for {pathlib.Path(name).name}")
+            looked = [look for looks in pool.map(self.look_at, bundles) for look in looks]
+        for seconds, names, _, _ in sorted(looked, reverse=True)[:LONGEST]:
+            say(f"{seconds:.0f} s for {len(names)} from {pathlib.Path(names[0]).relative_to(self.source)}")
         return max((code for _, _, code, _ in looked), default=0), "".join(output for _, _, _, output in looked)
 
-    def size_of(self, name):
-        """Bytes of the sources of a unit."""
-        return sum(os.path.getsize(member) for member in self.bundles.get(pathlib.Path(name), [name]))
+    def look_at(self, names):
+        """[(seconds, names, exit code, output)] of a bundle. One that does not compile, as where two files use one name for
+        different things, is halved until each does."""
+        folder = self.database / "bundles"
+        folder.mkdir(exist_ok=True)
+        stem = "_".join(pathlib.Path(names[0]).relative_to(self.source).with_suffix("").parts)
+        bundle = folder / f"{stem}_{len(names)}.cpp"
+        bundle.write_text("".join(included(name, number) for number, name in enumerate(names)))
+        start = time.monotonic()
+        looked_at, more = (str(bundle), INCLUDED_TOO) if len(names) > 1 else (names[0], ())
+        code, output = run(["clang-tidy", "--quiet", looked_at, "--", *shlex.split(self.flags[names[0]])[1:], *self.limits, *more])
+        if len(names) > 1 and "[clang-diagnostic-error]" in output:
+            half = len(names) // 2
+            return self.look_at(names[:half]) + self.look_at(names[half:])
+        return [(time.monotonic() - start, names, code, output)]
 
     def check_cppcheck(self):
         units = self.units_in(ANALYZED)
@@ -290,6 +295,7 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, required=True)
     parser.add_argument("--only", choices=STEPS)
     parser.add_argument("--under", default="", help="analyse only the sources whose names begin so, as port/platforms/mps2")
+    parser.add_argument("--max-nodes", type=int, default=MAX_NODES, help="of a function's graph, for clang's analyzer")
     options = parser.parse_args()
     for tool in ("clang-format", "cppcheck", "clang-tidy"):
         if shutil.which(tool) is None:
@@ -297,7 +303,7 @@ def main():
             return 2
 
     begin = time.monotonic()
-    analysis = Analysis(options.source.resolve(), options.build.resolve(), options.under)
+    analysis = Analysis(options.source.resolve(), options.build.resolve(), options.under, options.max_nodes)
     for step in STEPS:
         if options.only in (None, step):
             start = time.monotonic()

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-# Targets that look at the code instead of building it: analyze, site, coverage.
+# Targets that look at the code instead of building it: analyze, analyze-deep, site, coverage.
 find_package(Python3 3.9 COMPONENTS Interpreter)
 
 if(Python3_FOUND)
-  add_custom_target(analyze
-    COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_LIST_DIR}/analyze.py
-            --source ${PROJECT_SOURCE_DIR} --build ${PROJECT_BINARY_DIR}
-    USES_TERMINAL VERBATIM
+  set(analyze ${Python3_EXECUTABLE} ${CMAKE_CURRENT_LIST_DIR}/analyze.py --source ${PROJECT_SOURCE_DIR} --build ${PROJECT_BINARY_DIR})
+  add_custom_target(analyze COMMAND ${analyze} USES_TERMINAL VERBATIM
     COMMENT "cppcheck, clang-tidy, clang-format: warnings are errors")
+  add_custom_target(analyze-deep COMMAND ${analyze} --only tidy --max-nodes 225000 USES_TERMINAL VERBATIM
+    COMMENT "clang-tidy, with all the nodes that clang's analyzer gives a function: warnings are errors")
   add_custom_target(archives
     COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/packages/packages.py make ${PROJECT_SOURCE_DIR}/build/packages
     USES_TERMINAL VERBATIM

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Follows a page to the letter, in an empty folder outside the tree: a fenced block that begins with a comment
-that is a file's name becomes that file, a `sh` block is run; each in its turn.
-Usage: follow_page.py SOURCE_FOLDER PAGE HEADING...   the sections (## ...) to follow, none: all
+"""Follows pages to the letter, one after the other in one empty folder outside the tree: a fenced block that begins with a
+comment that is a file's name becomes that file, a `sh` block is run; each in its turn.
+Usage: follow_page.py SOURCE_FOLDER (PAGE.md HEADING...)...   the sections (## ...) to follow of each page, none: all
 The library stands in the folder as `batuta`. Exit code 1: a block failed, with its output and its line; 77: a program
 that the blocks call is not installed."""
 
@@ -46,26 +46,38 @@ def follow(folder, line, language, content):
     return f"ended with {done.returncode}" if done.returncode else ""
 
 
+def pages_of(words):
+    """[(page, headings)]"""
+    pages = []
+    for word in words:
+        if word.endswith(".md"):
+            pages.append((word, []))
+        else:
+            pages[-1][1].append(word)
+    return pages
+
+
 def main():
-    source, page, headings = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2], sys.argv[3:]
+    source, pages = pathlib.Path(sys.argv[1]).resolve(), pages_of(sys.argv[2:])
     missing = [program for program in PROGRAMS if shutil.which(program) is None]
     if missing:
         print(f"not installed: {missing}")
         return SKIPPED
-    text = (source / page).read_text(encoding="utf-8")
-    found = list(blocks(text, headings))
-    unknown = [heading for heading in headings if f"\n## {heading}\n" not in text]
-    if unknown or not any(language == "sh" for _, language, _ in found):
-        print(f"{page}: nothing to run, or no section {unknown}", file=sys.stderr)
-        return 1
     with tempfile.TemporaryDirectory(prefix="batuta-page-") as name:
         folder = pathlib.Path(name)
         (folder / "batuta").symlink_to(source)
-        for line, language, content in found:
-            fault = follow(folder, line, language, content)
-            if fault:
-                print(f"{page}:{line}: {fault}", file=sys.stderr)
+        for page, headings in pages:
+            text = (source / page).read_text(encoding="utf-8")
+            found = list(blocks(text, headings))
+            unknown = [heading for heading in headings if f"\n## {heading}\n" not in text]
+            if unknown or not any(language == "sh" for _, language, _ in found):
+                print(f"{page}: nothing to run, or no section {unknown}", file=sys.stderr)
                 return 1
+            for line, language, content in found:
+                fault = follow(folder, line, language, content)
+                if fault:
+                    print(f"{page}:{line}: {fault}", file=sys.stderr)
+                    return 1
     return 0
 
 

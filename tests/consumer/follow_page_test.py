@@ -32,6 +32,7 @@ class FollowPage(unittest.TestCase):
     def follow(self, page, *headings):
         with tempfile.TemporaryDirectory() as name:
             (pathlib.Path(name) / "page.md").write_text(page, encoding="utf-8")
+            (pathlib.Path(name) / "next.md").write_text("```sh\ngrep -q text file.txt\n```\n", encoding="utf-8")
             with mock.patch.object(sys, "argv", ["follow_page.py", name, "page.md", *headings]), \
                     contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()) as told:
                 return follow_page.main(), told.getvalue()
@@ -50,6 +51,10 @@ class FollowPage(unittest.TestCase):
 
     def test_a_section_that_is_not_there_is_a_fault(self):
         self.assertEqual(self.follow(GOOD, "Third")[0], 1)
+
+    def test_a_page_goes_on_where_the_one_before_it_ended(self):
+        self.assertEqual(self.follow(GOOD, "First", "next.md")[0], 0)
+        self.assertEqual(self.follow("```sh\ntrue\n```\n", "next.md"), (1, "next.md:1: ended with 2\n"))  # no such file
 
     def test_a_page_without_commands_proves_nothing(self):
         self.assertEqual(self.follow("# A page\n")[0], 1)
