@@ -221,7 +221,8 @@ int32_t batuta_world_set_gravity(batuta_world* world, const float* gravity_W);
 /// @param moving  moving[20]; its velocity is that of the capsule's middle
 /// @param[out] number  names the body in later calls, 0 ... BATUTA_WORLD_BODIES - 1, until it is
 ///   removed; the lowest that is free
-/// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT | BATUTA_POOL_FULL
+/// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT: also a speed, or a rate of turn, of which float
+///   cannot hold the square, above some 1e19 | BATUTA_POOL_FULL
 int32_t batuta_world_add(batuta_world* world, const float* moving, const batuta_material* material,
                          int32_t* number);
 /// Takes a body out; its contacts end without an event.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "programs/query_file.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -117,14 +118,17 @@ float QueryRow::number(std::string_view column) {
     value = float_of_bits(field);
   }
   if (!value)
-    fail(column, "expected a float: its bits, 1 to 8 hexadecimal digits, or decimal, 2.0");
+    fail(column,
+         "expected a float: its bits, 1 to 8 hexadecimal digits, or decimal, 2.0, in its range");
   return value.value_or(0.0F);
 }
 
 void QueryRow::check_notation() {
   if (unclear_.empty() || (has_bare_bits_ && !has_decimal_)) return;
   const std::string field(text(unclear_));
-  fail(unclear_, field + " is not clear: 0x" + field + " for bits, " + field + ".0 for a number");
+  std::string number = field;
+  number.insert(std::min(number.find_first_of("eE"), number.size()), ".0");
+  fail(unclear_, field + " is not clear: 0x" + field + " for bits, " + number + " for a number");
 }
 
 double QueryRow::decimal(std::string_view column) {

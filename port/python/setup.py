@@ -6,6 +6,7 @@ build/python of the tree, or to the folder that BATUTA_PYTHON_BUILD names."""
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 
 from setuptools import setup
@@ -53,6 +54,10 @@ class WheelOfPlatform(bdist_wheel):
 
     def get_tag(self):
         return ("py3", "none", super().get_tag()[2])
+
+    def egg2dist(self, egginfo_path, distinfo_path):
+        super().egg2dist(egginfo_path, distinfo_path)
+        shutil.copy(ROOT / "LICENSE", distinfo_path)  # two folders above: setuptools would not look there
 
 
 class DistributionOfPlatform(Distribution):

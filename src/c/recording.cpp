@@ -42,6 +42,8 @@ class GivenSource final : public ByteSource {
     is_all_ = is_all;
   }
   std::size_t left() const { return left_; }
+  /// Whether nothing will be given any more.
+  bool is_at_end() const { return left_ == 0 && is_all_; }
 
  private:
   int do_read(std::uint8_t* bytes, int capacity) override {
@@ -81,9 +83,22 @@ struct PlayerForC {
 
   std::uint32_t mark = kMark;
   bool has_begun = false;
+  bool has_ended = false;
+  std::uint32_t first = 0;  ///< steps of the duel when it began
   GivenSource source;
   std::array<std::uint8_t, static_cast<std::size_t>(kRoom)> buffer;
   Player player{source, buffer.data(), kRoom};
+
+  /// What the player answers. Where nothing is given any more it does not wait: what is cut is
+  /// said.
+  template <class Ask>
+  Playback ask(const Ask& ask) {
+    Playback playback = ask(player);
+    if (playback == Playback::kWaiting && source.is_at_end()) playback = ask(player);
+    has_ended = playback != Playback::kReady && playback != Playback::kStep &&
+                playback != Playback::kWaiting;
+    return playback;
+  }
 };
 static_assert(batuta::detail::holds_closely<PlayerForC, batuta_player>(),
               "BATUTA_PLAYER_BYTES, or an alignment");
@@ -234,8 +249,10 @@ std::int32_t batuta_player_begin(batuta_player* player, batuta_duel* duel, std::
   auto* const played = batuta::detail::found_in<DuelForC>(duel);
   if (own == nullptr || played == nullptr || playback == nullptr) return BATUTA_INVALID_ARGUMENT;
   if (own->has_begun) return BATUTA_INVALID_ARGUMENT;
-  *playback = code_of(begin_play(own->player, *played));
+  *playback =
+      code_of(own->ask([&](batuta::Player& player) { return begin_play(player, *played); }));
   own->has_begun = *playback == BATUTA_PLAYBACK_READY;
+  own->first = played->bout.steps();
   return BATUTA_OK;
 }
 
@@ -245,6 +262,9 @@ std::int32_t batuta_player_next(batuta_player* player, batuta_duel* duel, std::i
   auto* const played = bout_in(duel);
   if (own == nullptr || played == nullptr || playback == nullptr) return BATUTA_INVALID_ARGUMENT;
   if (!own->has_begun) return BATUTA_INVALID_ARGUMENT;
-  *playback = code_of(play_step(own->player, played->bout));
+  const bool is_its = played->bout.steps() == own->first + own->player.steps();
+  if (!is_its && !own->has_ended) return BATUTA_INVALID_ARGUMENT;
+  *playback =
+      code_of(own->ask([&](batuta::Player& player) { return play_step(player, played->bout); }));
   return BATUTA_OK;
 }

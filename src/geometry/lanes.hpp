@@ -21,7 +21,10 @@
 #endif
 
 // A lane's operation is one instruction: as a call it would cost ten, and pass wide vectors.
+// Coverage counts calls: it would count the branches of each copy anew.
+#ifndef BATUTA_LANE
 #define BATUTA_LANE [[gnu::always_inline]] inline
+#endif
 
 namespace batuta::lanes {
 

@@ -225,6 +225,18 @@ class Chains(unittest.TestCase):
         angle = np.pi / 6 - np.arcsin(0.11 / 1.5)  # of the rod, where it touches
         self.assertAlmostEqual(told.t_hit[0], angle / (np.pi / 2), places=6)
 
+    def test_what_was_checked_stays(self):
+        """Neither the caller's arrays nor an answer lead into the chain."""
+        capsules, pairs, still = Chains.capsules.copy(), np.array([[0, 2]]), np.stack([pose()] * 3)
+        chain = batuta.Chain(capsules, pairs)
+        pairs[0], capsules[0, 6] = (1, -1), 99
+        answer = chain.all_pairs(still, still, 1)
+        self.assertEqual(answer.pairs.tolist(), [[0, 2]])
+        self.assertEqual(chain.capsules.tolist(), Chains.capsules.tolist())
+        for array in (answer.pairs, chain.pairs, chain.capsules):
+            with self.assertRaises(ValueError):
+                array[0] = 1
+
     def test_margin_is_kept(self):
         chain = batuta.Chain(self.capsules)
         start, end = self.poses(0.2), self.poses(0.15)  # gaps of 0.1 and 0.05 m
@@ -324,6 +336,8 @@ class BadInput(unittest.TestCase):
         self.refuses("holds", batuta.closest_points, good.astype(complex), good)
         self.refuses("holds", batuta.closest_points, good.astype(str), good)
         self.refuses("masked", batuta.closest_points, good, np.ma.masked_array(good, good > 0))
+        self.refuses("masked", batuta.closest_points, good, [np.ma.masked_array(good, good > 0)])
+        self.refuses("timedelta", batuta.closest_points, good, np.array(good, "timedelta64[s]"))
         self.refuses("not finite", batuta.closest_points, good, np.full(7, WIDE(np.inf)))
         if np.finfo(WIDE).max > np.finfo(np.float64).max:
             self.refuses("not finite", batuta.closest_points, good, np.full(7, np.finfo(WIDE).max))
@@ -344,6 +358,28 @@ class BadInput(unittest.TestCase):
         self.refuses(r"query \(1,\)", batuta.time_of_contact, A, spoilt, 1)
         self.refuses("duration", batuta.twist_between, pose(), pose(), 0)
 
+    def test_whole_duration_is_proven(self):
+        """float32 holds none of these; what is free is so for no less than was asked."""
+        far = batuta.moving(np.float32(ball(1)), np.float32([pose(), pose(9)]))
+        for duration in 0.1, 1 / 3, 0.7:
+            found = batuta.time_of_contact(far[0], far[1], duration)
+            self.assertEqual((found.outcome, found.t_free.dtype), (Outcome.FREE, np.float32))
+            self.assertGreaterEqual(float(found.t_free), duration)
+        self.refuses("too small", batuta.time_of_contact, far[0], far[1], 1e-60)
+
+    def test_masked_numbers(self):
+        """Below a mask stands a number that nobody means: as a duration it would be proven free for none."""
+        A, chain, still = batuta.moving(ball(1), pose()), batuta.Chain(Chains.capsules), np.stack([pose()] * 3)
+        for masked in np.ma.masked, np.ma.array(1.0, mask=True):
+            self.refuses("duration is masked", batuta.time_of_contact, A, A, masked)
+            self.refuses("margin is masked", chain.all_pairs, still, still, 1, masked)
+        self.refuses("pairs is masked", batuta.Chain, Chains.capsules, np.ma.array([[0, 2]], mask=True))
+
+    def test_motions(self):
+        self.refuses(r"batuta: shapes \(2, 7\), \(3, 7\), \(6,\) do not fit", batuta.moving, [ball(1)] * 2, [pose()] * 3)
+        single = [np.float32(ball(1)), np.float32(pose())]
+        self.refuses("twist, in float32, is not finite", batuta.moving, *single, [1e300, 0, 0, 0, 0, 0])
+
     def test_no_queries(self):
         """What is out of range is told also where there is nothing to ask for."""
         none = np.zeros((0, 20))
@@ -357,6 +393,7 @@ class BadInput(unittest.TestCase):
     def test_chains(self):
         for pairs in ([(0, 3)], [(0, 0)], [(-1, 1)], [(0.0, 1.0)], [(0, 1, 2)], [], [0, 1]):
             self.refuses("pair", batuta.Chain, Chains.capsules, pairs)
+        self.refuses("pair", batuta.Chain, Chains.capsules, np.array([[0, 2]], "timedelta64[s]"))
         self.refuses("pair", batuta.Chain, Chains.capsules[:2])
         self.refuses("radius", batuta.Chain, -Chains.capsules)
         chain = batuta.Chain(Chains.capsules)

@@ -54,6 +54,9 @@ def main():
         modules = [f"batuta/{path.name}" for path in (PACKAGE / "batuta").glob("*.py")]
         check([path for path in inside if path.endswith(".py")] == sorted(modules), inside)
         check(sum("libbatuta_queries." in path for path in inside) == 1 and len(inside) == len(modules) + 1, inside)
+        with zipfile.ZipFile(wheels[0]) as wheel:
+            licences = [wheel.read(path) for path in wheel.namelist() if path.endswith(".dist-info/LICENSE")]
+        check(licences == [(SOURCE / "LICENSE").read_bytes()], "the wheel has not the library's licence, or not once")
         run(*pip, "install", "--no-deps", "--target", folder / "installed", wheels[0], env=env)
         told = run(sys.executable, "-B", HERE / "package_test.py", SOURCE, VECTORS, cwd=folder,
                    env={**os.environ, "PYTHONPATH": str(folder / "installed"), "PYTHONWARNINGS": "error"})

@@ -296,7 +296,7 @@ class Answer(unittest.TestCase):
             file.write(text)
         done = subprocess.run(["sh", "-c", 'ln -s "$1" "$2.$$.part"; exec "$0" distance --in "$1" --out "$2"', PROGRAM, queries,
                                out], capture_output=True, text=True, timeout=60, check=False)
-        self.assertNotEqual(done.returncode, 0)
+        self.assertEqual(done.returncode, 1)
         self.assertIn("cannot write", done.stderr)
         with open(queries, encoding="ascii") as file:
             self.assertEqual(file.read(), text)
@@ -406,6 +406,13 @@ class Answer(unittest.TestCase):
         for name in "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1":
             done = self.run_program("distance", "--in", "-", "--out", name, text=text)
             self.assertEqual((done.returncode, done.stdout, done.stderr), (0, plain.stdout, ""), name)
+
+    def test_an_output_that_cannot_be_made_is_no_wrong_usage(self):
+        text = "".join(",".join(row) + "\n" for row in distance_file())
+        for name in self.path("no folder/out.csv"), self.folder.name:
+            done = self.run_program("distance", "--in", "-", "--out", name, text=text)
+            self.assertEqual((done.returncode, done.stdout), (1, ""), name)
+            self.assertIn("cannot write", done.stderr)
 
     def test_a_file_beyond_what_the_user_may_write_is_told(self):
         out = self.path("out.csv")

@@ -98,7 +98,8 @@ TEST(QueryRow, NumberByBitsOrDecimal_IsThatFloat) {
 
 TEST(QueryRow, NumberThatMayBeMeantEitherWay_IsRefused) {
   EXPECT_THAT(numbers_of("2,0,0").error, HasSubstr("line 1, column x: 2 is not clear"));
-  EXPECT_THAT(numbers_of("0,1e5,0").error, HasSubstr("column y: 1e5 is not clear"));
+  EXPECT_THAT(numbers_of("0,1e5,0").error,
+              HasSubstr("column y: 1e5 is not clear: 0x1e5 for bits, 1.0e5 for a number"));
   EXPECT_THAT(numbers_of("0,0,10000000").error, HasSubstr("column z: 10000000 is not clear"));
   EXPECT_THAT(numbers_of("2.0,3,0").error, HasSubstr("column y: 3 is not clear"));
   EXPECT_THAT(numbers_of("3f8,3,-1").error, HasSubstr("column y: 3 is not clear"));

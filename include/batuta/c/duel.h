@@ -223,11 +223,12 @@ uint32_t batuta_player_agreed(const batuta_player* player);
 /// @param[out] playback  BATUTA_PLAYBACK_READY | _WAITING: give more bytes | one of the ends
 /// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT: also where it was READY before
 int32_t batuta_player_begin(batuta_player* player, batuta_duel* duel, int32_t* playback);
-/// Makes the recording's next step, after a look whether the duel is the recorded one so far.
+/// Makes the recording's next step; where a hash was recorded before it, after a look whether the
+/// duel is the recorded one so far.
 /// @param duel  as this player left it
 /// @param[out] playback  BATUTA_PLAYBACK_STEP | _END | _WAITING | one of the other ends
-/// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT: also before it is READY. Bound: two records and
-///   batuta_duel_step().
+/// @returns BATUTA_OK | BATUTA_INVALID_ARGUMENT: also before it is READY, and for a duel that has
+///   made another number of steps; it is then as it was. Bound: two records and batuta_duel_step().
 int32_t batuta_player_next(batuta_player* player, batuta_duel* duel, int32_t* playback);
 
 #ifdef __cplusplus  // deviation: names-of-c

@@ -100,8 +100,7 @@ std::variant<Command, Exit> read_command_line(int argc, char** argv) {
   CLI::App app(
       "Answers query files: when moving capsules touch, how far segments are apart, what a "
       "collision does.\nExit status: 0; 1 if a line was invalid, or the output cannot be written; "
-      "2 on wrong "
-      "usage.",
+      "2 on wrong usage, or for a file that cannot be read.",
       "batuta-answer");
   app.failure_message(one_line);
   app.allow_windows_style_options(false);  // a word that begins with / is a path

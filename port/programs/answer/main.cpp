@@ -30,14 +30,17 @@ std::string last_system_error() {
 /// Where the answers go: a file, which is there when it is whole, or standard output.
 class Answers {
  public:
-  /// @returns an empty text | why they cannot be written there
-  std::string open(const Command& command) {
-    to_file_ = command.out != kStandardStream;
+  explicit Answers(const Command& command) : to_file_(command.out != kStandardStream) {}
+
+  /// @returns an empty text | which file would be read and written
+  std::string clash(const Command& command) const {
     std::vector<host::NamedFile> outputs;
     if (to_file_) outputs.push_back({"--out", command.out});
-    std::string clash = host::clash_of(inputs_of(command), outputs);
-    if (!clash.empty() || !to_file_) return clash;
-    return told(command, file_.open(command.out));
+    return host::clash_of(inputs_of(command), outputs);
+  }
+  /// @returns an empty text | why they cannot be written there
+  std::string open(const Command& command) {
+    return to_file_ ? told(command, file_.open(command.out)) : "";
   }
   std::ostream& stream() { return to_file_ ? file_.stream() : std::cout; }
   /// @returns an empty text | why not all of them are in the file; main() looks after standard
@@ -58,7 +61,7 @@ class Answers {
     return {{"--in", "/dev/stdin"}};
   }
 
-  bool to_file_ = false;
+  bool to_file_;
   host::OutputFile file_;
 };
 
@@ -77,9 +80,11 @@ int run(const Command& command) {
   queries.require(kind.needed_columns());
   if (!queries.ok()) return fail(command.in + ": " + queries.error());
 
-  Answers answers;
+  Answers answers(command);
+  const std::string clash = answers.clash(command);
+  if (!clash.empty()) return fail(clash);
   std::string problem = answers.open(command);
-  if (!problem.empty()) return fail(problem);
+  if (!problem.empty()) return fail(problem, kExitIncomplete);
   const RowAnswer answer = command.in_float ? kind.in_float : kind.in_double;
   const long invalid =
       answer_file(queries, kind.columns, answer, command.search, answers.stream(), std::cerr);

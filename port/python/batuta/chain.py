@@ -5,7 +5,7 @@ import typing
 
 import numpy as np
 
-from .queries import Outcome, calls_for, moving, numbers, one_number, time_of_contact, twist_between
+from .queries import Outcome, calls_for, is_masked, moving, numbers, one_number, time_of_contact, twist_between, upwards
 
 
 class ChainAnswer(typing.NamedTuple):
@@ -35,7 +35,7 @@ class Chain:
         """capsules: capsule (L, 7), each in the frame of its link. pairs: (P, 2) numbers of links that must not touch; where nothing
         is said, all but neighbours, which share a joint: i and j with i + 1 < j. ValueError: a shape, a number that is not finite, a
         negative radius, a pair that there is not, no pair."""
-        self.capsules = numbers("capsules", capsules, 7)
+        self.capsules = np.array(numbers("capsules", capsules, 7))  # its own: what was checked stays
         if self.capsules.ndim != 2:
             raise ValueError(f"batuta: capsules has shape {self.capsules.shape}, not (L, 7)")
         if (self.capsules[:, 6] < 0).any():
@@ -43,13 +43,17 @@ class Chain:
         links = len(self.capsules)
         if pairs is None:
             pairs = [(i, j) for i in range(links) for j in range(i + 2, links)]
-        pairs = np.asarray(pairs)
+        if is_masked(pairs):
+            raise ValueError("batuta: pairs is masked")
+        pairs = np.array(pairs)
         if pairs.size == 0:
             raise ValueError("batuta: a chain of which no pair is looked at")
-        good = pairs.ndim == 2 and pairs.shape[1] == 2 and np.issubdtype(pairs.dtype, np.integer)
+        good = pairs.ndim == 2 and pairs.shape[1] == 2 and pairs.dtype.kind in "iu"
         if not good or (pairs < 0).any() or (pairs >= links).any() or (pairs[:, 0] == pairs[:, 1]).any():
             raise ValueError(f"batuta: pairs is not (P, 2) numbers of two links, 0 ... {links - 1}")
         self.pairs = pairs
+        for array in (self.capsules, self.pairs):
+            array.setflags(write=False)
 
     def all_pairs(self, start, end, duration, margin=0.0, tolerance=1e-6, budget=30):
         """Whether any pair touches while every link goes from one pose to another, and when first: proven, not sampled.
@@ -70,8 +74,7 @@ class Chain:
         scalar = calls_for(self.capsules, start, end).scalar.type
         capsules, start, end = (array.astype(scalar) for array in (self.capsules, start, end))
         if margin > 0:  # upwards: so much is promised
-            half = np.nextafter(scalar(margin / 2), scalar(np.inf))
-            capsules[:, 6] = np.nextafter(capsules[:, 6] + half, scalar(np.inf))
+            capsules[:, 6] = np.nextafter(capsules[:, 6] + upwards(scalar, margin / 2), scalar(np.inf))
         bodies = moving(capsules, start, twist_between(start, end, duration))
         found = time_of_contact(bodies[..., self.pairs[:, 0], :], bodies[..., self.pairs[:, 1], :], duration, tolerance, budget)
         return ChainAnswer(self.pairs, found.outcome, found.t_free, found.t_hit)

@@ -49,13 +49,20 @@ def calls_for(*arrays):
     return calls
 
 
+def is_masked(value):
+    """Whether it is a masked array, or a list or tuple that has one somewhere: numpy would take the numbers below the mask."""
+    if isinstance(value, (list, tuple)):
+        return any(is_masked(item) for item in value)
+    return isinstance(value, np.ma.MaskedArray)
+
+
 def numbers(name, array, width):
     """An array of numbers, float32 where it was of these, else float64, whose last dimension has the width; a ValueError: another
     shape, masked, or not finite."""
-    if isinstance(array, np.ma.MaskedArray):
+    if is_masked(array):
         raise ValueError(f"batuta: {name} is masked: ask for what is not, by array[~mask]")
     array = np.asarray(array)
-    if not (np.issubdtype(array.dtype, np.floating) or np.issubdtype(array.dtype, np.integer)):
+    if array.dtype.kind not in "fiu":
         raise ValueError(f"batuta: {name} holds {array.dtype}, no real numbers")
     is_single = array.dtype.kind == "f" and array.dtype.itemsize == 4  # of either byte order
     with np.errstate(over="ignore"):  # what is too large for float64 is not finite there
@@ -74,6 +81,8 @@ def where(index, shape):
 
 def one_number(name, value, is_good, good):
     """A finite number that is_good() takes, also where there is no query that it is for. good: which those are, in words."""
+    if is_masked(value):
+        raise ValueError(f"batuta: {name} is masked")
     value = np.asarray(value)
     if value.ndim > 0 or value.dtype.kind not in "fiu":
         raise ValueError(f"batuta: {name} is {value.dtype} of shape {value.shape}, not one number")
@@ -104,6 +113,13 @@ def pairs_of(calls, A, B):
     return both[0], both[1], shape
 
 
+def upwards(scalar, value):
+    """The least number of that type that is no less: what is proven for it is proven for the value."""
+    with np.errstate(over="ignore"):
+        rounded = scalar(value)
+    return rounded if float(rounded) >= value else np.nextafter(rounded, scalar(np.inf))
+
+
 def check_all(answered, count, shape, what):
     if answered != count:
         raise ValueError(f"batuta: {where(answered, shape)}: {what}")
@@ -130,8 +146,13 @@ def moving(capsule, pose, twist=(0, 0, 0, 0, 0, 0)):
     Returns (..., 20), broadcast; float32 where capsule and pose are."""
     parts = [numbers("capsule", capsule, 7), numbers("pose", pose, 7), numbers("twist", twist, 6)]
     scalar = np.float32 if all(part.dtype == np.float32 for part in parts[:2]) else np.float64
-    shape = np.broadcast_shapes(*(part.shape[:-1] for part in parts))
-    return np.concatenate([np.broadcast_to(part, shape + part.shape[-1:]).astype(scalar) for part in parts], axis=-1)
+    try:
+        shape = np.broadcast_shapes(*(part.shape[:-1] for part in parts))
+    except ValueError:
+        raise ValueError(f"batuta: shapes {', '.join(str(part.shape) for part in parts)} do not fit each other") from None
+    with np.errstate(over="ignore"):  # a twist that is too large for float32 is not finite there
+        both = [np.broadcast_to(part, shape + part.shape[-1:]).astype(scalar) for part in parts]
+    return numbers("twist, in float32,", np.concatenate(both, axis=-1), 20)
 
 
 def time_of_contact(A, B, duration, tolerance=1e-6, budget=30):
@@ -146,7 +167,8 @@ def time_of_contact(A, B, duration, tolerance=1e-6, budget=30):
     calls = calls_for(A, B)
     A, B, shape = pairs_of(calls, A, B)
     budget = whole_number("budget", budget, 1, 4096)
-    search = calls.search(one_number("duration", duration, lambda s: s >= 0, "0 or more"),
+    duration = one_number("duration", duration, lambda s: s >= 0, "0 or more")
+    search = calls.search(upwards(calls.scalar.type, duration),
                           one_number("tolerance", tolerance, lambda share: 0 <= share <= 1, "0 ... 1"), budget)
     out = np.zeros(shape, calls.contact)
     check_all(calls.time_of_contact(A.ctypes.data, B.ctypes.data, out.size, ctypes.byref(search), out.ctypes.data), out.size, shape,

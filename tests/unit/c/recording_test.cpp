@@ -193,6 +193,49 @@ TEST_F(RecordingForC, CutShort_IsToldSo) {
   EXPECT_EQ(steps, kSteps);
 }
 
+TEST_F(RecordingForC, CutInItsStart_IsToldSoAtOnce) {
+  ASSERT_NO_FATAL_FAILURE(record());
+  for (const std::size_t count : {std::size_t{1}, std::size_t{200}, bytes.size() / 4}) {
+    ASSERT_EQ(batuta_duel_init(played.get(), sizeof *played, kStepUs, 5), BATUTA_OK);
+    ASSERT_EQ(batuta_player_init(player.get(), sizeof *player), BATUTA_OK);
+    ASSERT_EQ(batuta_player_give(player.get(), bytes.data(), count, 1), BATUTA_OK);
+    std::int32_t answer = -1;
+    ASSERT_EQ(batuta_player_begin(player.get(), played.get(), &answer), BATUTA_OK);
+    while (answer == BATUTA_PLAYBACK_READY || answer == BATUTA_PLAYBACK_STEP) {
+      ASSERT_EQ(batuta_player_next(player.get(), played.get(), &answer), BATUTA_OK);
+    }
+    EXPECT_EQ(answer, BATUTA_PLAYBACK_CUT) << count << " bytes";
+  }
+}
+
+TEST_F(RecordingForC, StepIntoAnotherDuel_IsRefused) {
+  ASSERT_NO_FATAL_FAILURE(record());
+  const auto fresh = std::make_unique<batuta_duel>();
+  ASSERT_EQ(batuta_duel_init(fresh.get(), sizeof *fresh, kStepUs, 5), BATUTA_OK);
+  ASSERT_EQ(batuta_duel_init(played.get(), sizeof *played, kStepUs, 5), BATUTA_OK);
+  ASSERT_EQ(batuta_player_init(player.get(), sizeof *player), BATUTA_OK);
+  ASSERT_EQ(batuta_player_give(player.get(), bytes.data(), bytes.size(), 1), BATUTA_OK);
+  std::int32_t answer = -1;
+  ASSERT_EQ(batuta_player_begin(player.get(), played.get(), &answer), BATUTA_OK);
+  for (int k = 0; k < 9; ++k) {
+    ASSERT_EQ(batuta_player_next(player.get(), played.get(), &answer), BATUTA_OK);
+  }
+  const auto before = hash_of_c(*fresh);
+  EXPECT_EQ(batuta_player_next(player.get(), fresh.get(), &answer), BATUTA_INVALID_ARGUMENT);
+  EXPECT_EQ(hash_of_c(*fresh), before);
+  int steps_after = 0;
+  do {
+    ASSERT_EQ(batuta_player_next(player.get(), played.get(), &answer), BATUTA_OK);
+    steps_after += answer == BATUTA_PLAYBACK_STEP ? 1 : 0;
+  } while (answer == BATUTA_PLAYBACK_STEP);
+  EXPECT_EQ(answer, BATUTA_PLAYBACK_END);
+  EXPECT_EQ(steps_after, kSteps - 9);
+  // Whoever fences on in it is told the end again.
+  ASSERT_EQ(batuta_duel_step(played.get(), nullptr, nullptr), BATUTA_OK);
+  ASSERT_EQ(batuta_player_next(player.get(), played.get(), &answer), BATUTA_OK);
+  EXPECT_EQ(answer, BATUTA_PLAYBACK_END);
+}
+
 // A damaged start may leave the duel with what was read of it. Nothing then takes it for a bout.
 TEST_F(RecordingForC, OfForeignBytes_LeavesTheDuelAlone) {
   const auto before = hash_of_c(*duel);

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <memory>
 
@@ -141,6 +142,35 @@ TEST_F(WorldForC, AStoneThatFalls_IsOnItsParabola) {
   EXPECT_NEAR(body.capsule_W[0], 3, 1e-5);  // 1 + 2 t
   EXPECT_NEAR(body.capsule_W[2], 1, 1e-5);  // 3 - 4 t^2 / 2
   EXPECT_NEAR(body.v_W[2], -4, 1e-5);
+}
+
+/// Faster than anything whose blow a float can hold: refused, and what is accepted stays finite.
+TEST_F(WorldForC, TooFastABody_IsRefused) {
+  const Capsule<float> blade = {{{0, 0, -0.45F}, {0, 0, 0.45F}}, 0.005F};
+  constexpr batuta_material kSteel = {7850, 0.6F, 0.3F};
+  const auto add_at = [&](const Vec3<float>& place, const Vec3<float>& v_W) {
+    std::int32_t number = -1;
+    const Moving blade_W = moving(blade, {place, Quat<float>::Identity()}, {v_W, {0, 0, 0}});
+    return batuta_world_add(world.get(), blade_W.data(), &kSteel, &number);
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const float speed : {1e3F, 1e10F, 1e18F, 1e20F, 1e30F, 1e35F, 3e38F}) {
+      ASSERT_EQ(batuta_world_init(world.get(), sizeof *world), BATUTA_OK);
+      ASSERT_EQ(add_at({0, 0, 1}, {4, 0, 0}), BATUTA_OK);
+      const Vec3<float> v_W = speed * Vec3<float>::Unit(axis);
+      const std::int32_t added = add_at({0.2F, 0, 1.3F}, v_W);
+      EXPECT_EQ(added, speed < 1e19F ? BATUTA_OK : BATUTA_INVALID_ARGUMENT) << axis << ' ' << speed;
+      for (int k = 0; k < 20; ++k) ASSERT_EQ(batuta_world_step(world.get(), 1e-3F), BATUTA_OK);
+      for (int i = 0; i < (added == BATUTA_OK ? 2 : 1); ++i) {
+        batuta_body body;
+        ASSERT_EQ(batuta_world_body(world.get(), i, &body), BATUTA_OK);
+        for (int k = 0; k < 3; ++k) {
+          EXPECT_TRUE(std::isfinite(body.v_W[k]) && std::isfinite(body.w_W[k]))
+              << axis << ' ' << speed;
+        }
+      }
+    }
+  }
 }
 
 TEST_F(WorldForC, RemovedBody_IsGoneAndItsNumberIsFree) {

@@ -75,6 +75,21 @@ TEST_F(FullList, OneIsPutOnTheThirdPad_ItsNewContactTakesThePlaceOfTheOld) {
   EXPECT_NEAR(std::as_const(*this).ball().X_WB.p_W.x(), 0.25F, 1e-3F);
 }
 
+/// Neither of the two can be moved then, and no pair asks for their contact again.
+TEST_F(FullList, OneIsFixedElsewhere_ItsContactGivesItsPlaceBack) {
+  auto& fixed = world.get(moved)->body;
+  fixed.inverse_mass = 0;
+  fixed.inverse_moments.setZero();
+  fixed.momentum = {};
+  fixed.X_WB.p_W = {0, -2 * kBetween, 3};
+  steps(1);
+  const auto third = add_ball(world, 2 * kBetween, 5e-5F);
+  auto& body = world.get(third)->body;
+  body.momentum.linear_W = {0.5F / body.inverse_mass, 0, 0};
+  steps(500);
+  EXPECT_NEAR(std::as_const(world).get(third)->body.X_WB.p_W.x(), 0.25F, 1e-3F);
+}
+
 /// What does not fit is told, as long as it does not, and no longer.
 TEST_F(FullList, AThirdBall_IsTold_UntilItIsTakenAway) {
   const auto third = add_ball(world, 2 * kBetween, 5e-5F);

@@ -187,15 +187,21 @@ typename ContactGroups<SceneT>::Contact* ContactGroups<SceneT>::add(const Bodies
   return &contact;
 }
 
-/// Pairs of which neither moves were not looked at, and stay as they are.
+/// Pairs of which neither moves were not looked at, and stay as they are; but for those of which
+/// neither can be moved: no pair will ever ask for them.
 template <class SceneT>
 void drop_far(const Bodies<SceneT>& bodies, ContactList<SceneT>& contacts) {
+  using Kinematics = typename Bodies<SceneT>::Kinematics;
   const auto rests = [&bodies](std::size_t slot) {
     return bodies.states[slot].asleep || bodies.is_wall(slot);
   };
+  const auto yields = [&bodies](std::size_t slot) {
+    return !Kinematics::is_immovable(bodies.actor(slot).body);
+  };
   contacts.remove_if([&](const LastingContactOf<SceneT>& contact) {
-    const bool sleeps = rests(a_of<SceneT>(contact)) && rests(b_of<SceneT>(contact));
-    return !contact.is_kept && !sleeps;
+    const std::size_t a = a_of<SceneT>(contact);
+    const std::size_t b = b_of<SceneT>(contact);
+    return !contact.is_kept && !(rests(a) && rests(b) && (yields(a) || yields(b)));
   });
 }
 
