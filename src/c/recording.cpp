@@ -249,8 +249,8 @@ std::int32_t batuta_player_begin(batuta_player* player, batuta_duel* duel, std::
   auto* const played = batuta::detail::found_in<DuelForC>(duel);
   if (own == nullptr || played == nullptr || playback == nullptr) return BATUTA_INVALID_ARGUMENT;
   if (own->has_begun) return BATUTA_INVALID_ARGUMENT;
-  *playback =
-      code_of(own->ask([&](batuta::Player& player) { return begin_play(player, *played); }));
+  *playback = code_of(
+      own->ask([&](batuta::Player& own_player) { return begin_play(own_player, *played); }));
   own->has_begun = *playback == BATUTA_PLAYBACK_READY;
   own->first = played->bout.steps();
   return BATUTA_OK;
@@ -264,7 +264,7 @@ std::int32_t batuta_player_next(batuta_player* player, batuta_duel* duel, std::i
   if (!own->has_begun) return BATUTA_INVALID_ARGUMENT;
   const bool is_its = played->bout.steps() == own->first + own->player.steps();
   if (!is_its && !own->has_ended) return BATUTA_INVALID_ARGUMENT;
-  *playback =
-      code_of(own->ask([&](batuta::Player& player) { return play_step(player, played->bout); }));
+  *playback = code_of(
+      own->ask([&](batuta::Player& own_player) { return play_step(own_player, played->bout); }));
   return BATUTA_OK;
 }
