@@ -71,6 +71,37 @@ TEST_P(BetweenBars, ElasticBall_GoesToAndFro) {
 }
 INSTANTIATE_TEST_SUITE_P(Steps, BetweenBars, ::testing::Values(1e-3F, 1.0F / 60, 1.0F / 30));
 
+constexpr SceneOptions falling_options() {
+  SceneOptions scene = flying_options();
+  scene.gravity = true;
+  return scene;
+}
+using Falling = Scene<falling_options>;
+
+/// Less than four times the speed of rest: too slow for a neighbour to be struck in turn. It meets
+/// the first post after 1.3 ms, the second one after 8 ms, and the first one again after 14.7 ms.
+TEST(BetweenPosts, SlowElasticBall_GoesToAndFroAsItFalls) {
+  constexpr float kDt = 1.0F / 60;
+  constexpr float kSpeed = 0.6F;
+  constexpr float kWay = 4e-3F;
+  constexpr float kStart = 0.8e-3F;
+  World<Falling> world;
+  for (const float y : {-kRadius, 3 * kRadius + kWay}) {
+    const Capsule<float> post = {{{0, y, -9}, {0, y, 9}}, kRadius};
+    const auto actor = make_actor<Falling>(post, std::numeric_limits<float>::infinity(), {});
+    ASSERT_TRUE(world.add(actor.value).ok());
+  }
+  const auto ball = add_ball(world, kRadius + kStart, 1000, -kSpeed);
+  ASSERT_EQ(world.step(kDt), Status::kOk);
+  EXPECT_TRUE(world.report().complete());
+  EXPECT_EQ(world.report().collisions, 3U);
+  const auto& body = std::as_const(world).get(ball)->body;
+  EXPECT_NEAR(body.momentum.linear_W.y() * body.inverse_mass, kSpeed, 1e-3F);
+  EXPECT_NEAR(body.X_WB.p_W.y() - kRadius, kSpeed * kDt - kStart - 2 * kWay, 3e-4F);
+  const float fall = world.settings().gravity_W.z() * kDt;
+  EXPECT_NEAR(body.momentum.linear_W.z() * body.inverse_mass, fall, 1e-4F);
+}
+
 /// Balls on a line, in double: from blow to blow.
 struct OnALine {
   std::array<double, 3> y;

@@ -134,15 +134,15 @@ void relax_now(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups,
   visit_opening(bodies, groups, contact, share_to_open(bodies, contact));
 }
 
-/// Whether the two of a contact come at each other much faster than rest.
+/// Whether the two of a contact come at each other so many times faster than rest.
 template <class SceneT>
-bool is_fast(const Bodies<SceneT>& bodies, const ContactGroups<SceneT>& groups,
-             const LastingContactOf<SceneT>& contact) {
-  constexpr int kSurely = 4;
+bool is_faster(const Bodies<SceneT>& bodies, const ContactGroups<SceneT>& groups,
+               const LastingContactOf<SceneT>& contact, int times) {
+  using Scalar = Scalar_of<SceneT>;
   const std::size_t a = a_of<SceneT>(contact);
   const std::size_t b = b_of<SceneT>(contact);
-  return fastest_approach(contact, groups.solved[a], groups.solved[b]) <
-         -kSurely * rest_speed(bodies);
+  const Scalar approach = fastest_approach(contact, groups.solved[a], groups.solved[b]);
+  return approach < -static_cast<Scalar>(times) * rest_speed(bodies);
 }
 
 /// A neighbour that is approached much faster than rest is struck in turn.
@@ -152,9 +152,10 @@ void pass_blow([[maybe_unused]] Bodies<SceneT>& bodies,
                [[maybe_unused]] LastingContactOf<SceneT>& contact,
                [[maybe_unused]] const Passing& passing) {
   if constexpr (SceneT::kRestitution) {
+    constexpr int kSurely = 4;
     const std::size_t a = a_of<SceneT>(contact);
     const std::size_t b = b_of<SceneT>(contact);
-    if (!is_fast(bodies, groups, contact)) return;
+    if (!is_faster(bodies, groups, contact, kSurely)) return;
     passing.blow(contact.pair);
     groups.load(bodies, a);
     groups.load(bodies, b);
@@ -252,7 +253,7 @@ bool pass_to(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups, int i, int p
   wake_sides(bodies, contact, passing);
   bring_to_now(bodies, groups, contact);
   // They have been in contact in this step, and are on their way to it again: the search says when.
-  if (least_gap(contact) > contact.rest_gap && is_fast(bodies, groups, contact)) return false;
+  if (least_gap(contact) > contact.rest_gap && is_faster(bodies, groups, contact, 1)) return false;
   if (i != parts) pass_blow(bodies, groups, contact, passing);
   relax_now(bodies, groups, contact, energy);
   return true;
