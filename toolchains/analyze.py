@@ -126,7 +126,7 @@ def size_of(bundle):
 
 
 class Analysis:
-    def __init__(self, source, build, under, max_nodes):
+    def __init__(self, source, build, under="", max_nodes=MAX_NODES):
         self.source = source
         self.build = build
         self.under = str(source / under)  # what is analysed begins with it

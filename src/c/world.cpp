@@ -67,8 +67,12 @@ std::int32_t batuta_world_add(batuta_world* world, const float* moving,
   }
   const auto body = batuta::detail::moving_of(moving, 0.0F);
   if (!body.ok()) return BATUTA_INVALID_ARGUMENT;
+  const batuta::Twist<float>& twist = body.value.motion.twist;
+  if (!batuta::is_finite(twist.v_W.squaredNorm() + twist.w_W.squaredNorm())) {
+    return BATUTA_INVALID_ARGUMENT;  // no float holds what a blow makes of it
+  }
   auto actor = batuta::make_actor<batuta::detail::SceneForC>(
-      body.value.capsule_B, material->density, body.value.motion.X_WB, body.value.motion.twist);
+      body.value.capsule_B, material->density, body.value.motion.X_WB, twist);
   if (!actor.ok()) return BATUTA_INVALID_ARGUMENT;
   actor.value.restitution = material->restitution;
   actor.value.friction = material->friction;

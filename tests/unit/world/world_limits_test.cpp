@@ -88,12 +88,6 @@ TEST(WorldLimits, BadActors_AreRefused) {
   bad = good;
   bad.body.inverse_moments.x() = -1;
   EXPECT_EQ(world.add(bad).status, Status::kInvalidArgument);
-  bad = good;
-  bad.body.momentum.linear_W.y() = 1e155 / bad.body.inverse_mass;  // m/s: no double is its square
-  EXPECT_EQ(world.add(bad).status, Status::kInvalidArgument);
-  bad = good;
-  bad.body.momentum.angular_W.x() = 1e155 / bad.body.inverse_moments.x();
-  EXPECT_EQ(world.add(bad).status, Status::kInvalidArgument);
   for (const double restitution : {-0.1, 1.1, std::nan("")}) {
     bad = good;
     bad.restitution = restitution;

@@ -238,6 +238,15 @@ void wake_sides([[maybe_unused]] const Bodies<SceneT>& bodies,
   }
 }
 
+/// Whether two that have been in contact in this step are on their way to it again: the search says
+/// when they meet. Within a few D they are as good as there (world.md, "Blows").
+template <class SceneT>
+bool comes_from_afar(const Bodies<SceneT>& bodies, const ContactGroups<SceneT>& groups,
+                     const LastingContactOf<SceneT>& contact) {
+  constexpr int kNear = 4;  // D
+  return least_gap(contact) > kNear * contact.rest_gap && is_faster(bodies, groups, contact, 1);
+}
+
 /// The i-th contact, of a body that has changed: what it has to answer is answered.
 /// @param parts  the contact that was struck alone: it parts, and is not struck again; or kNone
 /// @returns whether it had anything to answer
@@ -252,8 +261,7 @@ bool pass_to(Bodies<SceneT>& bodies, ContactGroups<SceneT>& groups, int i, int p
   }
   wake_sides(bodies, contact, passing);
   bring_to_now(bodies, groups, contact);
-  // They have been in contact in this step, and are on their way to it again: the search says when.
-  if (least_gap(contact) > contact.rest_gap && is_faster(bodies, groups, contact, 1)) return false;
+  if (comes_from_afar(bodies, groups, contact)) return false;
   if (i != parts) pass_blow(bodies, groups, contact, passing);
   relax_now(bodies, groups, contact, energy);
   return true;

@@ -70,9 +70,8 @@ class GeneralWorld : private RepeatsOf<SceneT> {
   /// Puts a body into the world, in the lowest free slot.
   /// @returns kOk with the id | kPoolFull | kInvalidArgument (not finite, negative radius, no part,
   /// C outside [0, 1], mu negative, an orientation of 0, an inverse mass or moment so small that
-  /// its own inverse is not finite, a speed or a rate of turn whose square is not finite, a turn
-  /// that is bent in a scene without bent_turns, or so far from the origin that numbers there are
-  /// further apart than the body is large)
+  /// its own inverse is not finite, a turn that is bent in a scene without bent_turns, or so far
+  /// from the origin that numbers there are further apart than the body is large)
   // Kept apart: its copy of the body is not there while its caller calls others.
   [[gnu::noinline]] Result<BodyId> add(const ActorType& actor);
 

@@ -76,8 +76,7 @@ struct StraightKinematics {
     return zero == Scalar(0) && body.inverse_mass >= Scalar(0);  // NaN where one is not finite
   }
   static bool is_addable(const BodyType& body) {
-    const Vec3<Scalar> v_W = body.inverse_mass * body.momentum_W;
-    return is_inverse(body.inverse_mass) && is_usable(body) && is_finite(v_W.squaredNorm());
+    return is_inverse(body.inverse_mass) && is_usable(body);
   }
   static void make_unit(const BodyType& /*body*/) {}
   static bool may_turn(const BodyType& /*body*/) { return true; }

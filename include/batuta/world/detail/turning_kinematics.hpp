@@ -74,14 +74,7 @@ struct TurningKinematics {
     for (int i = 0; i < 3; ++i) {  // Bound: 3
       has_inverses = has_inverses && is_inverse(body.inverse_moments[i]);
     }
-    return points(body.X_WB.q_WB) && has_inverses && is_usable(body) && has_squares(body);
-  }
-  /// Whether its speeds have squares: blows and searches ask for them.
-  [[gnu::cold]] static bool has_squares(const BodyType& body) {
-    const Vec3<Scalar> b_B = body.X_WB.q_WB.conjugate() * body.momentum.angular_W;
-    const Vec3<Scalar> w_B = body.inverse_moments.cwiseProduct(b_B);
-    const Vec3<Scalar> v_W = body.inverse_mass * body.momentum.linear_W;
-    return is_finite(v_W.squaredNorm() + w_B.squaredNorm());
+    return points(body.X_WB.q_WB) && has_inverses && is_usable(body);
   }
   /// Whether one that comes new may turn as it will.
   [[gnu::cold]] static bool may_come([[maybe_unused]] const ActorType& actor) {
