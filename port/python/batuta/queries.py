@@ -159,8 +159,9 @@ def time_of_contact(A, B, duration, tolerance=1e-6, budget=30):
     """First contact of moving capsules A and B within the duration. None is missed, turning included: up to t_free the true gap is
     above 0, rounding of the search included.
 
-    A, B: moving (..., 20), broadcast. duration: s, >= 0; no body turns by more than 2526 rad in it. tolerance: a gap of so much of
-    the query's length (distance + travel + sizes) counts as contact, 0 ... 1; float32 raises it to what it can resolve, some 6e-6.
+    A, B: moving (..., 20), broadcast. duration: s, >= 0, for float32 arrays the next float32 up where it is none; no body turns by
+    more than 2526 rad in it. tolerance: a gap of so much of the query's length (distance + travel + sizes) counts as contact, 0 ... 1;
+    float32 raises it to what it can resolve, some 6e-6.
     budget: most distance evaluations of a query, 1 ... 4096; where they do not suffice the outcome is BUDGET.
     Returns FirstContact with the dimensions (...). ValueError: a shape, a number that is not finite or out of its range."""
     A, B = numbers("A", A, 20), numbers("B", B, 20)
