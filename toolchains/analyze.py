@@ -247,9 +247,9 @@ class Analysis:
     def tidy(self, files):
         """Many units as one source file: clang-tidy spends nine tenths of its time in the headers of Eigen and the library,
         which a bundle reads once. The largest comes first, or one core waits for another's last one."""
-        groups = {}  # flags without what they do not change for clang-tidy: files
+        groups = {}  # flags without what they do not change for clang-tidy, and a folder: files
         for name in map(str, files):
-            groups.setdefault(same_for_clang_tidy(self.flags[name]), []).append(name)
+            groups.setdefault((same_for_clang_tidy(self.flags[name]), self.folder_of(name)), []).append(name)
         bundles = sorted((bundle for group in groups.values() for bundle in filled(group)), key=size_of, reverse=True)
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             looked = [look for looks in pool.map(self.look_at, bundles) for look in looks]
@@ -257,9 +257,15 @@ class Analysis:
             say(f"{seconds:.0f} s for {len(names)} from {pathlib.Path(names[0]).relative_to(self.source)}")
         return max((code for _, _, code, _ in looked), default=0), "".join(output for _, _, _, output in looked)
 
+    def folder_of(self, name):
+        """What a file may share a bundle with: the library is one source for users, too; what ports have in common may stand in
+        each of them, as symbols of a linker script do."""
+        room = str(self.source / "src") + os.sep
+        return room if name.startswith(room) else os.path.dirname(name)
+
     def look_at(self, names):
-        """[(seconds, names, exit code, output)] of a bundle. One that does not compile, as where two files use one name for
-        different things, is halved until each does."""
+        """[(seconds, names, exit code, output)] of a bundle. Of one that does not compile, as where two files use one name for
+        different things, each file is looked at alone."""
         folder = self.database / "bundles"
         folder.mkdir(exist_ok=True)
         stem = "_".join(pathlib.Path(names[0]).relative_to(self.source).with_suffix("").parts)
@@ -269,8 +275,7 @@ class Analysis:
         looked_at, more = (str(bundle), INCLUDED_TOO) if len(names) > 1 else (names[0], ())
         code, output = run(["clang-tidy", "--quiet", looked_at, "--", *shlex.split(self.flags[names[0]])[1:], *self.limits, *more])
         if len(names) > 1 and "[clang-diagnostic-error]" in output:
-            half = len(names) // 2
-            return self.look_at(names[:half]) + self.look_at(names[half:])
+            return [look for name in names for look in self.look_at([name])]
         return [(time.monotonic() - start, names, code, output)]
 
     def check_cppcheck(self):
